@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// What a glTF file with LICHEN_materials_exemplar_noise holds: tables, noises, and the materials
+// that use them. docs/gltf_extension/README.md is the format's specification.
+#pragma once
+
+#include <lichen/result.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lichen {
+
+inline constexpr std::string_view kExtensionName = "LICHEN_materials_exemplar_noise";
+
+/// The revision of the tiling method that this version writes and evaluates.
+inline constexpr int kTilingRevision = 1;
+
+enum class TexelFormat {
+  r8Unorm,
+  rg8Unorm,
+  rgba8Unorm,
+  rgba8Srgb,
+  r16Sfloat,
+  rg16Sfloat,
+  rgba16Sfloat,
+  r32Sfloat,
+  rgba32Sfloat,
+};
+
+/// Bytes of one texel, and how many channels it has.
+[[nodiscard]] std::size_t texelBytes(TexelFormat format);
+[[nodiscard]] int channelCount(TexelFormat format);
+
+/// An uncompressed 2-D texture with mips, or a 3-D texture without: the content of one KTX2 file.
+/// Level l has max(1, width >> l) x max(1, height >> l) texels, rows top first, z slowest, tightly
+/// packed; levels follow one another from 0 in `texels`.
+struct Table {
+  std::string name;
+  TexelFormat format = TexelFormat::rgba8Unorm;
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  std::uint32_t depth = 0;     ///< 0 for a 2-D texture
+  std::uint32_t mipLevels = 1; ///< 1 when 3-D
+  std::vector<std::byte> texels;
+};
+
+/// Offset and size in bytes of one mip level inside Table::texels. `level` < mipLevels.
+struct LevelRange {
+  std::size_t offset = 0;
+  std::size_t size = 0;
+};
+[[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
+
+/// The texels of one mip level as floats, channelCount interleaved, sRGB formats decoded to light.
+[[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);
+/// Appends float texels, channelCount(format) interleaved, rounded to nearest into `format`; sRGB
+/// formats are given light and store its code.
+void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
+                  std::span<const float> values);
+
+/// KTX2 container of a table, and back. `name` is used in messages and becomes Table::name.
+[[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
+[[nodiscard]] Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name);
+
+enum class MapTarget { baseColor, normal, occlusionRoughnessMetallic, emissive, height, opacity };
+enum class MapChannel {
+  red,
+  green,
+  blue,
+  slopeX,
+  slopeY,
+  occlusion,
+  roughness,
+  metallic,
+  height,
+  opacity
+};
+/// Of the exemplar's stored values, in which mean and covariance are stated. The inverse table
+/// holds light for srgb, the decoded value for the others.
+enum class ValueEncoding { srgb, linear, slope, log2 };
+enum class Mapping { uv, triplanar, surface, solid };
+
+/// The names that the JSON uses, for both directions.
+[[nodiscard]] std::string_view nameOf(MapTarget value);
+[[nodiscard]] std::string_view nameOf(MapChannel value);
+[[nodiscard]] std::string_view nameOf(ValueEncoding value);
+[[nodiscard]] std::string_view nameOf(Mapping value);
+[[nodiscard]] std::optional<MapTarget> mapTargetFrom(std::string_view name);
+[[nodiscard]] std::optional<MapChannel> mapChannelFrom(std::string_view name);
+[[nodiscard]] std::optional<ValueEncoding> valueEncodingFrom(std::string_view name);
+[[nodiscard]] std::optional<Mapping> mappingFrom(std::string_view name);
+
+/// One map of a tiling noise.
+///
+/// The Gaussian image has D = 1, 2 or 3 colour channels (R8/R16F/R32F, RG.., RGBA.. with alpha
+/// unused), D being the dimension of the affine space that the exemplar's values span: a grey
+/// photograph stored as RGB has D = 1 and three `channels`. The inverse table maps [0, 1]^D to the
+/// channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x 64 L; D = 3: 3-D, 32 x 32 x 32 L.
+/// Slab k is prefiltered for the lost variance levels[k] = 1 - (1 - k / (L - 1))^2, in units of
+/// the full variance: kept amplitude falls linearly from slab 0 (nothing lost) to L - 1 (constant).
+struct NoiseMap {
+  MapTarget target = MapTarget::baseColor;
+  std::vector<MapChannel> channels; ///< 1 to 3
+  ValueEncoding encoding = ValueEncoding::srgb;
+  std::vector<double> mean;                ///< n = channels.size() values
+  std::vector<double> covariance;          ///< n x n, row-major, symmetric
+  std::size_t gaussian = 0;                ///< index into Bundle::tables
+  std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
+  std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
+  /// Variance that a bilinear fetch of each mip level of the Gaussian image loses, averaged over
+  /// sub-texel positions; one value per mip level, in [0, 1], not decreasing.
+  std::vector<double> mipLoss;
+  /// (a, b): at mip 0 and sub-texel position (f, g) in [0, 1)^2 the fetch loses
+  /// 1 - (1 - a f (1 - f)) (1 - b g (1 - g)); each in [0, 2].
+  std::array<double, 2> bilinearLoss{0.0, 0.0};
+};
+
+/// One noise: maps that share lattice, hash, seed and weights.
+struct Noise {
+  std::string name;
+  std::string method = "tiling";
+  int revision = kTilingRevision;
+  double tileSizeMetres = 1.0; ///< width of one exemplar
+  std::vector<NoiseMap> maps;
+};
+
+/// How a material uses a noise: everything that may change without a new bake.
+struct MaterialNoise {
+  std::size_t noise = 0;
+  Mapping mapping = Mapping::uv;
+  int texCoord = 0;
+  /// Tile coordinate = offset + R(rotation) uv / scale, with the rotation of KHR_texture_transform:
+  /// x' = cos x + sin y, y' = -sin x + cos y. One unit of tile space is one exemplar.
+  double scale = 1.0;                     ///< texture-coordinate units that one exemplar spans, > 0
+  std::array<double, 2> offset{0.0, 0.0}; ///< tiles
+  double rotation = 0.0;                  ///< radians
+  std::uint32_t seed = 1;
+  double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
+  double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
+};
+
+/// The extension's content. materials[i] belongs to glTF material i.
+struct Bundle {
+  std::vector<Table> tables;
+  std::vector<Noise> noises;
+  std::vector<std::optional<MaterialNoise>> materials;
+  std::vector<std::string> materialNames; ///< as many as materials; empty where unnamed
+};
+
+/// Reads the extension from a .glb or .gltf (buffers embedded, in the GLB chunk, or in files beside
+/// it inside its folder). Everything that checkBundle() calls an error is refused, badInput, with
+/// the first one's message. Never follows a path out of the file's folder. Thread-safe.
+[[nodiscard]] Result<Bundle> readBundle(const std::filesystem::path& path);
+/// As above from memory: a GLB, or a .gltf whose buffers are data URIs.
+[[nodiscard]] Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name);
+
+/// One fault of a file, with a stable code such as "noise-index" and a JSON pointer to the place.
+struct Finding {
+  enum class Severity { error, warning } severity = Severity::error;
+  std::string code;
+  std::string pointer;
+  std::string message;
+};
+
+/// Every fault of the extension and its tables that can be told without the exemplar. An Error only
+/// when the file cannot be read at all.
+[[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
+[[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);
+
+} // namespace lichen

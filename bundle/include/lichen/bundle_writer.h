@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Writes a bundle as a glTF scene that any viewer opens: the noise in our extension, a tileable
+// preview of the same mean and scale in the core material.
+#pragma once
+
+#include <lichen/bundle.h>
+
+namespace lichen {
+
+enum class PreviewShape {
+  sphere, ///< a sphere resting on a ground that reaches to the horizon, both with the material
+  plane,  ///< the ground alone, seen at a grazing angle
+  none,   ///< no nodes and no meshes: a material library
+};
+
+/// PNG files for the core slots; empty where the noise has no such map. Power-of-two sizes.
+struct PreviewImages {
+  std::vector<std::byte> baseColor;
+  std::vector<std::byte> normal;
+  std::vector<std::byte> occlusionRoughnessMetallic;
+  std::vector<std::byte> emissive;
+  /// How many exemplars one preview image spans each way, >= 1.
+  int tilesPerImage = 1;
+};
+
+/// What the scene around the bundle looks like. One material per noise, in order, taking
+/// bundle.materials[i] (which the caller has filled) and previews[i].
+struct BundleFile {
+  Bundle bundle;
+  std::vector<PreviewImages> previews; ///< one per noise
+  PreviewShape shape = PreviewShape::sphere;
+  std::string generator; ///< asset.generator, such as "lichen 0.1.0"
+};
+
+/// Deterministic bytes of a GLB.
+[[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
+
+/// Writes .glb, or .gltf with one .bin of the same stem beside it. Errors as replaceFile; usage for
+/// another extension.
+[[nodiscard]] Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file);
+
+} // namespace lichen

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The simplex lattice of the tiling method, as the format specifies it bit for bit.
+//
+// One unit of tile space is one exemplar. Rows of vertices lie 1 / kLatticeRowsPerTile apart, odd
+// rows shifted by half a cell: vertex (i, j) stands at x = (i + j / 2) / columnsPerTile,
+// y = j / rowsPerTile. With kLatticeRowsPerTile = 4 and columns = 2 sqrt(3) the triangles are
+// equilateral, with the side 1 / (2 sqrt(3)) of [HN18]'s own shader.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace lichen {
+
+inline constexpr double kLatticeRowsPerTile = 4.0;
+inline constexpr double kLatticeColumnsPerTile = 3.4641016151377545870548926830117; // 2 sqrt(3)
+
+/// PCG output function over one LCG step [Jarzynski and Olano 2020, "pcg"].
+[[nodiscard]] constexpr std::uint32_t pcg(std::uint32_t value) {
+  const std::uint32_t state = value * 747796405u + 2891336453u;
+  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// Three words hashed to three [Jarzynski and Olano 2020, "pcg3d"].
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> pcg3d(std::array<std::uint32_t, 3> v) {
+  for (std::uint32_t& word : v)
+    word = word * 1664525u + 1013904223u;
+  v[0] += v[1] * v[2];
+  v[1] += v[2] * v[0];
+  v[2] += v[0] * v[1];
+  for (std::uint32_t& word : v)
+    word ^= word >> 16u;
+  v[0] += v[1] * v[2];
+  v[1] += v[2] * v[0];
+  v[2] += v[0] * v[1];
+  return v;
+}
+
+/// The word that stands for a noise's seed and a projection plane (0 for uv): seeds are hashed, so
+/// that no two of them give one noise shifted by a cell.
+[[nodiscard]] constexpr std::uint32_t latticeSeed(std::uint32_t seed, std::uint32_t plane) {
+  return pcg(pcg(seed) + plane);
+}
+
+/// The offset of a vertex's tile in whole texels: components in [0, width) x [0, height). The high
+/// 16 bits of the hash are scaled, which is unbiased to width / 65536.
+[[nodiscard]] constexpr std::array<std::uint32_t, 2>
+tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t width,
+                 std::uint32_t height) {
+  const std::array<std::uint32_t, 3> h = pcg3d({i, j, seedWord});
+  return {((h[0] >> 16u) * width) >> 16u, ((h[1] >> 16u) * height) >> 16u};
+}
+
+/// The lattice that a material uses: infinite, or periodic with an integer number of cells.
+struct Lattice {
+  double columnsPerTile = kLatticeColumnsPerTile;
+  double rowsPerTile = kLatticeRowsPerTile;
+  std::int32_t periodColumns = 0; ///< 0 when not periodic
+  std::int32_t periodRows = 0;    ///< even; 0 when not periodic
+};
+
+/// The periodic lattice over a rectangle of tiles: the nearest number of columns and the nearest
+/// even number of rows, so it is slightly non-equilateral. Both sides > 0 and at least about half
+/// a tile; never fewer than 3 columns and 4 rows.
+[[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles);
+
+/// Where an integer tile origin lies in the lattice's skewed coordinates: the cell, and the place
+/// inside it in [0, 1). Computed in double, exact for |tile| up to 2^40; the cell is taken modulo
+/// 2^32, as the hash takes it.
+struct LatticeOrigin {
+  std::array<std::int32_t, 2> cell{0, 0};
+  std::array<float, 2> fraction{0.0f, 0.0f};
+};
+[[nodiscard]] LatticeOrigin latticeOrigin(std::int64_t tileX, std::int64_t tileY);
+
+} // namespace lichen

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Pixels with their encoding.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lichen {
+
+/// What a stored value means. It is part of an image's type, so that light and its sRGB code are
+/// never mixed without a conversion by name.
+enum class Encoding {
+  srgb,   ///< IEC 61966-2-1 code values; [0, 1] is the displayable range
+  linear, ///< values proportional to light, or plain data (slopes, heights, roughness)
+};
+
+/// A width x height image of interleaved float channels, row 0 at the top:
+/// value (x, y, c) is values[(y * width + x) * channels + c].
+template <Encoding kEncoding>
+struct Image {
+  static constexpr Encoding encoding = kEncoding;
+
+  int width = 0;
+  int height = 0;
+  int channels = 0; ///< [1, 4]; 2 is grey + alpha, 4 is RGB + alpha in files
+  std::vector<float> values;
+
+  Image() = default;
+  Image(int w, int h, int c)
+      : width(w), height(h), channels(c),
+        values(std::size_t(w) * std::size_t(h) * std::size_t(c), 0.0f) {}
+
+  [[nodiscard]] std::size_t pixelCount() const { return std::size_t(width) * std::size_t(height); }
+  [[nodiscard]] float* pixel(int x, int y) {
+    return values.data() +
+           (std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(channels);
+  }
+  [[nodiscard]] const float* pixel(int x, int y) const {
+    return values.data() +
+           (std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(channels);
+  }
+};
+
+using SrgbImage = Image<Encoding::srgb>;
+using LinearImage = Image<Encoding::linear>;
+
+/// IEC 61966-2-1 transfer functions, extended beyond [0, 1] by the same formula for values above 1
+/// and by odd symmetry for values below 0. Exact inverses of each other up to rounding.
+[[nodiscard]] float srgbToLinear(float code);
+[[nodiscard]] float linearToSrgb(float light);
+
+/// Converts colour channels; alpha (the last of 2 or 4 channels) is copied.
+[[nodiscard]] LinearImage toLinear(const SrgbImage& image);
+[[nodiscard]] SrgbImage toSrgb(const LinearImage& image);
+
+} // namespace lichen

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// PNG, JPEG and EXR files in and out. Hostile input is expected.
+#pragma once
+
+#include <lichen/image.h>
+#include <lichen/result.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lichen {
+
+/// Largest accepted side of an image, in pixels.
+inline constexpr int kMaxImageSide = 16384;
+
+/// A decoded file. PNG and JPEG give an SrgbImage, EXR a LinearImage.
+struct ImageFile {
+  std::variant<SrgbImage, LinearImage> pixels;
+  int bitsPerChannel = 8; ///< of the file: 8, 16, or 32 for EXR (half or float)
+  /// What was done to make the file usable (palette expanded, CMYK converted, negative values
+  /// clamped, missing channels filled), one short sentence each, for the user.
+  std::vector<std::string> notes;
+};
+
+/// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
+/// single-part EXR (scan line or tiled, half or float, R G B A or Y channels). The format is told
+/// from the first bytes, not from the name. Palette and low-bit-depth PNG are expanded.
+/// Refused with ErrorKind::badInput: not an image, truncated, zero-sized, a side over
+/// kMaxImageSide, a file whose claim cannot fit its size, NaN or infinite values, multi-part EXR.
+/// `name` is used in messages. Thread-safe.
+[[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
+                                            const std::string& name);
+[[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
+
+/// PNG without colour chunks, 1 to 4 channels, values clamped to [0, 1]. The encoder is
+/// deterministic.
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(const SrgbImage& image, int bitsPerChannel);
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(const LinearImage& data, int bitsPerChannel);
+
+/// Scan-line EXR of half floats, ZIP compressed, 1 (Y), 3 (RGB) or 4 (RGBA) channels.
+[[nodiscard]] Result<std::vector<std::byte>> encodeExr(const LinearImage& image);
+
+/// Writes the file beside its target and renames it when complete. By extension: .png (8 bit,
+/// colour converted to sRGB when the image is linear) or .exr (colour converted to linear).
+/// Errors: usage for another extension, environment for a folder that cannot be written,
+/// resources for a full disk; the old file stays whole in each case.
+[[nodiscard]] Result<void> writeImage(const std::filesystem::path& path, const SrgbImage& image);
+[[nodiscard]] Result<void> writeImage(const std::filesystem::path& path, const LinearImage& image);
+
+} // namespace lichen
