@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// Instance creation, the choice of a physical device, and device creation.
+#include <lichen/headless_device.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <string_view>
+
+namespace lichen {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                              VkDebugUtilsMessageTypeFlagsEXT,
+                                              const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                              void* messages) {
+  static_cast<ValidationMessages*>(messages)->add(
+      (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0, data->pMessage);
+  return VK_FALSE;
+}
+
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationMessages& messages) {
+  VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                     VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  info.pfnUserCallback = collectMessage;
+  info.pUserData = &messages;
+  return info;
+}
+
+Error noDevice() {
+  return {ErrorKind::environment, "no Vulkan device: install a driver, such as "
+                                  "mesa-vulkan-drivers (its lavapipe needs no GPU)"};
+}
+
+bool hasLayer(const char* name) {
+  std::uint32_t count = 0;
+  vkEnumerateInstanceLayerProperties(&count, nullptr);
+  std::vector<VkLayerProperties> layers(count);
+  vkEnumerateInstanceLayerProperties(&count, layers.data());
+  return std::any_of(layers.begin(), layers.end(), [&](const VkLayerProperties& layer) {
+    return std::strcmp(layer.layerName, name) == 0;
+  });
+}
+
+Result<void> loadVulkan() {
+  if (volkInitialize() != VK_SUCCESS)
+    return Error{ErrorKind::environment,
+                 "no Vulkan loader (libvulkan.so.1): install libvulkan1 and a driver, such as "
+                 "mesa-vulkan-drivers"};
+  if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
+    return Error{ErrorKind::environment, "the Vulkan loader is older than 1.3: install a newer "
+                                         "libvulkan1"};
+  return {};
+}
+
+std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance) {
+  std::uint32_t count = 0;
+  // A loader without any driver answers with an error here, which means the same as none.
+  if (vkEnumeratePhysicalDevices(instance, &count, nullptr) != VK_SUCCESS)
+    return {};
+  std::vector<VkPhysicalDevice> devices(count);
+  vkEnumeratePhysicalDevices(instance, &count, devices.data());
+  devices.resize(count);
+  return devices;
+}
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return result;
+}
+
+/// Lower is better.
+int preference(VkPhysicalDeviceType type) {
+  switch (type) {
+  case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+    return 0;
+  case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+    return 1;
+  case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+    return 2;
+  default:
+    return 3;
+  }
+}
+
+/// The chosen index, or `names.size()` when `choice` fits none.
+std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
+                       const std::string& choice) {
+  if (choice.empty())
+    return std::size_t(std::min_element(devices.begin(), devices.end(),
+                                        [](const auto& a, const auto& b) {
+                                          return preference(a.deviceType) <
+                                                 preference(b.deviceType);
+                                        }) -
+                       devices.begin());
+  std::size_t index = 0;
+  const char* end = choice.data() + choice.size();
+  if (const auto parsed = std::from_chars(choice.data(), end, index);
+      parsed.ec == std::errc() && parsed.ptr == end)
+    return std::min(index, devices.size());
+  const std::string wanted = lowered(choice);
+  return std::size_t(std::find_if(devices.begin(), devices.end(),
+                                  [&](const auto& device) {
+                                    return lowered(device.deviceName).find(wanted) !=
+                                           std::string::npos;
+                                  }) -
+                     devices.begin());
+}
+
+/// A family with graphics and compute; both imply transfer. -1 when there is none.
+int graphicsFamily(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if ((families[i].queueFlags & kWanted) == kWanted)
+      return int(i);
+  return -1;
+}
+
+/// VkPhysicalDeviceFeatures is nothing but VkBool32 members.
+bool containsFeatures(const VkPhysicalDeviceFeatures& available,
+                      const VkPhysicalDeviceFeatures& wanted) {
+  constexpr std::size_t kCount = sizeof(VkPhysicalDeviceFeatures) / sizeof(VkBool32);
+  std::array<VkBool32, kCount> has{}, wants{};
+  std::memcpy(has.data(), &available, sizeof available);
+  std::memcpy(wants.data(), &wanted, sizeof wanted);
+  for (std::size_t i = 0; i < kCount; ++i)
+    if (wants[i] && !has[i])
+      return false;
+  return true;
+}
+
+} // namespace
+
+Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options) {
+  if (Result<void> loaded = loadVulkan(); !loaded)
+    return loaded;
+  if (options.validation && !hasLayer(kValidationLayer))
+    return Error{ErrorKind::environment, "no " + std::string(kValidationLayer) +
+                                             ": install vulkan-validationlayers, or run without "
+                                             "validation"};
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pApplicationName = "lichen";
+  application.apiVersion = VK_API_VERSION_1_3;
+
+  std::vector<const char*> extensions = options.instanceExtensions;
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  const VkValidationFeatureEnableEXT enabled =
+      VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+  features.enabledValidationFeatureCount = 1;
+  features.pEnabledValidationFeatures = &enabled;
+  VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages_);
+  if (options.validation) {
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &kValidationLayer;
+    features.pNext = &messenger;
+    info.pNext = &features;
+  }
+  info.enabledExtensionCount = std::uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) // what the loader says when it finds no driver
+    return noDevice();
+  if (result != VK_SUCCESS)
+    return vulkanError("no Vulkan instance", result);
+  // Not volkLoadDevice: device entry points of one device would not serve another.
+  volkLoadInstance(instance_);
+  if (options.validation) {
+    destroyMessenger_ = vkDestroyDebugUtilsMessengerEXT;
+    messenger.pNext = nullptr;
+    if (vkCreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr, &messenger_) != VK_SUCCESS)
+      return vulkanError("no validation messages", VK_ERROR_OUT_OF_HOST_MEMORY);
+  }
+  return {};
+}
+
+Result<void> HeadlessDevice::chooseDevice(const std::string& choice) {
+  const std::vector<VkPhysicalDevice> handles = physicalDevices(instance_);
+  if (handles.empty())
+    return noDevice();
+  std::vector<VkPhysicalDeviceProperties> devices(handles.size());
+  std::string names;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    vkGetPhysicalDeviceProperties(handles[i], &devices[i]);
+    names += (i ? ", " : "") + std::to_string(i) + " \"" + devices[i].deviceName + "\"";
+  }
+  const std::size_t index = findChoice(devices, choice);
+  if (index == devices.size())
+    return Error{ErrorKind::usage, "no Vulkan device \"" + choice + "\": there are " + names};
+  if (devices[index].apiVersion < VK_API_VERSION_1_3)
+    return Error{ErrorKind::environment, "Vulkan device \"" +
+                                             std::string(devices[index].deviceName) +
+                                             "\" is older than Vulkan 1.3: there are " + names};
+  physicalDevice_ = handles[index];
+  properties_ = devices[index];
+  return {};
+}
+
+Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) {
+  const std::string device = "Vulkan device \"" + std::string(properties_.deviceName) + "\"";
+  const int family = graphicsFamily(physicalDevice_);
+  if (family < 0)
+    return Error{ErrorKind::environment, device + " has no queue for graphics and compute"};
+  queueFamily_ = std::uint32_t(family);
+  VkPhysicalDeviceFeatures available{};
+  vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
+  if (!containsFeatures(available, options.features))
+    return Error{ErrorKind::environment, device + " lacks a feature that this program needs"};
+
+  const float priority = 1.0f;
+  VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+  queue.queueFamilyIndex = queueFamily_;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &priority;
+  VkPhysicalDeviceVulkan13Features features13{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  features13.dynamicRendering = VK_TRUE;
+  features13.synchronization2 = VK_TRUE;
+  VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+  info.pNext = &features13;
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  info.pEnabledFeatures = &options.features;
+  info.enabledExtensionCount = std::uint32_t(options.deviceExtensions.size());
+  info.ppEnabledExtensionNames = options.deviceExtensions.data();
+  if (const VkResult result = vkCreateDevice(physicalDevice_, &info, nullptr, &device_);
+      result != VK_SUCCESS)
+    return vulkanError(device + " cannot be opened", result);
+  vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
+
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+  pool.queueFamilyIndex = queueFamily_;
+  VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  VkResult result = vkCreateCommandPool(device_, &pool, nullptr, &commandPool_);
+  if (result == VK_SUCCESS)
+    result = vkCreateFence(device_, &fence, nullptr, &fence_);
+  if (result != VK_SUCCESS)
+    return vulkanError(device + ": no command pool", result);
+  return {};
+}
+
+Result<std::unique_ptr<HeadlessDevice>>
+HeadlessDevice::create(const HeadlessDeviceOptions& options) {
+  std::unique_ptr<HeadlessDevice> device(new HeadlessDevice);
+  if (Result<void> result = device->createInstance(options); !result)
+    return result.error();
+  if (Result<void> result = device->chooseDevice(options.choice); !result)
+    return result.error();
+  if (Result<void> result = device->createDevice(options); !result)
+    return result.error();
+  return device;
+}
+
+Result<std::vector<std::string>> HeadlessDevice::listDevices() {
+  HeadlessDevice device;
+  if (Result<void> result = device.createInstance({}); !result)
+    return result.error();
+  std::vector<std::string> names;
+  for (const VkPhysicalDevice handle : physicalDevices(device.instance_)) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(handle, &properties);
+    names.emplace_back(properties.deviceName);
+  }
+  return names;
+}
+
+HeadlessDevice::~HeadlessDevice() {
+  if (device_ != VK_NULL_HANDLE) {
+    vkDeviceWaitIdle(device_);
+    vkDestroyFence(device_, fence_, nullptr);
+    vkDestroyCommandPool(device_, commandPool_, nullptr);
+    vkDestroyDevice(device_, nullptr);
+  }
+  if (messenger_ != VK_NULL_HANDLE)
+    destroyMessenger_(instance_, messenger_, nullptr);
+  if (instance_ != VK_NULL_HANDLE)
+    vkDestroyInstance(instance_, nullptr);
+}
+
+} // namespace lichen

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A Vulkan 1.3 instance and device without a window, for the renderer, the GPU tests and the
+// benchmark: device choice, validation messages, plain buffers and images, one-shot submits and
+// readback. Vulkan's own functions come from volk.
+#pragma once
+
+#include <lichen/result.h>
+
+#include <volk.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lichen {
+
+struct HeadlessDeviceOptions {
+  /// An index into listDevices(), or a part of a name (case-insensitive). Empty: the first discrete
+  /// GPU, else the first integrated, virtual, or CPU device.
+  std::string choice;
+  bool validation = false; ///< the Khronos layer, with synchronization validation
+  /// Core features that must be there. dynamicRendering and synchronization2 always are.
+  VkPhysicalDeviceFeatures features{};
+  std::vector<const char*> instanceExtensions;
+  std::vector<const char*> deviceExtensions;
+};
+
+/// What the validation layers said. Thread-safe.
+class ValidationMessages {
+public:
+  void add(bool isError, std::string text);
+  void clear();
+  [[nodiscard]] std::size_t errors() const;
+  [[nodiscard]] std::size_t warnings() const;
+  [[nodiscard]] std::vector<std::string> texts() const;
+
+private:
+  mutable std::mutex mutex_;
+  std::size_t errors_ = 0;
+  std::vector<std::string> texts_;
+};
+
+class HeadlessDevice;
+
+/// A buffer with memory of its own, freed with it; must not outlive its device.
+class DeviceBuffer {
+public:
+  DeviceBuffer() = default;
+  DeviceBuffer(DeviceBuffer&& other) noexcept { *this = std::move(other); }
+  DeviceBuffer& operator=(DeviceBuffer&& other) noexcept;
+  ~DeviceBuffer() { reset(); }
+  void reset();
+
+  VkBuffer handle = VK_NULL_HANDLE;
+  VkDeviceSize size = 0;
+  std::byte* mapped = nullptr; ///< coherent, for the buffer's whole life; null when device-local
+
+private:
+  friend class HeadlessDevice;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};
+
+struct DeviceImageInfo {
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkExtent3D extent{1, 1, 1}; ///< a 3-D image when depth > 1
+  std::uint32_t mipLevels = 1;
+  std::uint32_t layers = 1;
+  VkImageUsageFlags usage = 0;
+  VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< of the view
+  VkImageViewType viewType = VK_IMAGE_VIEW_TYPE_2D;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  VkImageCreateFlags flags = 0;
+};
+
+/// An optimally tiled, device-local image and a view of all of it; must not outlive its device.
+class DeviceImage {
+public:
+  DeviceImage() = default;
+  DeviceImage(DeviceImage&& other) noexcept { *this = std::move(other); }
+  DeviceImage& operator=(DeviceImage&& other) noexcept;
+  ~DeviceImage() { reset(); }
+  void reset();
+
+  VkImage handle = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;
+  DeviceImageInfo info;
+
+private:
+  friend class HeadlessDevice;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};
+
+/// One device with one queue for graphics, compute and transfer. Not thread-safe, but several may
+/// exist: volk holds the loader's own entry points, which serve every device (those of extensions
+/// only where the device created last enabled them).
+class HeadlessDevice {
+public:
+  /// Errors: environment without a loader, device, layer, feature or extension; usage when `choice`
+  /// names none. The message lists the devices there are.
+  [[nodiscard]] static Result<std::unique_ptr<HeadlessDevice>>
+  create(const HeadlessDeviceOptions& options);
+  /// Names of the machine's Vulkan devices, in the loader's order.
+  [[nodiscard]] static Result<std::vector<std::string>> listDevices();
+
+  ~HeadlessDevice();
+  HeadlessDevice(const HeadlessDevice&) = delete;
+  HeadlessDevice& operator=(const HeadlessDevice&) = delete;
+
+  [[nodiscard]] VkInstance instance() const { return instance_; }
+  [[nodiscard]] VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
+  [[nodiscard]] VkDevice device() const { return device_; }
+  [[nodiscard]] VkQueue queue() const { return queue_; }
+  [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
+  [[nodiscard]] const VkPhysicalDeviceProperties& properties() const { return properties_; }
+  [[nodiscard]] ValidationMessages& messages() { return messages_; }
+
+  /// `hostVisible` memory is mapped and coherent; otherwise the buffer is device-local.
+  [[nodiscard]] Result<DeviceBuffer> createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
+                                                  bool hostVisible);
+  [[nodiscard]] Result<DeviceImage> createImage(const DeviceImageInfo& info);
+
+  /// Records with `record` into a fresh primary command buffer, submits it and waits for its end.
+  [[nodiscard]] Result<void> submit(const std::function<void(VkCommandBuffer)>& record);
+
+  /// Level 0 of layer 0, tightly packed. The image has TRANSFER_SRC usage and is in `layout`, to
+  /// which it returns; `texelBytes` is the size of one texel of the view's aspect.
+  [[nodiscard]] Result<std::vector<std::byte>>
+  readImage(const DeviceImage& image, VkImageLayout layout, std::size_t texelBytes);
+
+private:
+  HeadlessDevice() = default;
+  [[nodiscard]] Result<void> createInstance(const HeadlessDeviceOptions& options);
+  [[nodiscard]] Result<void> chooseDevice(const std::string& choice);
+  [[nodiscard]] Result<void> createDevice(const HeadlessDeviceOptions& options);
+  [[nodiscard]] Result<VkDeviceMemory> allocate(const VkMemoryRequirements& requirements,
+                                                VkMemoryPropertyFlags wanted);
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  PFN_vkDestroyDebugUtilsMessengerEXT destroyMessenger_ = nullptr;
+  VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
+  VkPhysicalDeviceProperties properties_{};
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  std::uint32_t queueFamily_ = 0;
+  VkCommandPool commandPool_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  ValidationMessages messages_;
+};
+
+/// An Error for a failed Vulkan call: resources for exhausted memory, else environment.
+[[nodiscard]] Error vulkanError(const std::string& what, VkResult result);
+
+} // namespace lichen
