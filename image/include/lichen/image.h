@@ -2,11 +2,7 @@
 // Pixels with their encoding.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <string>
-#include <variant>
 #include <vector>
 
 namespace lichen {
@@ -53,8 +49,9 @@ using LinearImage = Image<Encoding::linear>;
 [[nodiscard]] float srgbToLinear(float code);
 [[nodiscard]] float linearToSrgb(float light);
 
-/// Converts colour channels; alpha (the last of 2 or 4 channels) is copied.
-[[nodiscard]] LinearImage toLinear(const SrgbImage& image);
-[[nodiscard]] SrgbImage toSrgb(const LinearImage& image);
+/// Converts colour channels; alpha (the last of 2 or 4 channels) stays. The argument's storage
+/// becomes the result's, so that an image moved in is converted in place.
+[[nodiscard]] LinearImage toLinear(SrgbImage image);
+[[nodiscard]] SrgbImage toSrgb(LinearImage image);
 
 } // namespace lichen

@@ -5,6 +5,7 @@
 #include <lichen/image.h>
 #include <lichen/result.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -26,21 +27,27 @@ struct ImageFile {
 };
 
 /// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
-/// single-part EXR (scan line or tiled, half or float, R G B A or Y channels). The format is told
-/// from the first bytes, not from the name. Palette and low-bit-depth PNG are expanded.
-/// Refused with ErrorKind::badInput: not an image, truncated, zero-sized, a side over
-/// kMaxImageSide, a file whose claim cannot fit its size, NaN or infinite values, multi-part EXR.
+/// single-part EXR (scan line or tiled, half, float or uint, R G B A, Y A or one other channel).
+/// The format is told from the first bytes, not from the name. Palette and low-bit-depth PNG are
+/// expanded. Colour profiles, gamma and EXIF orientation are not looked at.
+/// Refused with ErrorKind::badInput: not an image, truncated (a PNG without IEND and a JPEG without
+/// its end marker too), zero-sized, a side over kMaxImageSide, a file whose claim cannot fit its
+/// size, NaN or infinite values, multi-part, deep or luminance-chroma EXR, arithmetic-coded JPEG.
+/// ErrorKind::resources when memory does not suffice. Bytes after the image's end are ignored.
 /// `name` is used in messages. Thread-safe.
 [[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
                                             const std::string& name);
 [[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
 
-/// PNG without colour chunks, 1 to 4 channels, values clamped to [0, 1]. The encoder is
-/// deterministic.
+/// PNG without colour chunks, 1 to 4 channels, `bitsPerChannel` 8 or 16, values clamped to [0, 1]
+/// and rounded to the nearest code. The same image gives the same bytes.
+/// Errors: usage for other bits, sides or channels; badInput for a value that is not finite.
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const SrgbImage& image, int bitsPerChannel);
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const LinearImage& data, int bitsPerChannel);
 
-/// Scan-line EXR of half floats, ZIP compressed, 1 (Y), 3 (RGB) or 4 (RGBA) channels.
+/// Scan-line EXR of half floats, ZIP compressed, with channels Y, Y A, R G B or R G B A. Values
+/// beyond half's largest, 65504, become it. The same image gives the same bytes.
+/// Errors: usage for other sides or channels; badInput for a value that is not finite.
 [[nodiscard]] Result<std::vector<std::byte>> encodeExr(const LinearImage& image);
 
 /// Writes the file beside its target and renames it when complete. By extension: .png (8 bit,

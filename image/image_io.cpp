@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Tells the format of a file from its first bytes, and of a path from its extension.
+#include "claims.h"
+#include "codecs.h"
+
+#include <lichen/files.h>
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <new>
+
+namespace lichen {
+namespace {
+
+constexpr std::array<unsigned char, 8> kPngSignature = {0x89, 'P',  'N',  'G',
+                                                        '\r', '\n', 0x1a, '\n'};
+constexpr std::array<unsigned char, 3> kJpegSignature = {0xff, 0xd8, 0xff};
+constexpr std::array<unsigned char, 4> kExrSignature = {0x76, 0x2f, 0x31, 0x01};
+
+template <std::size_t kSize>
+bool startsWith(std::span<const std::byte> file,
+                const std::array<unsigned char, kSize>& signature) {
+  return file.size() >= kSize &&
+         std::equal(signature.begin(), signature.end(), file.begin(),
+                    [](unsigned char a, std::byte b) { return std::byte(a) == b; });
+}
+
+Error notAnImage(std::span<const std::byte> file, const std::string& name) {
+  if (file.empty())
+    return refused(name, "empty file; a PNG, JPEG or EXR image is accepted");
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string start;
+  for (const std::byte b : file.first(std::min<std::size_t>(file.size(), 4))) {
+    start += ' ';
+    start += kDigits[std::to_integer<unsigned>(b) >> 4];
+    start += kDigits[std::to_integer<unsigned>(b) & 0xf];
+  }
+  return refused(name, "not a PNG, JPEG or EXR image (starts with" + start + ")");
+}
+
+std::string lowerCaseExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// Encodes by extension: PNG wants codes, EXR wants light.
+template <class AnyImage>
+Result<void> write(const std::filesystem::path& path, const AnyImage& image) {
+  try {
+    const std::string extension = lowerCaseExtension(path);
+    if (extension != ".png" && extension != ".exr")
+      return Error{ErrorKind::usage, path.string() + ": extension " +
+                                         (extension.empty() ? "missing" : extension) +
+                                         "; .png and .exr are accepted"};
+    const auto encoded = [&]() -> Result<std::vector<std::byte>> {
+      constexpr int kBits = 8;
+      if constexpr (AnyImage::encoding == Encoding::srgb)
+        return extension == ".png" ? encodePng(image, kBits) : encodeExr(toLinear(image));
+      else
+        return extension == ".png" ? encodePng(toSrgb(image), kBits) : encodeExr(image);
+    }();
+    if (!encoded)
+      return Error{encoded.error().kind, path.string() + ": " + encoded.error().message};
+    return replaceFile(path, encoded.value());
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(path.string(), "convert the image");
+  }
+}
+
+} // namespace
+
+Result<ImageFile> decodeImage(std::span<const std::byte> file, const std::string& name) {
+  try {
+    if (startsWith(file, kPngSignature))
+      return decodePng(file, name);
+    if (startsWith(file, kJpegSignature))
+      return decodeJpeg(file, name);
+    if (startsWith(file, kExrSignature))
+      return decodeExr(file, name);
+    return notAnImage(file, name);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(name, "decode the image");
+  }
+}
+
+Result<ImageFile> readImage(const std::filesystem::path& path) {
+  const Result<std::vector<std::byte>> file = readFile(path);
+  if (!file)
+    return file.error();
+  return decodeImage(file.value(), path.string());
+}
+
+Result<void> writeImage(const std::filesystem::path& path, const SrgbImage& image) {
+  return write(path, image);
+}
+
+Result<void> writeImage(const std::filesystem::path& path, const LinearImage& image) {
+  return write(path, image);
+}
+
+} // namespace lichen
