@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Public entry points of reading and checking: both run the same pass over the file.
+#include "extension_reader.h"
+
+#include <lichen/files.h>
+
+#include <algorithm>
+#include <new>
+
+namespace lichen {
+namespace {
+
+/// Reads what can be read and records every fault.
+Bundle inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
+               FindingList& findings) {
+  std::optional<GltfFile> gltf = GltfFile::open(file, folder, findings);
+  return gltf ? readExtension(*gltf, findings) : Bundle{};
+}
+
+Error notEnoughMemory(const std::string& name) {
+  return Error{ErrorKind::resources, name + ": not enough memory to read it"};
+}
+
+Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path& folder,
+                    const std::string& name) {
+  FindingList findings;
+  Bundle bundle = inspect(file, folder, findings);
+  if (findings.errorCount() == 0)
+    return bundle;
+  const auto first =
+      std::find_if(findings.all().begin(), findings.all().end(), [](const Finding& finding) {
+        return finding.severity == Finding::Severity::error;
+      });
+  if (first->code == "memory")
+    return notEnoughMemory(name);
+  return Error{ErrorKind::badInput, name + ": " + first->pointer +
+                                        (first->pointer.empty() ? "" : ": ") + first->message};
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+} // namespace
+
+Result<Bundle> readBundle(const std::filesystem::path& path) {
+  try {
+    const Result<std::vector<std::byte>> file = readFile(path);
+    if (!file)
+      return file.error();
+    return read(file.value(), folderOf(path), path.string());
+  } catch (const std::bad_alloc&) {
+    return notEnoughMemory(path.string());
+  }
+}
+
+Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name) {
+  try {
+    return read(file, {}, name);
+  } catch (const std::bad_alloc&) {
+    return notEnoughMemory(name);
+  }
+}
+
+Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
+  try {
+    const Result<std::vector<std::byte>> file = readFile(path);
+    if (!file)
+      return file.error();
+    FindingList findings;
+    static_cast<void>(inspect(file.value(), folderOf(path), findings));
+    return findings.all();
+  } catch (const std::bad_alloc&) {
+    return notEnoughMemory(path.string());
+  }
+}
+
+std::vector<Finding> checkBundle(std::span<const std::byte> file) {
+  try {
+    FindingList findings;
+    static_cast<void>(inspect(file, {}, findings));
+    return findings.all();
+  } catch (const std::bad_alloc&) {
+    return {{Finding::Severity::error, "memory", "", "not enough memory to read it"}};
+  }
+}
+
+} // namespace lichen

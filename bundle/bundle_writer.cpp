@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// A bundle and its preview -> GLB, or .gltf and .bin. Source: glTF 2.0 specification, section 4.
+#include "extension_writer.h"
+#include "gltf_file.h"
+#include "preview_material.h"
+#include "preview_scene.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/files.h>
+
+#include <cstring>
+#include <limits>
+#include <new>
+
+namespace lichen {
+namespace {
+
+Error refusal(const std::string& what) { return Error{ErrorKind::usage, "bundle: " + what}; }
+
+/// Whether the parts of `file` fit one another; what is inside the bundle is checked after
+/// encoding.
+Result<void> checkParts(const BundleFile& file) {
+  const std::size_t noises = file.bundle.noises.size();
+  if (noises == 0)
+    return refusal("no noises; at least one is accepted");
+  if (file.bundle.materials.size() != noises || file.previews.size() != noises)
+    return refusal(std::to_string(file.bundle.materials.size()) + " materials and " +
+                   std::to_string(file.previews.size()) + " previews for " +
+                   std::to_string(noises) + " noises; one of each a noise is accepted");
+  for (std::size_t i = 0; i < noises; ++i) {
+    const std::optional<MaterialNoise>& use = file.bundle.materials[i];
+    if (!use || use->noise != i)
+      return refusal("material " + std::to_string(i) + " does not use noise " + std::to_string(i));
+    if (use->texCoord != 0 && file.shape != PreviewShape::none)
+      return refusal("texCoord " + std::to_string(use->texCoord) +
+                     "; the preview scene has only texture coordinates 0");
+    if (file.previews[i].tilesPerImage < 1)
+      return refusal(std::to_string(file.previews[i].tilesPerImage) +
+                     " exemplars in a preview image; at least 1 is accepted");
+  }
+  return {};
+}
+
+/// The whole document but its buffer's place.
+OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
+  const Bundle& bundle = file.bundle;
+  OrderedJson root;
+  root["asset"] = {{"version", "2.0"}};
+  if (!file.generator.empty())
+    root["asset"]["generator"] = file.generator;
+  root["extensionsUsed"].push_back(kExtensionName);
+  root["extensions"][std::string(kExtensionName)] = describeBundle(bundle, builder);
+  std::vector<bool> needsTangents;
+  for (std::size_t i = 0; i < bundle.noises.size(); ++i) {
+    const bool named = i < bundle.materialNames.size() && !bundle.materialNames[i].empty();
+    addMaterial(root, builder, named ? bundle.materialNames[i] : bundle.noises[i].name,
+                bundle.noises[i], *bundle.materials[i], file.previews[i]);
+    needsTangents.push_back(!file.previews[i].normal.empty());
+  }
+  addPreviewScene(root, builder, file.shape, needsTangents);
+  if (!builder.accessors.empty())
+    root["accessors"] = std::move(builder.accessors);
+  root["bufferViews"] = std::move(builder.bufferViews);
+  root["buffers"].push_back({{"byteLength", builder.binary.size()}});
+  return root;
+}
+
+void appendWord(std::vector<std::byte>& bytes, std::size_t value) {
+  const auto narrow = std::uint32_t(value);
+  const auto view = std::as_bytes(std::span(&narrow, 1));
+  bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary) {
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::size_t padding = (4 - binary.size() % 4) % 4;
+  std::vector<std::byte> glb;
+  appendWord(glb, kGlbMagic);
+  appendWord(glb, 2);
+  appendWord(glb,
+             kGlbHeaderBytes + 2 * kGlbChunkHeaderBytes + text.size() + binary.size() + padding);
+  appendWord(glb, text.size());
+  appendWord(glb, kGlbChunkJson);
+  const auto textBytes = std::as_bytes(std::span(text));
+  glb.insert(glb.end(), textBytes.begin(), textBytes.end());
+  appendWord(glb, binary.size() + padding);
+  appendWord(glb, kGlbChunkBin);
+  glb.insert(glb.end(), binary.begin(), binary.end());
+  glb.resize(glb.size() + padding);
+  return glb;
+}
+
+Result<std::vector<std::byte>> encode(const BundleFile& file) {
+  if (Result<void> parts = checkParts(file); !parts)
+    return parts.error();
+  GltfBuilder builder;
+  const std::string text = describe(file, builder).dump();
+  constexpr std::size_t kFraming = 64; // headers and padding
+  if (text.size() + builder.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
+    return refusal(std::to_string(builder.binary.size()) + " bytes; a GLB holds below 4 GiB");
+  std::vector<std::byte> glb = frameGlb(text, builder.binary);
+  // Whatever is written can be read: the checker sees it first.
+  if (const Result<Bundle> written = parseBundle(glb, "bundle"); !written)
+    return Error{written.error().kind == ErrorKind::resources ? ErrorKind::resources
+                                                              : ErrorKind::usage,
+                 written.error().message};
+  return glb;
+}
+
+/// A file name as a relative URI: everything but unreserved characters (RFC 3986) as %XX.
+std::string uriOf(const std::string& fileName) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string uri;
+  for (const char c : fileName) {
+    const bool unreserved = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                            (c >= '0' && c <= '9') ||
+                            std::string_view("-._~").find(c) != std::string_view::npos;
+    if (unreserved) {
+      uri += c;
+    } else {
+      const auto code = static_cast<unsigned char>(c);
+      uri += {'%', kHex[code >> 4u], kHex[code & 15u]};
+    }
+  }
+  return uri;
+}
+
+/// Splits a GLB that encode() made, so that both forms are checked by the same code.
+Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::byte> glb) {
+  std::uint32_t textBytes = 0;
+  std::memcpy(&textBytes, glb.data() + kGlbHeaderBytes, sizeof textBytes);
+  const auto text = glb.subspan(kGlbHeaderBytes + kGlbChunkHeaderBytes, textBytes);
+  const auto binary = glb.subspan(kGlbHeaderBytes + 2 * kGlbChunkHeaderBytes + textBytes);
+  const auto* begin = reinterpret_cast<const char*>(text.data());
+  OrderedJson root = OrderedJson::parse(begin, begin + text.size());
+  const std::filesystem::path binaryPath = std::filesystem::path(path).replace_extension(".bin");
+  root["buffers"][0]["uri"] = uriOf(binaryPath.filename().string());
+  const std::string pretty = root.dump(2) + "\n";
+  const std::size_t length = root["buffers"][0]["byteLength"];
+  // The binary first: a .gltf then never names a file that is not there.
+  if (Result<void> written = replaceFile(binaryPath, binary.first(length)); !written)
+    return written;
+  return replaceFile(path, std::as_bytes(std::span(pretty)));
+}
+
+Error outOfMemory() { return Error{ErrorKind::resources, "bundle: not enough memory to encode"}; }
+
+} // namespace
+
+Result<std::vector<std::byte>> encodeGlb(const BundleFile& file) {
+  try {
+    return encode(file);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory();
+  } catch (const nlohmann::json::exception&) {
+    return refusal("a name is not UTF-8");
+  }
+}
+
+Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file) {
+  const std::filesystem::path extension = path.extension();
+  if (extension != ".glb" && extension != ".gltf")
+    return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
+                                       "; .glb or .gltf is accepted"};
+  const Result<std::vector<std::byte>> glb = encodeGlb(file);
+  if (!glb)
+    return glb.error();
+  if (extension == ".glb")
+    return replaceFile(path, glb.value());
+  try {
+    return writeGltf(path, glb.value());
+  } catch (const std::bad_alloc&) {
+    return outOfMemory();
+  }
+}
+
+} // namespace lichen

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The extension's objects in a glTF document -> a bundle, with every fault recorded.
+#pragma once
+
+#include "gltf_file.h"
+#include "object_reader.h"
+
+namespace lichen {
+
+/// Reads and checks the extension. The result may be used only when no error was recorded.
+[[nodiscard]] Bundle readExtension(GltfFile& file, FindingList& findings);
+
+/// Reads and checks one map; `tables` are those read so far, null where one could not be.
+[[nodiscard]] NoiseMap readMap(ObjectReader& reader,
+                               const std::vector<std::optional<Table>>& tables);
+
+/// Bounds of what a material may ask for; the schema and the documentation say the same.
+inline constexpr NumberRange kScaleRange{1e-6, 1e6};
+inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
+inline constexpr NumberRange kRotationRange{-1e6, 1e6};
+inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
+inline constexpr NumberRange kContrastRange{0.0, 4.0};
+inline constexpr NumberRange kTileSizeRange{1e-6, 1e6}; // metres
+inline constexpr std::uint64_t kMaxTexCoord = 15;
+
+} // namespace lichen

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The extension's JSON, in the order of the specification's tables.
+#include "extension_writer.h"
+
+namespace lichen {
+namespace {
+
+OrderedJson describeMap(const NoiseMap& map) {
+  OrderedJson json = {{"target", nameOf(map.target)}, {"channels", OrderedJson::array()}};
+  for (const MapChannel channel : map.channels)
+    json["channels"].push_back(nameOf(channel));
+  json["encoding"] = nameOf(map.encoding);
+  json["mean"] = map.mean;
+  json["covariance"] = map.covariance;
+  json["gaussian"] = map.gaussian;
+  if (map.inverseTable) {
+    json["inverseTable"] = *map.inverseTable;
+    json["levels"] = map.levels;
+  }
+  json["mipLoss"] = map.mipLoss;
+  json["bilinearLoss"] = map.bilinearLoss;
+  return json;
+}
+
+OrderedJson describeNoise(const Noise& noise) {
+  OrderedJson json = {{"name", noise.name},
+                      {"method", noise.method},
+                      {"revision", noise.revision},
+                      {"tileSize", noise.tileSizeMetres},
+                      {"maps", OrderedJson::array()}};
+  for (const NoiseMap& map : noise.maps)
+    json["maps"].push_back(describeMap(map));
+  return json;
+}
+
+} // namespace
+
+OrderedJson describeBundle(const Bundle& bundle, GltfBuilder& builder) {
+  // Texels then lie aligned in the buffer as they do in the KTX2 file: RGBA32F takes 16 bytes.
+  constexpr std::size_t kTableAlignment = 16;
+  OrderedJson json = {{"tables", OrderedJson::array()}, {"noises", OrderedJson::array()}};
+  for (const Table& table : bundle.tables) {
+    OrderedJson entry = OrderedJson::object();
+    if (!table.name.empty())
+      entry["name"] = table.name;
+    entry["bufferView"] = builder.addView(encodeKtx2(table), kTableAlignment);
+    entry["mimeType"] = "image/ktx2";
+    json["tables"].push_back(std::move(entry));
+  }
+  for (const Noise& noise : bundle.noises)
+    json["noises"].push_back(describeNoise(noise));
+  return json;
+}
+
+OrderedJson describeMaterialNoise(const MaterialNoise& use) {
+  const MaterialNoise defaults;
+  OrderedJson json = {{"noise", use.noise}};
+  if (use.mapping != defaults.mapping)
+    json["mapping"] = nameOf(use.mapping);
+  if (use.texCoord != defaults.texCoord)
+    json["texCoord"] = use.texCoord;
+  if (use.scale != defaults.scale)
+    json["scale"] = use.scale;
+  if (use.offset != defaults.offset)
+    json["offset"] = use.offset;
+  if (use.rotation != defaults.rotation)
+    json["rotation"] = use.rotation;
+  if (use.seed != defaults.seed)
+    json["seed"] = use.seed;
+  if (use.blendSharpness != defaults.blendSharpness)
+    json["blendSharpness"] = use.blendSharpness;
+  if (use.contrast != defaults.contrast)
+    json["contrast"] = use.contrast;
+  return json;
+}
+
+} // namespace lichen

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Collects the faults of one file while it is read.
+#pragma once
+
+#include <lichen/bundle.h>
+
+namespace lichen {
+
+class FindingList {
+public:
+  void error(std::string code, std::string pointer, std::string message) {
+    add({Finding::Severity::error, std::move(code), std::move(pointer), std::move(message)});
+  }
+  void warn(std::string code, std::string pointer, std::string message) {
+    add({Finding::Severity::warning, std::move(code), std::move(pointer), std::move(message)});
+  }
+  [[nodiscard]] std::size_t errorCount() const { return errors_; }
+  [[nodiscard]] const std::vector<Finding>& all() const { return findings_; }
+
+private:
+  void add(Finding finding) {
+    // A file of millions of faults must not fill the memory with their descriptions. Counted each
+    // for itself, so that no number of warnings hides the first error.
+    constexpr std::size_t kMostOfEach = 500;
+    std::size_t& count = finding.severity == Finding::Severity::error ? errors_ : warnings_;
+    if (count++ < kMostOfEach)
+      findings_.push_back(std::move(finding));
+  }
+
+  std::vector<Finding> findings_;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+};
+
+/// Text from a file, in quotes, on one line, ASCII, at most some 60 characters of it.
+[[nodiscard]] std::string quoted(const std::string& text);
+
+} // namespace lichen

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The binary half of a glTF file that is being written: one buffer, its views and accessors.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace lichen {
+
+/// Keys keep the order in which they are set, so that the same bundle gives the same bytes.
+using OrderedJson = nlohmann::ordered_json;
+
+enum class ViewTarget { none = 0, vertices = 34962, indices = 34963 };
+
+struct GltfBuilder {
+  OrderedJson bufferViews = OrderedJson::array();
+  OrderedJson accessors = OrderedJson::array();
+  std::vector<std::byte> binary;
+
+  /// Appends bytes at a multiple of `alignment` and returns their view's index.
+  std::size_t addView(std::span<const std::byte> bytes, std::size_t alignment,
+                      ViewTarget target = ViewTarget::none);
+  /// A tightly packed accessor over a view of its own. Components are float for vertices, 16-bit
+  /// for indices. Returns its index.
+  template <std::size_t kComponents>
+  std::size_t addVertices(const std::vector<std::array<float, kComponents>>& values,
+                          bool withBounds = false);
+  std::size_t addIndices(const std::vector<std::uint16_t>& indices);
+};
+
+} // namespace lichen

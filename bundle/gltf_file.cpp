@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// Reads the container of a glTF asset; see gltf_file.h. Input is hostile: every offset, length and
+// nesting depth is checked before it is used.
+#include "gltf_file.h"
+
+#include <lichen/files.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+/// The parsed form of JSON takes up to some 20 times its bytes; 64 MiB stay near 1 GiB. Exporters
+/// stay below unless they embed large buffers as data URIs, which take 1 time theirs.
+constexpr std::size_t kMaxJsonBytes = std::size_t(64) << 20;
+/// glTF itself nests 8 deep; extensions and extras somewhat deeper.
+constexpr int kMaxJsonDepth = 64;
+constexpr std::size_t kMaxBuffers = 4096;
+
+std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+bool nestsTooDeep(std::span<const std::byte> text) {
+  int depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = char(text[i]);
+    if (inString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        inString = false;
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxJsonDepth)
+        return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+/// Value of a base64 digit, or -1.
+int base64Digit(char c) {
+  if (c >= 'A' && c <= 'Z')
+    return c - 'A';
+  if (c >= 'a' && c <= 'z')
+    return c - 'a' + 26;
+  if (c >= '0' && c <= '9')
+    return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+bool decodeBase64(std::string_view text, std::vector<std::byte>& bytes) {
+  for (int padding = 0; padding < 2 && !text.empty() && text.back() == '='; ++padding)
+    text.remove_suffix(1);
+  if (text.size() % 4 == 1)
+    return false;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t bits = 0;
+  int bitCount = 0;
+  for (const char c : text) {
+    const int digit = base64Digit(c);
+    if (digit < 0)
+      return false;
+    bits = bits << 6u | std::uint32_t(digit);
+    bitCount += 6;
+    if (bitCount >= 8) {
+      bitCount -= 8;
+      bytes.push_back(std::byte(bits >> unsigned(bitCount) & 0xffu));
+    }
+  }
+  return true;
+}
+
+/// Undoes %XX; nothing for a malformed escape or a NUL.
+std::optional<std::string> decodePercent(const std::string& uri) {
+  const auto hexDigit = [](char c) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    return kDigits.find(c >= 'A' && c <= 'F' ? char(c - 'A' + 'a') : c);
+  };
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    char c = uri[i];
+    if (c == '%') {
+      if (i + 2 >= uri.size())
+        return std::nullopt;
+      const std::size_t high = hexDigit(uri[i + 1]);
+      const std::size_t low = hexDigit(uri[i + 2]);
+      if (high == std::string_view::npos || low == std::string_view::npos)
+        return std::nullopt;
+      c = char(high * 16 + low);
+      i += 2;
+    }
+    if (c == '\0')
+      return std::nullopt;
+    path.push_back(c);
+  }
+  return path;
+}
+
+/// The file that a relative path names, or nothing when it lies outside the folder, by its words
+/// or through a link.
+std::optional<std::filesystem::path> pathInside(const std::filesystem::path& folder,
+                                                const std::filesystem::path& relative) {
+  if (folder.empty() || relative.empty() || relative.has_root_path())
+    return std::nullopt;
+  std::error_code error;
+  const auto root = std::filesystem::weakly_canonical(folder, error);
+  if (error)
+    return std::nullopt;
+  const auto target = std::filesystem::weakly_canonical(root / relative, error);
+  if (error)
+    return std::nullopt;
+  const auto [rootEnd, targetEnd] =
+      std::mismatch(root.begin(), root.end(), target.begin(), target.end());
+  if (rootEnd != root.end() || targetEnd == target.end())
+    return std::nullopt;
+  return target;
+}
+
+/// A non-negative integer member, or nothing. An absent one is `fallback`.
+std::optional<std::uint64_t> countMember(const json& object, const char* key,
+                                         std::optional<std::uint64_t> fallback) {
+  const auto member = object.find(key);
+  if (member == object.end())
+    return fallback;
+  if (!member->is_number_unsigned())
+    return std::nullopt;
+  return member->get<std::uint64_t>();
+}
+
+/// Element `index` of a root array of objects, or null.
+const json* element(const json& root, const char* array, std::size_t index) {
+  const auto found = root.find(array);
+  if (found == root.end() || !found->is_array() || index >= found->size())
+    return nullptr;
+  const json& value = (*found)[index];
+  return value.is_object() ? &value : nullptr;
+}
+
+} // namespace
+
+std::string quoted(const std::string& text) {
+  constexpr std::size_t kMostCharacters = 60;
+  const std::string shown =
+      text.size() > kMostCharacters ? text.substr(0, kMostCharacters) + "..." : text;
+  return json(shown).dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
+                                       std::filesystem::path folder, FindingList& findings) {
+  GltfFile gltf;
+  gltf.folder_ = std::move(folder);
+  gltf.text_ = file;
+  if (file.size() >= sizeof kGlbMagic && word(file, 0) == kGlbMagic) {
+    if (!gltf.splitGlb(file, findings))
+      return std::nullopt;
+  } else {
+    const auto first = std::find_if(file.begin(), file.end(), [](std::byte b) {
+      return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
+    });
+    if (first == file.end() || char(*first) != '{') {
+      findings.error("not-gltf", "", "neither a GLB (first bytes glTF) nor a JSON object");
+      return std::nullopt;
+    }
+  }
+  if (!gltf.parseJson(findings))
+    return std::nullopt;
+  return gltf;
+}
+
+bool GltfFile::splitGlb(std::span<const std::byte> file, FindingList& findings) {
+  const auto fail = [&](const char* code, const std::string& message) {
+    findings.error(code, "", message);
+    return false;
+  };
+  if (file.size() < kGlbHeaderBytes)
+    return fail("glb-length", "the GLB ends inside its header");
+  if (const std::uint32_t version = word(file, 4); version != 2)
+    return fail("glb-version", "GLB version " + std::to_string(version) + "; 2 is accepted");
+  if (const std::uint32_t length = word(file, 8); length != file.size())
+    return fail("glb-length", "the GLB header says " + std::to_string(length) +
+                                  " bytes, the file has " + std::to_string(file.size()));
+  std::size_t offset = kGlbHeaderBytes;
+  for (int chunk = 0; offset < file.size(); ++chunk) {
+    if (file.size() - offset < kGlbChunkHeaderBytes)
+      return fail("glb-chunk", "the GLB ends inside the header of chunk " + std::to_string(chunk));
+    const std::uint32_t length = word(file, offset);
+    const std::uint32_t type = word(file, offset + 4);
+    offset += kGlbChunkHeaderBytes;
+    if (length > file.size() - offset || length % 4 != 0)
+      return fail("glb-chunk", "GLB chunk " + std::to_string(chunk) + " of " +
+                                   std::to_string(length) + " bytes; a multiple of 4, at most " +
+                                   std::to_string(file.size() - offset) + ", is accepted");
+    if ((chunk == 0) != (type == kGlbChunkJson))
+      return fail("glb-chunk", "the first chunk of a GLB must be its only JSON");
+    if (chunk == 0)
+      text_ = file.subspan(offset, length);
+    else if (chunk == 1 && type == kGlbChunkBin)
+      binaryChunk_ = file.subspan(offset, length);
+    offset += length;
+  }
+  if (offset == kGlbHeaderBytes)
+    return fail("glb-chunk", "the GLB has no JSON chunk");
+  return true;
+}
+
+bool GltfFile::parseJson(FindingList& findings) {
+  const auto fail = [&](const char* code, const std::string& message) {
+    findings.error(code, "", message);
+    return false;
+  };
+  if (text_.size() > kMaxJsonBytes)
+    return fail("json-size", "JSON of " + std::to_string(text_.size()) + " bytes; at most " +
+                                 std::to_string(kMaxJsonBytes) + " are accepted");
+  if (nestsTooDeep(text_))
+    return fail("json-depth", "JSON nested deeper than the accepted " +
+                                  std::to_string(kMaxJsonDepth) + " levels");
+  try {
+    const auto* begin = reinterpret_cast<const char*>(text_.data());
+    json_ = json::parse(begin, begin + text_.size());
+  } catch (const json::parse_error& error) {
+    return fail("json-syntax", "JSON syntax error at byte " + std::to_string(error.byte));
+  } catch (const json::exception&) { // a number beyond the range of double
+    return fail("json-syntax", "JSON with a number that is out of range");
+  }
+  if (!json_.is_object())
+    return fail("json-syntax", "the JSON document is not an object");
+  const auto asset = json_.find("asset");
+  if (asset == json_.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string() ||
+      (*asset)["version"].get_ref<const std::string&>().rfind("2.", 0) != 0) {
+    findings.error("asset-version", "/asset/version", "absent or not 2.x; \"2.0\" is accepted");
+    return false;
+  }
+  if (const auto list = json_.find("buffers"); list != json_.end() && list->is_array()) {
+    if (list->size() > kMaxBuffers)
+      return fail("count", std::to_string(list->size()) + " buffers; at most " +
+                               std::to_string(kMaxBuffers) + " are accepted");
+    buffers_.resize(list->size());
+  }
+  return true;
+}
+
+/// Fills `bytes` from a data URI or a file. Returns what is wrong, or nothing.
+std::string GltfFile::readUri(const std::string& uri, std::vector<std::byte>& bytes) const {
+  constexpr std::string_view kMarker = ";base64,";
+  if (uri.rfind("data:", 0) == 0) {
+    const std::size_t marker = uri.find(kMarker);
+    if (marker == std::string::npos ||
+        !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
+      return "data URI that is not sound base64";
+    return {};
+  }
+  const auto relative = decodePercent(uri);
+  if (uri.find(':') != std::string::npos || !relative)
+    return "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted";
+  const auto path = pathInside(folder_, *relative);
+  if (!path)
+    return "URI " + quoted(uri) + " leads out of the file's folder";
+  Result<std::vector<std::byte>> file = readFile(*path);
+  if (!file)
+    return file.error().message;
+  bytes = std::move(file).value();
+  return {};
+}
+
+bool GltfFile::loadBuffer(std::size_t index, Buffer& target, FindingList& findings) {
+  const std::string pointer = "/buffers/" + std::to_string(index);
+  const json* description = element(json_, "buffers", index);
+  if (description == nullptr) {
+    findings.error("buffer", pointer, "absent or not an object");
+    return false;
+  }
+  const auto length = countMember(*description, "byteLength", std::nullopt);
+  if (!length || *length == 0) {
+    findings.error("buffer", pointer + "/byteLength", "absent or not a positive integer");
+    return false;
+  }
+  const auto uri = description->find("uri");
+  if (uri == description->end()) {
+    if (index != 0 || !binaryChunk_) {
+      findings.error("buffer", pointer, "no uri, and no GLB chunk that would hold it");
+      return false;
+    }
+    target.bytes = *binaryChunk_;
+  } else {
+    const std::string fault = uri->is_string()
+                                  ? readUri(uri->get_ref<const std::string&>(), target.storage)
+                                  : std::string("not a string");
+    if (!fault.empty()) {
+      findings.error("buffer-uri", pointer + "/uri", fault);
+      return false;
+    }
+    target.bytes = target.storage;
+  }
+  if (*length > target.bytes.size()) {
+    findings.error("buffer", pointer + "/byteLength",
+                   std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
+                       " are there");
+    return false;
+  }
+  target.bytes = target.bytes.first(std::size_t(*length));
+  return true;
+}
+
+const GltfFile::Buffer& GltfFile::buffer(std::size_t index, FindingList& findings) {
+  Buffer& target = buffers_[index];
+  if (!target.loaded) {
+    target.loaded = true;
+    target.usable = loadBuffer(index, target, findings);
+  }
+  return target;
+}
+
+std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index,
+                                                               FindingList& findings) {
+  const std::string pointer = "/bufferViews/" + std::to_string(index);
+  const json* view = element(json_, "bufferViews", index);
+  if (view == nullptr) {
+    findings.error("buffer-view", pointer, "absent or not an object");
+    return std::nullopt;
+  }
+  const auto bufferIndex = countMember(*view, "buffer", std::nullopt);
+  const auto offset = countMember(*view, "byteOffset", 0);
+  const auto length = countMember(*view, "byteLength", std::nullopt);
+  if (!bufferIndex || *bufferIndex >= buffers_.size()) {
+    findings.error("buffer-view", pointer + "/buffer", "not the index of a buffer");
+    return std::nullopt;
+  }
+  if (!offset || !length || *length == 0) {
+    findings.error("buffer-view", pointer,
+                   "byteOffset and byteLength must be integers, the length positive");
+    return std::nullopt;
+  }
+  if (view->contains("byteStride")) {
+    findings.error("buffer-view", pointer + "/byteStride", "not accepted on a table's bytes");
+    return std::nullopt;
+  }
+  const Buffer& source = buffer(std::size_t(*bufferIndex), findings);
+  if (!source.usable)
+    return std::nullopt;
+  if (*offset > source.bytes.size() || *length > source.bytes.size() - *offset) {
+    findings.error("buffer-view", pointer,
+                   std::to_string(*length) + " bytes at " + std::to_string(*offset) +
+                       " pass the end of a buffer of " + std::to_string(source.bytes.size()));
+    return std::nullopt;
+  }
+  return source.bytes.subspan(std::size_t(*offset), std::size_t(*length));
+}
+
+std::size_t GltfFile::loadedBytes() const {
+  std::size_t total = 0;
+  for (const Buffer& buffer : buffers_)
+    total += buffer.bytes.size();
+  return total;
+}
+
+} // namespace lichen

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+// KTX2 container <-> table, uncompressed formats only. File: header, level index, data format
+// descriptor, key/value data, then the mip levels, smallest first, each aligned to its texel.
+// Sources: KTX File Format Specification 2.0; Khronos Data Format Specification 1.3, section 5.
+#include <lichen/bundle.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+#include <numeric>
+
+namespace lichen {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "KTX2 and GLB fields are little-endian");
+
+constexpr std::array<unsigned char, 12> kIdentifier = {0xAB, 'K',  'T',  'X',  ' ',  '2',
+                                                       '0',  0xBB, '\r', '\n', 0x1A, '\n'};
+
+/// The header and index of the specification, byte for byte.
+struct Header {
+  std::array<unsigned char, 12> identifier = kIdentifier;
+  std::uint32_t vkFormat = 0;
+  std::uint32_t typeSize = 1;
+  std::uint32_t pixelWidth = 0;
+  std::uint32_t pixelHeight = 0;
+  std::uint32_t pixelDepth = 0;
+  std::uint32_t layerCount = 0;
+  std::uint32_t faceCount = 1;
+  std::uint32_t levelCount = 1;
+  std::uint32_t supercompressionScheme = 0;
+  std::uint32_t dfdByteOffset = 0;
+  std::uint32_t dfdByteLength = 0;
+  std::uint32_t kvdByteOffset = 0;
+  std::uint32_t kvdByteLength = 0;
+  std::uint64_t sgdByteOffset = 0;
+  std::uint64_t sgdByteLength = 0;
+};
+static_assert(sizeof(Header) == 80);
+
+struct LevelIndexEntry {
+  std::uint64_t byteOffset = 0;
+  std::uint64_t byteLength = 0;
+  std::uint64_t uncompressedByteLength = 0;
+};
+
+struct FormatEntry {
+  TexelFormat format;
+  std::uint32_t vkFormat; ///< value of VkFormat
+  std::uint32_t typeSize; ///< bytes of a component
+  bool isFloat;
+};
+constexpr std::array<FormatEntry, 9> kFormats = {{{TexelFormat::r8Unorm, 9, 1, false},
+                                                  {TexelFormat::rg8Unorm, 16, 1, false},
+                                                  {TexelFormat::rgba8Unorm, 37, 1, false},
+                                                  {TexelFormat::rgba8Srgb, 43, 1, false},
+                                                  {TexelFormat::r16Sfloat, 76, 2, true},
+                                                  {TexelFormat::rg16Sfloat, 83, 2, true},
+                                                  {TexelFormat::rgba16Sfloat, 97, 2, true},
+                                                  {TexelFormat::r32Sfloat, 100, 4, true},
+                                                  {TexelFormat::rgba32Sfloat, 109, 4, true}}};
+
+const FormatEntry& entryOf(TexelFormat format) { return kFormats[std::size_t(format)]; }
+
+/// Largest side, as of images.
+constexpr std::uint32_t kMaxSide = 16384;
+
+template <class T>
+void append(std::vector<std::byte>& bytes, const T& value) {
+  const auto view = std::as_bytes(std::span(&value, 1));
+  bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+template <class T>
+T read(std::span<const std::byte> bytes, std::size_t offset) {
+  T value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+void padTo(std::vector<std::byte>& bytes, std::size_t alignment) {
+  bytes.resize((bytes.size() + alignment - 1) / alignment * alignment);
+}
+
+std::size_t levelAlignment(TexelFormat format) {
+  return std::lcm(texelBytes(format), std::size_t(4));
+}
+
+/// The data format descriptor with its leading total size: one basic descriptor block (Data Format
+/// 1.3, section 5), colour model RGBSDA, BT.709 primaries, straight alpha, one sample per channel.
+std::vector<std::uint32_t> describeFormat(TexelFormat format) {
+  constexpr std::uint32_t kVersion1_3 = 2;
+  constexpr std::uint32_t kModelRgbsda = 1;
+  constexpr std::uint32_t kPrimariesBt709 = 1;
+  constexpr std::uint32_t kTransferLinear = 1;
+  constexpr std::uint32_t kTransferSrgb = 2;
+  constexpr std::uint32_t kChannelAlpha = 15;
+  constexpr std::uint32_t kQualifierLinear = 0x10;
+  constexpr std::uint32_t kQualifierSigned = 0x40;
+  constexpr std::uint32_t kQualifierFloat = 0x80;
+  const FormatEntry& entry = entryOf(format);
+  const bool srgb = format == TexelFormat::rgba8Srgb;
+  const auto channels = std::uint32_t(channelCount(format));
+  const std::uint32_t blockBytes = 24 + 16 * channels;
+  std::vector<std::uint32_t> words = {blockBytes + 4, // total size, with this word
+                                      0,              // Khronos, basic format
+                                      kVersion1_3 | blockBytes << 16u,
+                                      kModelRgbsda | kPrimariesBt709 << 8u |
+                                          (srgb ? kTransferSrgb : kTransferLinear) << 16u,
+                                      0, // texel block of 1 x 1 x 1 x 1
+                                      std::uint32_t(texelBytes(format)), // bytes of plane 0
+                                      0};
+  for (std::uint32_t channel = 0; channel < channels; ++channel) {
+    const bool alpha = channel == 3;
+    const std::uint32_t bits = 8 * entry.typeSize;
+    std::uint32_t type = alpha ? kChannelAlpha : channel;
+    if (entry.isFloat)
+      type |= kQualifierFloat | kQualifierSigned;
+    else if (srgb && alpha)
+      type |= kQualifierLinear;
+    words.push_back(channel * bits | (bits - 1) << 16u | type << 24u);
+    words.push_back(0); // sample position
+    // The range that stands for black to white: the whole of UNORM, -1 to 1 of a float.
+    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(-1.0f) : 0u);
+    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(1.0f) : 255u);
+  }
+  return words;
+}
+
+std::vector<std::byte> keyValueData() {
+  constexpr std::string_view kWriter("KTXwriter\0lichen\0", 17);
+  std::vector<std::byte> bytes;
+  append(bytes, std::uint32_t(kWriter.size()));
+  const auto text = std::as_bytes(std::span(kWriter));
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  padTo(bytes, 4);
+  return bytes;
+}
+
+Error refusal(const std::string& name, const std::string& what) {
+  return Error{ErrorKind::badInput, name + ": KTX2: " + what};
+}
+
+bool contains(std::size_t size, std::uint64_t offset, std::uint64_t length) {
+  return offset <= size && length <= size - offset;
+}
+
+/// Checks everything in the header that does not depend on the rest of the file, and gives a table
+/// without texels.
+Result<Table> tableFromHeader(const Header& header, const std::string& name) {
+  const auto format = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatEntry& e) {
+    return e.vkFormat == header.vkFormat;
+  });
+  if (format == kFormats.end())
+    return refusal(name, "vkFormat " + std::to_string(header.vkFormat) +
+                             "; accepted are 9, 16, 37, 43, 76, 83, 97, 100, 109 (R8, RG8, RGBA8, "
+                             "RGBA8 SRGB, R16F, RG16F, RGBA16F, R32F, RGBA32F)");
+  if (header.typeSize != format->typeSize)
+    return refusal(name, "typeSize " + std::to_string(header.typeSize) + "; vkFormat " +
+                             std::to_string(header.vkFormat) + " has " +
+                             std::to_string(format->typeSize));
+  for (const std::uint32_t side : {header.pixelWidth, header.pixelHeight})
+    if (side == 0 || side > kMaxSide)
+      return refusal(name, "side of " + std::to_string(side) + " texels; 1 to " +
+                               std::to_string(kMaxSide) + " are accepted");
+  if (header.pixelDepth > kMaxSide)
+    return refusal(name, "depth of " + std::to_string(header.pixelDepth) + " texels; at most " +
+                             std::to_string(kMaxSide) + " are accepted");
+  if (header.layerCount != 0 || header.faceCount != 1)
+    return refusal(name, std::to_string(header.layerCount) + " layers and " +
+                             std::to_string(header.faceCount) +
+                             " faces; only a single 2-D or 3-D image (0 and 1) is accepted");
+  const auto mostLevels =
+      header.pixelDepth > 0
+          ? 1
+          : std::uint32_t(std::bit_width(std::max(header.pixelWidth, header.pixelHeight)));
+  if (header.levelCount == 0 || header.levelCount > mostLevels)
+    return refusal(name, std::to_string(header.levelCount) + " mip levels; 1 to " +
+                             std::to_string(mostLevels) + " are accepted for this size");
+  if (header.supercompressionScheme != 0 || header.sgdByteOffset != 0 || header.sgdByteLength != 0)
+    return refusal(name, "supercompression scheme " +
+                             std::to_string(header.supercompressionScheme) +
+                             "; only uncompressed data (0, without global data) is accepted");
+  Table table;
+  table.name = name;
+  table.format = format->format;
+  table.width = header.pixelWidth;
+  table.height = header.pixelHeight;
+  table.depth = header.pixelDepth;
+  table.mipLevels = header.levelCount;
+  return table;
+}
+
+/// The transfer function and the samples decide what texels mean, so nothing but the descriptor
+/// that the format has is accepted; primaries, flags and version may differ.
+bool descriptorMatches(std::span<const std::byte> descriptor, TexelFormat format) {
+  const std::vector<std::uint32_t> expected = describeFormat(format);
+  const auto expectedBytes = std::as_bytes(std::span(expected));
+  if (descriptor.size() != expectedBytes.size())
+    return false;
+  constexpr std::array<std::size_t, 4> kFree = {8, 9, 13, 15}; // version, primaries, flags
+  for (std::size_t i = 0; i < descriptor.size(); ++i)
+    if (descriptor[i] != expectedBytes[i] &&
+        std::find(kFree.begin(), kFree.end(), i) == kFree.end())
+      return false;
+  return true;
+}
+
+/// Empty when the key/value data is well-formed and does not turn or swizzle the image.
+std::string keyValueFault(std::span<const std::byte> data, bool is3d) {
+  while (!data.empty()) {
+    if (data.size() < sizeof(std::uint32_t))
+      return "key/value data ends inside a length";
+    const auto length = read<std::uint32_t>(data, 0);
+    data = data.subspan(sizeof(std::uint32_t));
+    const std::size_t padded = (std::size_t(length) + 3) / 4 * 4;
+    if (padded > data.size())
+      return "key/value entry of " + std::to_string(length) + " bytes passes the end of its data";
+    std::string text(length, '\0');
+    std::memcpy(text.data(), data.data(), length);
+    data = data.subspan(padded);
+    const std::size_t keyEnd = text.find('\0');
+    if (keyEnd == std::string::npos || keyEnd == 0)
+      return "key/value entry without a key";
+    const std::string key = text.substr(0, keyEnd);
+    std::string value = text.substr(keyEnd + 1);
+    if (!value.empty() && value.back() == '\0')
+      value.pop_back();
+    if (key == "KTXorientation" && value != (is3d ? "rdi" : "rd"))
+      return std::string("KTXorientation other than ") + (is3d ? "rdi" : "rd");
+    if (key == "KTXswizzle" && value != "rgba")
+      return "KTXswizzle other than rgba";
+  }
+  return {};
+}
+
+/// Copies the levels out of the file. They must lie smallest first, aligned, after `firstByte`,
+/// and end where the file ends.
+Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size_t firstByte) {
+  const std::size_t alignment = levelAlignment(table.format);
+  std::uint64_t end = firstByte;
+  for (std::uint32_t level = table.mipLevels; level-- > 0;) {
+    const auto entry =
+        read<LevelIndexEntry>(file, sizeof(Header) + level * sizeof(LevelIndexEntry));
+    const std::string which = "mip level " + std::to_string(level);
+    const std::size_t size = levelRange(table, level).size;
+    if (entry.byteLength != size || entry.uncompressedByteLength != size)
+      return refusal(table.name, which + " of " + std::to_string(entry.byteLength) + " bytes; " +
+                                     std::to_string(size) + " are needed");
+    if (entry.byteOffset % alignment != 0 || entry.byteOffset < end ||
+        entry.byteOffset - end >= alignment)
+      return refusal(table.name, which + " at byte " + std::to_string(entry.byteOffset) +
+                                     "; expected at the next multiple of " +
+                                     std::to_string(alignment) + " from " + std::to_string(end));
+    if (!contains(file.size(), entry.byteOffset, entry.byteLength))
+      return refusal(table.name,
+                     which + " passes the end of the file at byte " + std::to_string(file.size()));
+    end = entry.byteOffset + entry.byteLength;
+  }
+  if (end != file.size())
+    return refusal(table.name, std::to_string(file.size() - end) +
+                                   " bytes after the last mip level; none are accepted");
+  const LevelRange last = levelRange(table, table.mipLevels - 1);
+  table.texels.resize(last.offset + last.size);
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+    const auto entry =
+        read<LevelIndexEntry>(file, sizeof(Header) + level * sizeof(LevelIndexEntry));
+    const LevelRange range = levelRange(table, level);
+    std::memcpy(table.texels.data() + range.offset, file.data() + entry.byteOffset, range.size);
+  }
+  return table;
+}
+
+/// NaN and infinity have all exponent bits set.
+bool isFinite(const Table& table) {
+  const FormatEntry& entry = entryOf(table.format);
+  if (!entry.isFloat)
+    return true;
+  for (std::size_t i = 0; i < table.texels.size(); i += entry.typeSize) {
+    const bool finite = entry.typeSize == 2
+                            ? (read<std::uint16_t>(table.texels, i) & 0x7c00u) != 0x7c00u
+                            : (read<std::uint32_t>(table.texels, i) & 0x7f800000u) != 0x7f800000u;
+    if (!finite)
+      return false;
+  }
+  return true;
+}
+
+Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
+  if (file.size() < sizeof(Header))
+    return refusal(name, std::to_string(file.size()) + " bytes are too few for a header");
+  const auto header = read<Header>(file, 0);
+  if (header.identifier != kIdentifier)
+    return refusal(name, "the file identifier is absent");
+  Result<Table> table = tableFromHeader(header, name);
+  if (!table)
+    return table;
+  const std::size_t indexEnd = sizeof(Header) + table.value().mipLevels * sizeof(LevelIndexEntry);
+  if (file.size() < indexEnd)
+    return refusal(name, "the file ends inside its level index");
+  if (header.dfdByteOffset != indexEnd ||
+      !contains(file.size(), header.dfdByteOffset, header.dfdByteLength) ||
+      !descriptorMatches(file.subspan(header.dfdByteOffset, header.dfdByteLength),
+                         table.value().format))
+    return refusal(name, "the data format descriptor does not describe vkFormat " +
+                             std::to_string(header.vkFormat));
+  std::size_t metadataEnd = std::size_t(header.dfdByteOffset) + header.dfdByteLength;
+  if (header.kvdByteLength > 0) {
+    if (header.kvdByteOffset != metadataEnd ||
+        !contains(file.size(), header.kvdByteOffset, header.kvdByteLength))
+      return refusal(name, "the key/value data is not between the descriptor and the levels");
+    const std::string fault = keyValueFault(
+        file.subspan(header.kvdByteOffset, header.kvdByteLength), header.pixelDepth > 0);
+    if (!fault.empty())
+      return refusal(name, fault);
+    metadataEnd += header.kvdByteLength;
+  } else if (header.kvdByteOffset != 0) {
+    return refusal(name, "key/value data at an offset but without a length");
+  }
+  Result<Table> complete = readLevels(std::move(table).value(), file, metadataEnd);
+  if (complete && !isFinite(complete.value()))
+    return refusal(name, "a texel is NaN or infinite; only finite values are accepted");
+  return complete;
+}
+
+} // namespace
+
+std::vector<std::byte> encodeKtx2(const Table& table) {
+  const std::vector<std::uint32_t> descriptor = describeFormat(table.format);
+  const std::vector<std::byte> keyValues = keyValueData();
+  const std::size_t indexBytes = table.mipLevels * sizeof(LevelIndexEntry);
+  Header header;
+  header.vkFormat = entryOf(table.format).vkFormat;
+  header.typeSize = entryOf(table.format).typeSize;
+  header.pixelWidth = table.width;
+  header.pixelHeight = table.height;
+  header.pixelDepth = table.depth;
+  header.levelCount = table.mipLevels;
+  header.dfdByteOffset = std::uint32_t(sizeof(Header) + indexBytes);
+  header.dfdByteLength = std::uint32_t(descriptor.size() * sizeof(std::uint32_t));
+  header.kvdByteOffset = header.dfdByteOffset + header.dfdByteLength;
+  header.kvdByteLength = std::uint32_t(keyValues.size());
+
+  std::vector<std::byte> file;
+  append(file, header);
+  file.resize(sizeof(Header) + indexBytes);
+  const auto descriptorBytes = std::as_bytes(std::span(descriptor));
+  file.insert(file.end(), descriptorBytes.begin(), descriptorBytes.end());
+  file.insert(file.end(), keyValues.begin(), keyValues.end());
+  for (std::uint32_t level = table.mipLevels; level-- > 0;) {
+    padTo(file, levelAlignment(table.format));
+    const LevelRange range = levelRange(table, level);
+    const LevelIndexEntry entry{file.size(), range.size, range.size};
+    std::memcpy(file.data() + sizeof(Header) + level * sizeof(LevelIndexEntry), &entry,
+                sizeof entry);
+    const auto texels = std::span(table.texels).subspan(range.offset, range.size);
+    file.insert(file.end(), texels.begin(), texels.end());
+  }
+  return file;
+}
+
+Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name) {
+  try {
+    return decode(file, name);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources, name + ": not enough memory for its texels"};
+  }
+}
+
+} // namespace lichen

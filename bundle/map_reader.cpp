@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// One map of a noise: its JSON members, and whether they agree with one another and with its
+// tables. D is the number of channels of the Gaussian image, n that of the map, L of the levels.
+#include "extension_reader.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+using Tables = std::vector<std::optional<Table>>;
+
+/// 64 slabs of a 32^3 table make a depth of 2,048, the least that desktop devices offer.
+constexpr std::size_t kMaxTableLevels = 64;
+constexpr double kLevelTolerance = 1e-6;
+/// Of the trace: how far rounding may take a covariance from symmetric and positive.
+constexpr double kCovarianceTolerance = 1e-9;
+
+/// The channels that a target may name, in this order.
+std::vector<MapChannel> channelsOf(MapTarget target) {
+  switch (target) {
+  case MapTarget::baseColor:
+  case MapTarget::emissive:
+    return {MapChannel::red, MapChannel::green, MapChannel::blue};
+  case MapTarget::normal:
+    return {MapChannel::slopeX, MapChannel::slopeY};
+  case MapTarget::occlusionRoughnessMetallic:
+    return {MapChannel::occlusion, MapChannel::roughness, MapChannel::metallic};
+  case MapTarget::height:
+    return {MapChannel::height};
+  default:
+    return {MapChannel::opacity};
+  }
+}
+
+bool encodingFits(MapTarget target, ValueEncoding encoding) {
+  switch (target) {
+  case MapTarget::baseColor:
+  case MapTarget::emissive:
+    return encoding != ValueEncoding::slope;
+  case MapTarget::normal:
+    return encoding == ValueEncoding::slope;
+  case MapTarget::height:
+    return encoding == ValueEncoding::linear || encoding == ValueEncoding::log2;
+  default:
+    return encoding == ValueEncoding::linear;
+  }
+}
+
+/// Where a mean of stored values can lie, with room for rounding.
+NumberRange meanRange(ValueEncoding encoding) {
+  constexpr double kRounding = 1e-6;
+  constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz
+  constexpr double kBrightestLog = 129; // log2(1 + x) of the largest float
+  switch (encoding) {
+  case ValueEncoding::slope:
+    return {-kSteepest, kSteepest};
+  case ValueEncoding::log2:
+    return {0.0, kBrightestLog};
+  default:
+    return {-kRounding, 1.0 + kRounding};
+  }
+}
+
+/// All colour channels must be named, of the others any but in order.
+bool channelsFit(MapTarget target, const std::vector<MapChannel>& channels) {
+  const std::vector<MapChannel> all = channelsOf(target);
+  if (target != MapTarget::occlusionRoughnessMetallic)
+    return channels == all;
+  const auto strictlyAscending = [](MapChannel a, MapChannel b) { return a >= b; };
+  return std::all_of(
+             channels.begin(), channels.end(),
+             [&](MapChannel c) { return std::find(all.begin(), all.end(), c) != all.end(); }) &&
+         std::adjacent_find(channels.begin(), channels.end(), strictlyAscending) == channels.end();
+}
+
+void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
+  constexpr std::size_t kMostChannels = 3;
+  const json* list = reader.array("channels", kMostChannels);
+  if (list == nullptr)
+    return;
+  for (const json& name : *list) {
+    const auto channel =
+        name.is_string() ? mapChannelFrom(name.get_ref<const std::string&>()) : std::nullopt;
+    if (!channel)
+      return reader.error("map-channels", "channels", "holds something that is no channel's name");
+    map.channels.push_back(*channel);
+  }
+  if (!targetKnown || channelsFit(map.target, map.channels))
+    return;
+  std::string accepted;
+  for (const MapChannel channel : channelsOf(map.target))
+    accepted += (accepted.empty() ? "" : ", ") + std::string(nameOf(channel));
+  reader.error(
+      "map-channels", "channels",
+      "not those of " + std::string(nameOf(map.target)) + ": " + accepted +
+          (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
+}
+
+/// Whether the n x n matrix plus a little of its trace has a Cholesky factor, which it has exactly
+/// when no eigenvalue is below minus that little.
+bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    trace += c[i * n + i];
+  if (trace <= 0.0)
+    return std::all_of(c.begin(), c.end(), [](double v) { return v == 0.0; });
+  for (std::size_t k = 0; k < n; ++k) {
+    double& pivot = c[k * n + k];
+    pivot += kCovarianceTolerance * trace;
+    if (pivot <= 0.0)
+      return false;
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j)
+        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
+  }
+  return true;
+}
+
+bool isSymmetric(const std::vector<double>& c, std::size_t n) {
+  double largest = 0.0;
+  for (const double value : c)
+    largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::abs(c[i * n + j] - c[j * n + i]) > kCovarianceTolerance * largest)
+        return false;
+  return true;
+}
+
+void readStatistics(ObjectReader& reader, NoiseMap& map) {
+  const std::size_t n = map.channels.size();
+  if (auto mean = reader.numbers("mean", meanRange(map.encoding))) {
+    if (n != 0 && mean->size() != n)
+      reader.error("map-mean", "mean",
+                   std::to_string(mean->size()) + " values; " + std::to_string(n) +
+                       ", one a channel, are accepted");
+    map.mean = std::move(*mean);
+  }
+  constexpr NumberRange kCovarianceRange{-1e6, 1e6};
+  if (auto covariance = reader.numbers("covariance", kCovarianceRange)) {
+    if (n != 0 && covariance->size() != n * n)
+      reader.error("map-covariance", "covariance",
+                   std::to_string(covariance->size()) + " values; " + std::to_string(n * n) +
+                       ", a row of the matrix a channel, are accepted");
+    else if (n != 0 && !isSymmetric(*covariance, n))
+      reader.error("map-covariance", "covariance", "not symmetric");
+    else if (n != 0 && !isPositiveSemidefinite(*covariance, n))
+      reader.error("map-covariance", "covariance", "not positive semidefinite");
+    map.covariance = std::move(*covariance);
+  }
+}
+
+/// Colour channels of a table: alpha is unused.
+std::size_t usedChannels(TexelFormat format) {
+  return std::min<std::size_t>(std::size_t(channelCount(format)), 3);
+}
+
+std::string shapeOf(const Table& table) {
+  std::string shape = std::to_string(table.width) + " x " + std::to_string(table.height);
+  if (table.depth > 0)
+    shape += " x " + std::to_string(table.depth);
+  return shape;
+}
+
+/// The table that member `key` names, or null. An index that is out of range is recorded.
+const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
+                            const Tables& tables, std::size_t& index) {
+  const auto value = reader.integer(key, tables.empty() ? 0 : tables.size() - 1, code);
+  if (!value)
+    return nullptr;
+  if (tables.empty()) {
+    reader.error(code, key, "there are no tables");
+    return nullptr;
+  }
+  index = std::size_t(*value);
+  return tables[index] ? &*tables[index] : nullptr;
+}
+
+void checkGaussian(ObjectReader& reader, const NoiseMap& map, const Table& image) {
+  const auto fullChain = std::uint32_t(std::bit_width(std::max(image.width, image.height)));
+  const std::size_t dimensions = usedChannels(image.format);
+  if (image.depth != 0)
+    return reader.error("map-gaussian", "gaussian", shapeOf(image) + "; a 2-D image is accepted");
+  if (image.format == TexelFormat::rgba8Srgb)
+    return reader.error("map-gaussian", "gaussian",
+                        "an sRGB format; only linear ones are accepted");
+  if (image.mipLevels != fullChain)
+    return reader.error("map-gaussian", "gaussian",
+                        std::to_string(image.mipLevels) + " mip levels; the full chain of " +
+                            std::to_string(fullChain) + " is accepted");
+  if (!map.channels.empty() && dimensions > map.channels.size())
+    return reader.error("map-gaussian", "gaussian",
+                        std::to_string(dimensions) + " channels; at most those of the map, " +
+                            std::to_string(map.channels.size()) + ", are accepted");
+  if (!map.inverseTable && !map.channels.empty() && dimensions != map.channels.size())
+    return reader.error("map-gaussian", "gaussian",
+                        std::to_string(dimensions) +
+                            " channels; without an inverse table those "
+                            "of the map, " +
+                            std::to_string(map.channels.size()) + ", are accepted");
+  if (map.mipLoss.size() != fullChain && !map.mipLoss.empty())
+    reader.error("map-mip-loss", "mipLoss",
+                 std::to_string(map.mipLoss.size()) + " values; one a mip level, " +
+                     std::to_string(fullChain) + ", are accepted");
+}
+
+void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& table,
+                       const Table* gaussian) {
+  if (table.mipLevels != 1)
+    return reader.error("map-inverse-table", "inverseTable",
+                        std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
+  if (usedChannels(table.format) < map.channels.size())
+    return reader.error("map-inverse-table", "inverseTable",
+                        std::to_string(channelCount(table.format)) + " channels; at least " +
+                            std::to_string(map.channels.size()) + " are accepted");
+  const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
+  const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
+  if (isUnorm && !isColor)
+    return reader.error("map-inverse-table", "inverseTable",
+                        "8-bit texels; a float format is accepted for the encoding " +
+                            std::string(nameOf(map.encoding)));
+  if (gaussian == nullptr || map.levels.empty())
+    return;
+  const auto slabs = std::uint32_t(map.levels.size());
+  struct Shape {
+    std::uint32_t width, height, depth;
+  };
+  const std::array<Shape, 3> shapes = {
+      {{256, slabs, 0}, {64, 64 * slabs, 0}, {32, 32, 32 * slabs}}};
+  const Shape& shape = shapes[usedChannels(gaussian->format) - 1];
+  if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
+    reader.error("map-inverse-table", "inverseTable",
+                 shapeOf(table) + " texels; " + std::to_string(shape.width) + " x " +
+                     std::to_string(shape.height) +
+                     (shape.depth > 0 ? " x " + std::to_string(shape.depth) : "") +
+                     " are accepted for its Gaussian image and levels");
+}
+
+/// levels[k] = 1 - (1 - k / (L - 1))^2.
+void readLevels(ObjectReader& reader, NoiseMap& map) {
+  auto levels = reader.numbers("levels", {0.0, 1.0});
+  if (!levels)
+    return;
+  const std::size_t count = levels->size();
+  if (count < 2 || count > kMaxTableLevels)
+    return reader.error("map-levels", "levels",
+                        std::to_string(count) + " values; 2 to " + std::to_string(kMaxTableLevels) +
+                            " are accepted");
+  for (std::size_t k = 0; k < count; ++k) {
+    const double kept = 1.0 - double(k) / double(count - 1);
+    if (std::abs((*levels)[k] - (1.0 - kept * kept)) > kLevelTolerance)
+      return reader.error("map-levels", "levels",
+                          json((*levels)[k]).dump() + " at " + std::to_string(k) + "; " +
+                              json(1.0 - kept * kept).dump() + " is accepted");
+  }
+  map.levels = std::move(*levels);
+}
+
+void readLosses(ObjectReader& reader, NoiseMap& map) {
+  if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
+    if (!std::is_sorted(loss->begin(), loss->end()))
+      reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
+    map.mipLoss = std::move(*loss);
+  }
+  if (const auto loss = reader.numbers("bilinearLoss", {0.0, 2.0})) {
+    if (loss->size() != 2)
+      return reader.error("map-bilinear-loss", "bilinearLoss",
+                          std::to_string(loss->size()) + " values; 2 are accepted");
+    std::copy(loss->begin(), loss->end(), map.bilinearLoss.begin());
+  }
+}
+
+} // namespace
+
+NoiseMap readMap(ObjectReader& reader, const Tables& tables) {
+  NoiseMap map;
+  bool targetKnown = false;
+  if (const auto name = reader.text("target")) {
+    const auto target = mapTargetFrom(*name);
+    targetKnown = target.has_value();
+    map.target = target.value_or(map.target);
+    if (!target)
+      reader.error("map-target", "target",
+                   quoted(*name) + "; baseColor, normal, occlusionRoughnessMetallic, emissive, "
+                                   "height or opacity is accepted");
+  }
+  if (const auto name = reader.text("encoding")) {
+    const auto encoding = valueEncodingFrom(*name);
+    map.encoding = encoding.value_or(map.encoding);
+    if (!encoding || (targetKnown && !encodingFits(map.target, *encoding)))
+      reader.error("map-encoding", "encoding",
+                   quoted(*name) + " is not an encoding of " + std::string(nameOf(map.target)));
+  }
+  readChannels(reader, map, targetKnown);
+  readStatistics(reader, map);
+  readLosses(reader, map);
+
+  const Table* gaussian =
+      readTableIndex(reader, "gaussian", "map-gaussian-index", tables, map.gaussian);
+  if (reader.has("inverseTable")) {
+    std::size_t index = 0;
+    readLevels(reader, map);
+    const Table* table =
+        readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
+    map.inverseTable = index;
+    if (table != nullptr)
+      checkInverseTable(reader, map, *table, gaussian);
+  } else if (reader.optional("levels") != nullptr) {
+    reader.error("map-levels", "levels", "present although there is no inverseTable");
+  }
+  if (gaussian != nullptr)
+    checkGaussian(reader, map, *gaussian);
+  reader.warnOfUnknown();
+  return map;
+}
+
+} // namespace lichen

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The words that the extension's JSON uses for targets, channels, encodings and mappings.
+#include <lichen/bundle.h>
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+// Each list is in the order of its enumeration.
+constexpr std::array<std::string_view, 6> kTargetNames = {
+    "baseColor", "normal", "occlusionRoughnessMetallic", "emissive", "height", "opacity"};
+constexpr std::array<std::string_view, 10> kChannelNames = {
+    "red",       "green",     "blue",     "slopeX", "slopeY",
+    "occlusion", "roughness", "metallic", "height", "opacity"};
+constexpr std::array<std::string_view, 4> kEncodingNames = {"srgb", "linear", "slope", "log2"};
+constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
+
+template <class Value, std::size_t kCount>
+std::optional<Value> find(const std::array<std::string_view, kCount>& names,
+                          std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    return std::nullopt;
+  return Value(found - names.begin());
+}
+
+} // namespace
+
+std::string_view nameOf(MapTarget value) { return kTargetNames[std::size_t(value)]; }
+std::string_view nameOf(MapChannel value) { return kChannelNames[std::size_t(value)]; }
+std::string_view nameOf(ValueEncoding value) { return kEncodingNames[std::size_t(value)]; }
+std::string_view nameOf(Mapping value) { return kMappingNames[std::size_t(value)]; }
+
+std::optional<MapTarget> mapTargetFrom(std::string_view name) {
+  return find<MapTarget>(kTargetNames, name);
+}
+std::optional<MapChannel> mapChannelFrom(std::string_view name) {
+  return find<MapChannel>(kChannelNames, name);
+}
+std::optional<ValueEncoding> valueEncodingFrom(std::string_view name) {
+  return find<ValueEncoding>(kEncodingNames, name);
+}
+std::optional<Mapping> mappingFrom(std::string_view name) {
+  return find<Mapping>(kMappingNames, name);
+}
+
+} // namespace lichen

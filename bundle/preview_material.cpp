@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Core materials: preview images in the texture slots, scaled by KHR_texture_transform so that one
+// exemplar has the same size as in the noise.
+#include "preview_material.h"
+
+#include "extension_writer.h"
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+constexpr const char* kTextureTransform = "KHR_texture_transform";
+
+bool hasChannel(const Noise& noise, MapChannel channel) {
+  return std::any_of(noise.maps.begin(), noise.maps.end(), [channel](const NoiseMap& map) {
+    return std::find(map.channels.begin(), map.channels.end(), channel) != map.channels.end();
+  });
+}
+
+/// Adds an image and a texture; returns the texture's index. All share one sampler, which repeats.
+std::size_t addTexture(OrderedJson& root, GltfBuilder& builder, const std::string& name,
+                       const std::vector<std::byte>& png) {
+  constexpr int kLinear = 9729;
+  constexpr int kLinearMipmapLinear = 9987;
+  if (!root.contains("samplers"))
+    root["samplers"].push_back({{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}});
+  root["images"].push_back({{"name", name},
+                            {"mimeType", "image/png"},
+                            {"bufferView", builder.addView(png, sizeof(std::uint32_t))}});
+  root["textures"].push_back({{"sampler", 0}, {"source", root["images"].size() - 1}});
+  return root["textures"].size() - 1;
+}
+
+/// A texture reference that spans `tilesPerImage` exemplars: with the extension's
+/// tile = offset + R uv / scale, the image's coordinate is tile / tilesPerImage.
+OrderedJson textureInfo(OrderedJson& root, std::size_t texture, const MaterialNoise& use,
+                        int tilesPerImage) {
+  OrderedJson info = {{"index", texture}};
+  const double tiles = tilesPerImage;
+  OrderedJson transform = OrderedJson::object();
+  if (use.offset != std::array<double, 2>{0.0, 0.0})
+    transform["offset"] = {use.offset[0] / tiles, use.offset[1] / tiles};
+  if (use.rotation != 0.0)
+    transform["rotation"] = use.rotation;
+  if (const double scale = 1.0 / (use.scale * tiles); scale != 1.0)
+    transform["scale"] = {scale, scale};
+  if (!transform.empty()) {
+    info["extensions"][kTextureTransform] = std::move(transform);
+    OrderedJson& used = root["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), kTextureTransform) == used.end())
+      used.push_back(kTextureTransform);
+  }
+  return info;
+}
+
+} // namespace
+
+void addMaterial(OrderedJson& root, GltfBuilder& builder, const std::string& name,
+                 const Noise& noise, const MaterialNoise& use, const PreviewImages& preview) {
+  constexpr double kRoughnessWithoutMap = 0.8;
+  OrderedJson material = {{"name", name}};
+  OrderedJson& pbr = material["pbrMetallicRoughness"] = OrderedJson::object();
+  const auto texture = [&](const char* slot, const std::vector<std::byte>& png) {
+    return textureInfo(root, addTexture(root, builder, name + "." + slot, png), use,
+                       preview.tilesPerImage);
+  };
+  if (!preview.baseColor.empty())
+    pbr["baseColorTexture"] = texture("baseColor", preview.baseColor);
+  // Factors multiply the map; where it has no such channel they are the value.
+  pbr["metallicFactor"] = hasChannel(noise, MapChannel::metallic) ? 1.0 : 0.0;
+  pbr["roughnessFactor"] = hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
+  if (!preview.occlusionRoughnessMetallic.empty()) {
+    const OrderedJson info =
+        texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
+    if (hasChannel(noise, MapChannel::roughness) || hasChannel(noise, MapChannel::metallic))
+      pbr["metallicRoughnessTexture"] = info;
+    if (hasChannel(noise, MapChannel::occlusion))
+      material["occlusionTexture"] = info;
+  }
+  if (!preview.normal.empty())
+    material["normalTexture"] = texture("normal", preview.normal);
+  if (!preview.emissive.empty()) {
+    material["emissiveTexture"] = texture("emissive", preview.emissive);
+    material["emissiveFactor"] = {1.0, 1.0, 1.0};
+  }
+  if (hasChannel(noise, MapChannel::opacity))
+    material["alphaMode"] = "MASK";
+  material["extensions"][std::string(kExtensionName)] = describeMaterialNoise(use);
+  root["materials"].push_back(std::move(material));
+}
+
+} // namespace lichen

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The core material of a noise: what a viewer shows that does not know the extension.
+#pragma once
+
+#include "gltf_builder.h"
+
+#include <lichen/bundle_writer.h>
+
+namespace lichen {
+
+/// Adds a material with the extension's object and the preview's textures to `root`.
+void addMaterial(OrderedJson& root, GltfBuilder& builder, const std::string& name,
+                 const Noise& noise, const MaterialNoise& use, const PreviewImages& preview);
+
+} // namespace lichen

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// The preview scene: for each noise a ball of radius 1 on one ground, seen by a camera at low
+// height in front of them, lit by a sun from the upper left. Units are metres, +Y is up, the camera
+// looks along -Z. Texture coordinates count exemplars when the material's scale is 1.
+// Source of the ball's mapping: J. P. Snyder, Map Projections, 1987, ch. 24 (Lambert azimuthal
+// equal-area): radius 2 sin(theta / 2) at the angle theta from the centre.
+#include "preview_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace lichen {
+namespace {
+
+using Vec3 = std::array<float, 3>;
+
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<std::array<float, 4>> tangents;
+  std::vector<std::array<float, 2>> uvs;
+  std::vector<std::uint16_t> indices;
+};
+
+// A ball's diameter spans about three exemplars: enough to tell noise from repetition, few enough
+// to see the texture's detail.
+constexpr double kExemplarsPerMetre = 1.5;
+constexpr double kBallSpacing = 2.5;
+constexpr double kCameraFieldOfView = 36.0 * std::numbers::pi / 180.0; // vertical
+constexpr double kCameraElevation = 8.0 * std::numbers::pi / 180.0;
+constexpr double kCameraDistance = 4.8;     // one ball fills two thirds of the height
+constexpr double kCameraTargetHeight = 0.9; // a little below the ball's centre
+constexpr double kMarginAroundBalls = 1.25;
+
+std::array<double, 3> combine(double a, const std::array<double, 3>& x, double b,
+                              const std::array<double, 3>& y, double c,
+                              const std::array<double, 3>& z) {
+  return {a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1],
+          a * x[2] + b * y[2] + c * z[2]};
+}
+
+std::array<double, 3> normalized(const std::array<double, 3>& v) {
+  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+Vec3 toFloat(const std::array<double, 3>& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+
+/// Triangles of a polar grid, counter-clockwise: vertex 0 in the middle, then `rings` rings of
+/// `sectors` vertices from the inside out.
+std::vector<std::uint16_t> polarIndices(int rings, int sectors) {
+  std::vector<std::uint16_t> indices;
+  const auto vertex = [sectors](int ring, int sector) {
+    return std::uint16_t(1 + ring * sectors + sector % sectors);
+  };
+  for (int s = 0; s < sectors; ++s)
+    indices.insert(indices.end(), {0, vertex(0, s), vertex(0, s + 1)});
+  for (int r = 0; r + 1 < rings; ++r)
+    for (int s = 0; s < sectors; ++s)
+      indices.insert(indices.end(), {vertex(r, s), vertex(r + 1, s), vertex(r + 1, s + 1),
+                                     vertex(r, s), vertex(r + 1, s + 1), vertex(r, s + 1)});
+  return indices;
+}
+
+/// A sphere of radius 1 about the origin, mapped from the side that faces `toCamera` (a unit vector
+/// in the plane x = 0): the projection's only singular point is on the far side, so no seam and no
+/// pole is in sight.
+Mesh makeBall(const std::array<double, 3>& toCamera) {
+  constexpr int kRings = 48;
+  constexpr int kSectors = 96;
+  const std::array<double, 3> right = {1.0, 0.0, 0.0};
+  const std::array<double, 3> up = {0.0, toCamera[2], -toCamera[1]}; // toCamera x right
+  Mesh mesh;
+  const auto addVertex = [&](double theta, double phi) {
+    const auto outward = combine(std::cos(phi), right, std::sin(phi), up, 0.0, up);
+    const auto position = combine(std::cos(theta), toCamera, std::sin(theta), outward, 0.0, up);
+    const auto alongTheta = combine(-std::sin(theta), toCamera, std::cos(theta), outward, 0.0, up);
+    const auto alongPhi = combine(-std::sin(phi), right, std::cos(phi), up, 0.0, up);
+    // The direction in which u grows, from the derivatives 2 cos(theta / 2) of the projection along
+    // theta and 1 / cos(theta / 2) of its inverse along phi; kept from vanishing at the far point.
+    const double squash = std::max(1e-3, std::pow(std::cos(theta / 2.0), 2.0));
+    const auto tangent = toFloat(
+        normalized(combine(std::cos(phi), alongTheta, -std::sin(phi) * squash, alongPhi, 0.0, up)));
+    const double radius = 2.0 * std::sin(theta / 2.0) * kExemplarsPerMetre;
+    mesh.positions.push_back(toFloat(position));
+    mesh.normals.push_back(toFloat(position));
+    mesh.tangents.push_back({tangent[0], tangent[1], tangent[2], 1.0f});
+    mesh.uvs.push_back({float(radius * std::cos(phi)), float(-radius * std::sin(phi))});
+  };
+  addVertex(0.0, 0.0);
+  for (int r = 1; r <= kRings; ++r)
+    for (int s = 0; s < kSectors; ++s) // the last ring is the far point, half a sector on
+      addVertex(std::numbers::pi * r / kRings,
+                2.0 * std::numbers::pi * (s + (r == kRings ? 0.5 : 0.0)) / kSectors);
+  mesh.indices = polarIndices(kRings - 1, kSectors);
+  const auto lastRing = std::uint16_t(1 + (kRings - 2) * kSectors);
+  for (int s = 0; s < kSectors; ++s)
+    mesh.indices.insert(mesh.indices.end(),
+                        {std::uint16_t(lastRing + s), std::uint16_t(lastRing + kSectors + s),
+                         std::uint16_t(lastRing + (s + 1) % kSectors)});
+  return mesh;
+}
+
+/// A disc in the plane y = 0. Its rings double in radius, so that texture coordinates keep their
+/// precision near the camera; its edge is 0.2 degrees below the horizon.
+Mesh makeGround() {
+  constexpr int kRings = 11;
+  constexpr int kSectors = 48;
+  constexpr double kFirstRadius = 0.5; // metres; the last is 512
+  Mesh mesh;
+  const auto addVertex = [&](double x, double z) {
+    mesh.positions.push_back({float(x), 0.0f, float(z)});
+    mesh.normals.push_back({0.0f, 1.0f, 0.0f});
+    mesh.tangents.push_back({1.0f, 0.0f, 0.0f, 1.0f});
+    mesh.uvs.push_back({float(x * kExemplarsPerMetre), float(z * kExemplarsPerMetre)});
+  };
+  addVertex(0.0, 0.0);
+  for (int r = 0; r < kRings; ++r)
+    for (int s = 0; s < kSectors; ++s) {
+      const double radius = std::ldexp(kFirstRadius, r);
+      const double phi = 2.0 * std::numbers::pi * s / kSectors;
+      addVertex(radius * std::cos(phi), -radius * std::sin(phi));
+    }
+  mesh.indices = polarIndices(kRings, kSectors);
+  return mesh;
+}
+
+/// Accessors of a mesh; tangents only when some material needs them.
+OrderedJson addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
+  OrderedJson attributes = {{"POSITION", builder.addVertices(mesh.positions, true)},
+                            {"NORMAL", builder.addVertices(mesh.normals)},
+                            {"TEXCOORD_0", builder.addVertices(mesh.uvs)}};
+  if (withTangents)
+    attributes["TANGENT"] = builder.addVertices(mesh.tangents);
+  return attributes;
+}
+
+OrderedJson makeMesh(const std::string& name, OrderedJson attributes, std::size_t indices,
+                     std::size_t material, bool withTangents) {
+  if (!withTangents)
+    attributes.erase("TANGENT");
+  OrderedJson mesh = {{"name", name}};
+  mesh["primitives"].push_back(
+      {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material}});
+  return mesh;
+}
+
+/// Quaternion x, y, z, w of a turn about +X by `pitch`, then about +Y by `yaw`.
+OrderedJson rotation(double yaw, double pitch) {
+  const double sy = std::sin(yaw / 2.0), cy = std::cos(yaw / 2.0);
+  const double sp = std::sin(pitch / 2.0), cp = std::cos(pitch / 2.0);
+  return {cy * sp, sy * cp, -sy * sp, cy * cp};
+}
+
+double cameraDistance(std::size_t balls) {
+  const double halfWidth = 1.0 + kBallSpacing * (double(balls) - 1.0) / 2.0;
+  return std::max(kCameraDistance,
+                  kMarginAroundBalls * halfWidth / std::tan(kCameraFieldOfView / 2.0));
+}
+
+void addCameraAndSun(OrderedJson& root, const std::array<double, 3>& eye) {
+  root["nodes"].push_back({{"name", "camera"},
+                           {"translation", eye},
+                           {"rotation", rotation(0.0, -kCameraElevation)},
+                           {"camera", 0}});
+  root["cameras"].push_back(
+      {{"name", "camera"},
+       {"type", "perspective"},
+       {"perspective", {{"yfov", kCameraFieldOfView}, {"znear", 0.1}, {"zfar", 2000.0}}}});
+  // From the upper left, somewhat from behind the camera, so that relief casts shading.
+  constexpr double kSunYaw = -50.0 * std::numbers::pi / 180.0;
+  constexpr double kSunPitch = -42.0 * std::numbers::pi / 180.0;
+  constexpr double kSunLux = 3.0; // about pi: white paper facing the sun has radiance 1
+  root["nodes"].push_back({{"name", "sun"},
+                           {"rotation", rotation(kSunYaw, kSunPitch)},
+                           {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  root["extensionsUsed"].push_back("KHR_lights_punctual");
+  root["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"name", "sun"},
+                                                                 {"type", "directional"},
+                                                                 {"color", {1.0, 0.95, 0.88}},
+                                                                 {"intensity", kSunLux}});
+}
+
+} // namespace
+
+void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
+                     const std::vector<bool>& needsTangents) {
+  if (shape == PreviewShape::none)
+    return;
+  const std::size_t balls = shape == PreviewShape::sphere ? needsTangents.size() : 0;
+  const double distance = cameraDistance(std::max<std::size_t>(balls, 1));
+  const std::array<double, 3> eye = {0.0,
+                                     kCameraTargetHeight + distance * std::sin(kCameraElevation),
+                                     distance * std::cos(kCameraElevation)};
+  root["nodes"] = OrderedJson::array();
+  root["meshes"] = OrderedJson::array();
+
+  const Mesh ground = makeGround();
+  const OrderedJson groundAttributes = addAttributes(builder, ground, needsTangents.front());
+  root["meshes"].push_back(makeMesh("ground", groundAttributes, builder.addIndices(ground.indices),
+                                    0, needsTangents.front()));
+  root["nodes"].push_back({{"name", "ground"}, {"mesh", 0}});
+  if (balls > 0) {
+    const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}));
+    const bool anyTangents =
+        std::find(needsTangents.begin(), needsTangents.end(), true) != needsTangents.end();
+    const OrderedJson attributes = addAttributes(builder, ball, anyTangents);
+    const std::size_t indices = builder.addIndices(ball.indices);
+    for (std::size_t i = 0; i < balls; ++i) {
+      const std::string name = "ball " + std::to_string(i);
+      const double x = kBallSpacing * (double(i) - (double(balls) - 1.0) / 2.0);
+      root["nodes"].push_back(
+          {{"name", name}, {"translation", {x, 1.0, 0.0}}, {"mesh", root["meshes"].size()}});
+      root["meshes"].push_back(makeMesh(name, attributes, indices, i, needsTangents[i]));
+    }
+  }
+  addCameraAndSun(root, eye);
+  OrderedJson nodeIndices = OrderedJson::array();
+  for (std::size_t i = 0; i < root["nodes"].size(); ++i)
+    nodeIndices.push_back(i);
+  root["scene"] = 0;
+  root["scenes"].push_back({{"nodes", std::move(nodeIndices)}});
+}
+
+} // namespace lichen

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The scene that shows a noise: balls on a ground, a camera, a sun.
+#pragma once
+
+#include "gltf_builder.h"
+
+#include <lichen/bundle_writer.h>
+
+namespace lichen {
+
+/// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Mesh i has
+/// material i; TANGENT exactly where needsTangents[i]. Nothing for PreviewShape::none.
+void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
+                     const std::vector<bool>& needsTangents);
+
+} // namespace lichen

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Small bundles that tests and the extension's examples are made of; see bundle_example.h.
+#include "bundle_example.h"
+
+#include <bit>
+#include <cmath>
+
+namespace lichen::example {
+namespace {
+
+/// Appends a table and returns its index.
+std::size_t addTable(Bundle& bundle, Table table) {
+  bundle.tables.push_back(std::move(table));
+  return bundle.tables.size() - 1;
+}
+
+NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding,
+                 std::uint32_t mipLevels) {
+  NoiseMap map;
+  map.target = target;
+  map.channels = std::move(channels);
+  map.encoding = encoding;
+  const std::size_t n = map.channels.size();
+  map.mean.assign(n, encoding == ValueEncoding::slope ? 0.0 : 0.5);
+  map.covariance.assign(n * n, 0.005);
+  for (std::size_t i = 0; i < n; ++i)
+    map.covariance[i * n + i] = 0.01;
+  for (std::uint32_t level = 0; level < mipLevels; ++level)
+    map.mipLoss.push_back(double(level + 1) / double(mipLevels));
+  map.bilinearLoss = {0.5, 0.25};
+  return map;
+}
+
+MaterialNoise useOf(std::size_t noise) {
+  MaterialNoise use;
+  use.noise = noise;
+  return use;
+}
+
+} // namespace
+
+Table patternTable(const std::string& name, TexelFormat format, std::uint32_t width,
+                   std::uint32_t height, std::uint32_t depth, std::uint32_t mipLevels) {
+  Table table{name, format, width, height, depth, mipLevels, {}};
+  const LevelRange last = levelRange(table, mipLevels - 1);
+  const std::size_t texels = (last.offset + last.size) / texelBytes(format);
+  std::vector<float> values(texels * std::size_t(channelCount(format)));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = float(i * 37 % 256) / 255.0f;
+  appendTexels(table.texels, format, values);
+  return table;
+}
+
+std::uint32_t fullMipChain(std::uint32_t width, std::uint32_t height) {
+  return std::uint32_t(std::bit_width(std::max(width, height)));
+}
+
+std::vector<double> levels(std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < count; ++k)
+    values.push_back(1.0 - std::pow(1.0 - double(k) / double(count - 1), 2.0));
+  return values;
+}
+
+BundleFile smallest() {
+  BundleFile file;
+  Noise noise;
+  noise.name = "felt";
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 3);
+  map.gaussian =
+      addTable(file.bundle, patternTable("felt.height.gaussian", TexelFormat::r8Unorm, 4, 2, 0, 3));
+  map.inverseTable = addTable(
+      file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
+  map.levels = levels(2);
+  noise.maps.push_back(std::move(map));
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.push_back(useOf(0));
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
+  return file;
+}
+
+BundleFile everyMap() {
+  using enum MapChannel;
+  BundleFile file = smallest();
+  Bundle& bundle = file.bundle;
+  Noise noise;
+  noise.name = "moss";
+  noise.tileSizeMetres = 0.5;
+
+  NoiseMap color = makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 4);
+  color.gaussian = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
+  color.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba8Srgb, 32, 32, 64, 1));
+  color.levels = levels(2);
+  noise.maps.push_back(std::move(color));
+
+  NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
+  normal.gaussian = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
+  normal.inverseTable = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1));
+  normal.levels = levels(3);
+  noise.maps.push_back(std::move(normal));
+
+  NoiseMap grey = makeMap(MapTarget::occlusionRoughnessMetallic, {occlusion, roughness, metallic},
+                          ValueEncoding::linear, 4);
+  grey.gaussian = addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
+  grey.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 4, 0, 1));
+  grey.levels = levels(4);
+  noise.maps.push_back(std::move(grey));
+
+  NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear, 1);
+  opacityMap.gaussian = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
+  noise.maps.push_back(std::move(opacityMap));
+
+  bundle.noises.push_back(std::move(noise));
+  MaterialNoise use = useOf(1);
+  use.mapping = Mapping::triplanar;
+  use.scale = 0.25;
+  use.offset = {0.5, -3.0};
+  use.rotation = 0.1;
+  use.seed = 4294967295u;
+  use.blendSharpness = 2.0;
+  use.contrast = 0.9;
+  bundle.materials.push_back(use);
+  bundle.materialNames = {"", "wet moss"};
+  PreviewImages preview;
+  preview.baseColor = tinyPng();
+  preview.normal = tinyPng();
+  preview.occlusionRoughnessMetallic = tinyPng();
+  preview.tilesPerImage = 2;
+  file.previews.push_back(std::move(preview));
+  file.shape = PreviewShape::sphere;
+  return file;
+}
+
+std::vector<std::byte> tinyPng() {
+  // 2 x 2, 8-bit RGB, four times (128, 128, 255): flat as a normal map.
+  constexpr std::array<unsigned char, 73> kFile = {
+      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
+      0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02, 0x00, 0x00, 0x00, 0xfd,
+      0xd4, 0x9a, 0x73, 0x00, 0x00, 0x00, 0x10, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x68,
+      0x68, 0xf8, 0x0f, 0x44, 0x0c, 0x10, 0x0a, 0x00, 0x35, 0xf6, 0x07, 0xfd, 0xa1, 0x29, 0xec,
+      0x43, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  const auto bytes = std::as_bytes(std::span(kFile));
+  return {bytes.begin(), bytes.end()};
+}
+
+} // namespace lichen::example

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Small bundles that tests and the extension's examples are made of.
+#pragma once
+
+#include <lichen/bundle_writer.h>
+
+namespace lichen::example {
+
+/// A table whose texels follow a fixed pattern.
+[[nodiscard]] Table patternTable(const std::string& name, TexelFormat format, std::uint32_t width,
+                                 std::uint32_t height, std::uint32_t depth,
+                                 std::uint32_t mipLevels);
+[[nodiscard]] std::uint32_t fullMipChain(std::uint32_t width, std::uint32_t height);
+
+/// levels[k] = 1 - (1 - k / (count - 1))^2.
+[[nodiscard]] std::vector<double> levels(std::size_t count);
+
+/// One height map of one channel: 4 x 2 texels and a table of 256 x 2. About 3 KB as a GLB.
+[[nodiscard]] BundleFile smallest();
+
+/// Two noises: the smallest, and one with base colour (D = 3), normal (D = 2), occlusion-roughness-
+/// metallic (D = 1) and opacity (without an inverse table); a preview scene.
+[[nodiscard]] BundleFile everyMap();
+
+/// A valid PNG of 2 x 2 texels in one colour.
+[[nodiscard]] std::vector<std::byte> tinyPng();
+
+} // namespace lichen::example

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What is written is read back, bit for bit.
+#include "bundle_example.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+using namespace lichen;
+
+namespace {
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "lichen-bundle-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+void checkSameTable(const Table& a, const Table& b) {
+  CHECK(a.name == b.name);
+  CHECK(a.format == b.format);
+  CHECK(a.width == b.width);
+  CHECK(a.height == b.height);
+  CHECK(a.depth == b.depth);
+  CHECK(a.mipLevels == b.mipLevels);
+  CHECK(a.texels == b.texels);
+}
+
+void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
+  CHECK(a.target == b.target);
+  CHECK(a.channels == b.channels);
+  CHECK(a.encoding == b.encoding);
+  CHECK(a.mean == b.mean);
+  CHECK(a.covariance == b.covariance);
+  CHECK(a.gaussian == b.gaussian);
+  CHECK(a.inverseTable == b.inverseTable);
+  CHECK(a.levels == b.levels);
+  CHECK(a.mipLoss == b.mipLoss);
+  CHECK(a.bilinearLoss == b.bilinearLoss);
+}
+
+void checkSameBundle(const Bundle& a, const Bundle& b) {
+  REQUIRE(a.tables.size() == b.tables.size());
+  for (std::size_t i = 0; i < a.tables.size(); ++i)
+    checkSameTable(a.tables[i], b.tables[i]);
+  REQUIRE(a.noises.size() == b.noises.size());
+  for (std::size_t i = 0; i < a.noises.size(); ++i) {
+    CHECK(a.noises[i].name == b.noises[i].name);
+    CHECK(a.noises[i].method == b.noises[i].method);
+    CHECK(a.noises[i].revision == b.noises[i].revision);
+    CHECK(a.noises[i].tileSizeMetres == b.noises[i].tileSizeMetres);
+    REQUIRE(a.noises[i].maps.size() == b.noises[i].maps.size());
+    for (std::size_t m = 0; m < a.noises[i].maps.size(); ++m)
+      checkSameMap(a.noises[i].maps[m], b.noises[i].maps[m]);
+  }
+  REQUIRE(a.materials.size() == b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    REQUIRE(a.materials[i].has_value());
+    REQUIRE(b.materials[i].has_value());
+    const MaterialNoise& x = *a.materials[i];
+    const MaterialNoise& y = *b.materials[i];
+    CHECK(x.noise == y.noise);
+    CHECK(x.mapping == y.mapping);
+    CHECK(x.texCoord == y.texCoord);
+    CHECK(x.scale == y.scale);
+    CHECK(x.offset == y.offset);
+    CHECK(x.rotation == y.rotation);
+    CHECK(x.seed == y.seed);
+    CHECK(x.blendSharpness == y.blendSharpness);
+    CHECK(x.contrast == y.contrast);
+  }
+}
+
+} // namespace
+
+TEST_CASE("a table of every format comes back from KTX2 as it went in") {
+  for (const TexelFormat format :
+       {TexelFormat::r8Unorm, TexelFormat::rg8Unorm, TexelFormat::rgba8Unorm,
+        TexelFormat::rgba8Srgb, TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
+        TexelFormat::rgba16Sfloat, TexelFormat::r32Sfloat, TexelFormat::rgba32Sfloat}) {
+    for (const std::uint32_t mipLevels : {1u, 3u}) {
+      const Table flat = example::patternTable("flat", format, 5, 7, 0, mipLevels);
+      const auto decoded = decodeKtx2(encodeKtx2(flat), "flat");
+      REQUIRE(decoded.ok());
+      checkSameTable(decoded.value(), flat);
+    }
+    const Table deep = example::patternTable("deep", format, 3, 2, 5, 1);
+    const auto decoded = decodeKtx2(encodeKtx2(deep), "deep");
+    REQUIRE(decoded.ok());
+    checkSameTable(decoded.value(), deep);
+  }
+}
+
+TEST_CASE("a GLB gives back the bundle it was made of") {
+  for (BundleFile file : {example::smallest(), example::everyMap()}) {
+    const auto glb = encodeGlb(file);
+    if (!glb.ok())
+      FAIL(glb.error().message);
+    const auto bundle = parseBundle(glb.value(), "test");
+    REQUIRE(bundle.ok());
+    checkSameBundle(bundle.value(), file.bundle);
+    CHECK(checkBundle(glb.value()).empty());
+    CHECK(bundle.value().materialNames.size() == file.bundle.materials.size());
+  }
+}
+
+TEST_CASE("the same bundle gives the same bytes") {
+  CHECK(encodeGlb(example::everyMap()).value() == encodeGlb(example::everyMap()).value());
+}
+
+TEST_CASE("files of both kinds are written, checked and read") {
+  const TemporaryFolder folder;
+  const BundleFile file = example::everyMap();
+  for (const char* name : {"moss.glb", "moss.gltf", "50% moss & \xC3\xBC.gltf"}) {
+    const std::filesystem::path path = folder.path() / name;
+    const Result<void> written = writeBundle(path, file);
+    if (!written)
+      FAIL(written.error().message);
+    const auto bundle = readBundle(path);
+    if (!bundle)
+      FAIL(bundle.error().message);
+    checkSameBundle(bundle.value(), file.bundle);
+    const auto findings = checkBundle(path);
+    REQUIRE(findings.ok());
+    CHECK(findings.value().empty());
+  }
+  const Result<void> refused = writeBundle(folder.path() / "moss.obj", file);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().kind == ErrorKind::usage);
+}
