@@ -1,0 +1,39 @@
+# GLSL -> SPIR-V, one way for the committed files in spirv/ and for shaders built with their user.
+find_program(LICHEN_GLSLANG glslangValidator)
+mark_as_advanced(LICHEN_GLSLANG)
+
+# spirv-opt is never run: it can change an image, and the SPIR-V is what is pinned.
+set(LICHEN_GLSLANG_FLAGS -V --target-env vulkan1.1)
+
+# lichen_embed_shaders(TARGET SOURCES a.vert b.frag ... [DEFINES NAME=VALUE ...]): an interface
+# library with a header for each source, a.vert.h, that holds `const uint32_t a_vert[]`. The include
+# path is shaders_glsl/. Recompiled when any included file changes.
+function(lichen_embed_shaders target)
+  if(NOT LICHEN_GLSLANG)
+    message(FATAL_ERROR "glslangValidator is needed for ${target}: install glslang-tools")
+  endif()
+  cmake_parse_arguments(arg "" "" "SOURCES;DEFINES" ${ARGN})
+  list(TRANSFORM arg_DEFINES PREPEND -D)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target})
+  file(MAKE_DIRECTORY ${folder})
+  set(headers)
+  foreach(source IN LISTS arg_SOURCES)
+    cmake_path(ABSOLUTE_PATH source)
+    cmake_path(GET source FILENAME name)
+    string(REPLACE "." "_" variable ${name})
+    set(header ${folder}/${name}.h)
+    add_custom_command(
+      OUTPUT ${header}
+      COMMAND ${LICHEN_GLSLANG} --quiet ${LICHEN_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders_glsl
+              ${arg_DEFINES} --vn ${variable} --depfile ${header}.d -o ${header} ${source}
+      DEPENDS ${source}
+      DEPFILE ${header}.d
+      COMMENT "Compiling shader ${name}"
+      VERBATIM)
+    list(APPEND headers ${header})
+  endforeach()
+  add_custom_target(${target}_headers DEPENDS ${headers})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_headers)
+  target_include_directories(${target} SYSTEM INTERFACE ${folder})
+endfunction()

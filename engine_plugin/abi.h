@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What every function of the C interface does at its boundary: read and write structs of older and
+// newer headers, write diagnostics, keep exceptions in.
+#pragma once
+
+#include <lichen/lichen.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+namespace lichen::plugin {
+
+/// Writes one line into the host's diagnostic, cut where it does not fit.
+[[gnu::format(printf, 2, 3)]] inline void say(LichenDiagnostic* diagnostic, const char* format,
+                                              ...) {
+  if (diagnostic == nullptr || diagnostic->type != LICHEN_STRUCTURE_DIAGNOSTIC ||
+      diagnostic->size <= offsetof(LichenDiagnostic, text))
+    return;
+  std::va_list arguments;
+  va_start(arguments, format);
+  const std::size_t capacity = std::min<std::size_t>(
+      diagnostic->size - offsetof(LichenDiagnostic, text), sizeof diagnostic->text);
+  std::vsnprintf(diagnostic->text, capacity, format, arguments);
+  va_end(arguments);
+}
+
+/// The bytes of type, size and next, with which every struct starts.
+inline constexpr std::size_t kHeaderBytes = offsetof(LichenBundleProperties, noiseCount);
+
+/// Copies a host's struct of any size: what it lacks is zero, what we do not know must be zero.
+template <class Struct>
+LichenResult readStruct(const Struct* given, LichenStructureType type, Struct& known,
+                        LichenDiagnostic* diagnostic) {
+  if (given == nullptr || given->type != type || given->size < kHeaderBytes) {
+    say(diagnostic, "a struct is NULL or lacks its type (%d expected) or size: use LICHEN_INIT",
+        int(type));
+    return LICHEN_ERROR_USAGE;
+  }
+  const unsigned char* bytes = reinterpret_cast<const unsigned char*>(given);
+  const bool unknown =
+      given->size > sizeof(Struct) && std::any_of(bytes + sizeof(Struct), bytes + given->size,
+                                                  [](unsigned char byte) { return byte != 0; });
+  if (unknown || given->next != nullptr) {
+    say(diagnostic,
+        "a struct of type %d holds what library version 0x%08x does not know: next must be NULL, "
+        "and members of newer headers 0",
+        int(type), LICHEN_HEADER_VERSION);
+    return LICHEN_ERROR_VERSION;
+  }
+  known = Struct{};
+  std::memcpy(&known, given, std::min<std::size_t>(given->size, sizeof(Struct)));
+  return LICHEN_SUCCESS;
+}
+
+/// Fills a host's struct as far as it goes, keeping its type, size and next.
+template <class Struct>
+LichenResult writeStruct(const Struct& values, LichenStructureType type, Struct* target) {
+  if (target == nullptr || target->type != type || target->size < kHeaderBytes)
+    return LICHEN_ERROR_USAGE;
+  const std::size_t end = std::min<std::size_t>(target->size, sizeof(Struct));
+  std::memcpy(reinterpret_cast<unsigned char*>(target) + kHeaderBytes,
+              reinterpret_cast<const unsigned char*>(&values) + kHeaderBytes, end - kHeaderBytes);
+  return LICHEN_SUCCESS;
+}
+
+inline LichenResult checkHeaderVersion(std::uint32_t version, LichenDiagnostic* diagnostic) {
+  const bool fits =
+      (version >> 16) == (LICHEN_HEADER_VERSION >> 16) && version <= LICHEN_HEADER_VERSION;
+  if (fits)
+    return LICHEN_SUCCESS;
+  say(diagnostic,
+      "headerVersion 0x%08x does not fit library version 0x%08x: set it to LICHEN_HEADER_VERSION, "
+      "and use the header that came with the library",
+      version, LICHEN_HEADER_VERSION);
+  return LICHEN_ERROR_VERSION;
+}
+
+/// Runs `body`; memory exhausted inside becomes a result. Nothing else is thrown in this library.
+template <class Body>
+LichenResult guarded(LichenDiagnostic* diagnostic, Body&& body) noexcept {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    say(diagnostic, "out of host memory");
+    return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
+  }
+}
+
+} // namespace lichen::plugin

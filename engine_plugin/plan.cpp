@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+// The plan layer: bundle bytes -> images, copies, samplers, bindings. Pure CPU; format and sampler
+// numbers are Vulkan's, stated here so that no Vulkan header is needed.
+#include "plan.h"
+
+#include "abi.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+using namespace lichen;
+using namespace lichen::plugin;
+
+namespace {
+
+/// The numbers of VkFormat.
+std::uint32_t vkFormatOf(TexelFormat format) {
+  switch (format) {
+  case TexelFormat::r8Unorm:
+    return 9;
+  case TexelFormat::rg8Unorm:
+    return 16;
+  case TexelFormat::rgba8Unorm:
+    return 37;
+  case TexelFormat::rgba8Srgb:
+    return 43;
+  case TexelFormat::r16Sfloat:
+    return 76;
+  case TexelFormat::rg16Sfloat:
+    return 83;
+  case TexelFormat::rgba16Sfloat:
+    return 97;
+  case TexelFormat::r32Sfloat:
+    return 100;
+  case TexelFormat::rgba32Sfloat:
+    return 109;
+  }
+  return 0;
+}
+
+LichenMapTarget targetOf(MapTarget target) {
+  switch (target) {
+  case MapTarget::baseColor:
+    return LICHEN_TARGET_BASE_COLOR;
+  case MapTarget::normal:
+    return LICHEN_TARGET_NORMAL;
+  case MapTarget::occlusionRoughnessMetallic:
+    return LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC;
+  case MapTarget::emissive:
+    return LICHEN_TARGET_EMISSIVE;
+  case MapTarget::height:
+    return LICHEN_TARGET_HEIGHT;
+  case MapTarget::opacity:
+    return LICHEN_TARGET_OPACITY;
+  }
+  return LICHEN_TARGET_BASE_COLOR;
+}
+
+LichenChannel channelOf(MapChannel channel) {
+  switch (channel) {
+  case MapChannel::red:
+    return LICHEN_CHANNEL_RED;
+  case MapChannel::green:
+    return LICHEN_CHANNEL_GREEN;
+  case MapChannel::blue:
+    return LICHEN_CHANNEL_BLUE;
+  case MapChannel::slopeX:
+    return LICHEN_CHANNEL_SLOPE_X;
+  case MapChannel::slopeY:
+    return LICHEN_CHANNEL_SLOPE_Y;
+  case MapChannel::occlusion:
+    return LICHEN_CHANNEL_OCCLUSION;
+  case MapChannel::roughness:
+    return LICHEN_CHANNEL_ROUGHNESS;
+  case MapChannel::metallic:
+    return LICHEN_CHANNEL_METALLIC;
+  case MapChannel::height:
+    return LICHEN_CHANNEL_HEIGHT;
+  case MapChannel::opacity:
+    return LICHEN_CHANNEL_OPACITY;
+  }
+  return LICHEN_CHANNEL_RED;
+}
+
+LichenMapping mappingOf(Mapping mapping) {
+  switch (mapping) {
+  case Mapping::uv:
+    return LICHEN_MAPPING_UV;
+  case Mapping::triplanar:
+    return LICHEN_MAPPING_TRIPLANAR;
+  case Mapping::surface:
+    return LICHEN_MAPPING_SURFACE;
+  case Mapping::solid:
+    return LICHEN_MAPPING_SOLID;
+  }
+  return LICHEN_MAPPING_UV;
+}
+
+std::uint32_t encodingOf(ValueEncoding encoding) {
+  switch (encoding) {
+  case ValueEncoding::srgb:
+    return LICHEN_ENCODING_SRGB;
+  case ValueEncoding::linear:
+    return LICHEN_ENCODING_LINEAR;
+  case ValueEncoding::slope:
+    return LICHEN_ENCODING_SLOPE;
+  case ValueEncoding::log2:
+    return LICHEN_ENCODING_LOG2;
+  }
+  return LICHEN_ENCODING_LINEAR;
+}
+
+/// Channels of a Gaussian image that carry a value: the alpha of RGBA is unused.
+std::uint32_t gaussianDimensions(const Table& table) {
+  return std::uint32_t(std::min(3, channelCount(table.format)));
+}
+
+/// The decoded mean: the inverse table's last level is constant, so any of its texels is it.
+shader::vec4 decodedMean(const Table& inverseTable) {
+  Table texel;
+  texel.format = inverseTable.format;
+  texel.texels.assign(inverseTable.texels.end() - std::ptrdiff_t(texelBytes(texel.format)),
+                      inverseTable.texels.end());
+  std::vector<float> values = decodeLevel(texel, 0);
+  values.resize(3, 0.0f);
+  return {values[0], values[1], values[2], 1.0f};
+}
+
+shader::LichenMap mapUniforms(const NoiseMap& map, const Table& gaussian, const Table& table) {
+  shader::LichenMap result{};
+  result.widthTexels = float(gaussian.width);
+  result.heightTexels = float(gaussian.height);
+  result.dimensions = gaussianDimensions(gaussian);
+  result.mipCount = gaussian.mipLevels;
+  result.bilinearLossX = float(map.bilinearLoss[0]);
+  result.bilinearLossY = float(map.bilinearLoss[1]);
+  result.tableLevels = std::uint32_t(map.levels.size());
+  result.encoding = encodingOf(map.encoding);
+  result.mean = decodedMean(table);
+  for (std::size_t level = 0; level < LICHEN_MAX_MIPS; ++level) {
+    shader::vec4& four = result.mipLoss[level / 4];
+    float* const members[] = {&four.x, &four.y, &four.z, &four.w};
+    if (!map.mipLoss.empty())
+      *members[level % 4] = float(map.mipLoss[std::min(level, map.mipLoss.size() - 1)]);
+  }
+  return result;
+}
+
+LichenResult checkNoise(const Noise& noise, const Bundle& bundle, LichenDiagnostic* diagnostic) {
+  const char* name = noise.name.c_str();
+  if (noise.method != "tiling") {
+    say(diagnostic,
+        "noise \"%s\": method \"%s\" is not evaluated by this version, which has tiling", name,
+        noise.method.c_str());
+    return LICHEN_ERROR_UNSUPPORTED;
+  }
+  if (noise.revision != kTilingRevision) {
+    say(diagnostic, "noise \"%s\": revision %d of tiling is not known, only %d is", name,
+        noise.revision, kTilingRevision);
+    return LICHEN_ERROR_VERSION;
+  }
+  if (noise.maps.empty() || noise.maps.size() > LICHEN_MAX_MAPS) {
+    say(diagnostic, "noise \"%s\": %zu maps, 1 to %d are accepted", name, noise.maps.size(),
+        LICHEN_MAX_MAPS);
+    return LICHEN_ERROR_UNSUPPORTED;
+  }
+  for (const NoiseMap& map : noise.maps) {
+    if (!map.inverseTable) {
+      say(diagnostic, "noise \"%s\": a map without an inverse table is not evaluated yet", name);
+      return LICHEN_ERROR_UNSUPPORTED;
+    }
+    const Table& gaussian = bundle.tables[map.gaussian];
+    if (gaussian.mipLevels > LICHEN_MAX_MIPS) {
+      say(diagnostic, "noise \"%s\": %u mip levels, at most %d are accepted", name,
+          gaussian.mipLevels, LICHEN_MAX_MIPS);
+      return LICHEN_ERROR_UNSUPPORTED;
+    }
+  }
+  return LICHEN_SUCCESS;
+}
+
+void planNoise(LichenBundle_T& plan, const Noise& noise) {
+  shader::LichenUniforms uniforms{};
+  for (std::size_t i = 0; i < noise.maps.size(); ++i) {
+    const NoiseMap& map = noise.maps[i];
+    const Table& gaussian = plan.bundle.tables[map.gaussian];
+    const Table& table = plan.bundle.tables[*map.inverseTable];
+    uniforms.maps[i] = mapUniforms(map, gaussian, table);
+    if (gaussian.width > uniforms.noise.tileWidthTexels) {
+      uniforms.noise.tileWidthTexels = gaussian.width;
+      uniforms.noise.tileHeightTexels = gaussian.height;
+    }
+    if (table.depth == 0) { // 1 and 2 channels: the levels one above the other
+      const auto levels = std::uint32_t(map.levels.size());
+      plan.extents[*map.inverseTable] = {table.width, table.height / levels, levels, 3};
+    }
+  }
+  uniforms.noise.tileSizeMetres = float(noise.tileSizeMetres);
+  plan.uniforms.push_back(uniforms);
+}
+
+LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {
+  for (const Table& table : plan.bundle.tables)
+    plan.extents.push_back(
+        {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
+  for (const Noise& noise : plan.bundle.noises) {
+    if (const LichenResult result = checkNoise(noise, plan.bundle, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+    planNoise(plan, noise);
+  }
+  return LICHEN_SUCCESS;
+}
+
+LichenResult resultOf(ErrorKind kind) {
+  return kind == ErrorKind::resources ? LICHEN_ERROR_OUT_OF_HOST_MEMORY : LICHEN_ERROR_BAD_BUNDLE;
+}
+
+} // namespace
+
+std::uint32_t lichenGetVersion() { return LICHEN_HEADER_VERSION; }
+
+LichenResult lichenParseBundle(const LichenParseInfo* given, LichenBundle* bundle,
+                               LichenDiagnostic* diagnostic) {
+  return guarded(diagnostic, [&] {
+    LichenParseInfo info{};
+    LichenResult result = readStruct(given, LICHEN_STRUCTURE_PARSE_INFO, info, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = checkHeaderVersion(info.headerVersion, diagnostic);
+    if (result != LICHEN_SUCCESS)
+      return result;
+    if (bundle == nullptr || info.bytes == nullptr) {
+      say(diagnostic, "bundle and bytes must not be NULL");
+      return LICHEN_ERROR_USAGE;
+    }
+    Result<Bundle> parsed = parseBundle({static_cast<const std::byte*>(info.bytes), info.byteCount},
+                                        info.name != nullptr ? info.name : "bundle");
+    if (!parsed) {
+      say(diagnostic, "%s", parsed.error().message.c_str());
+      return resultOf(parsed.error().kind);
+    }
+    auto plan = std::make_unique<LichenBundle_T>();
+    plan->bundle = std::move(parsed).value();
+    result = planBundle(*plan, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      *bundle = plan.release();
+    return result;
+  });
+}
+
+void lichenDestroyBundle(LichenBundle bundle) { delete bundle; }
+
+LichenResult lichenGetBundleProperties(LichenBundle bundle, LichenBundleProperties* properties) {
+  if (bundle == nullptr)
+    return LICHEN_ERROR_USAGE;
+  LichenBundleProperties values{};
+  values.noiseCount = std::uint32_t(bundle->bundle.noises.size());
+  values.materialCount = std::uint32_t(bundle->bundle.materials.size());
+  values.imageCount = std::uint32_t(bundle->bundle.tables.size());
+  return writeStruct(values, LICHEN_STRUCTURE_BUNDLE_PROPERTIES, properties);
+}
+
+LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
+                                      LichenNoiseProperties* properties) {
+  if (bundle == nullptr || noise >= bundle->bundle.noises.size())
+    return LICHEN_ERROR_USAGE;
+  const Noise& source = bundle->bundle.noises[noise];
+  LichenNoiseProperties values{};
+  values.name = source.name.c_str();
+  values.mapCount = std::uint32_t(source.maps.size());
+  values.tileSizeMetres = float(source.tileSizeMetres);
+  values.uniformBufferCount = 1;
+  values.combinedImageSamplerCount = 2 * values.mapCount;
+  return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
+}
+
+LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, std::uint32_t map,
+                                    LichenMapProperties* properties) {
+  if (bundle == nullptr || noise >= bundle->bundle.noises.size() ||
+      map >= bundle->bundle.noises[noise].maps.size())
+    return LICHEN_ERROR_USAGE;
+  const NoiseMap& source = bundle->bundle.noises[noise].maps[map];
+  LichenMapProperties values{};
+  values.target = targetOf(source.target);
+  values.channelCount = std::uint32_t(source.channels.size());
+  std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
+  values.gaussianImage = std::uint32_t(source.gaussian);
+  values.tableImage = std::uint32_t(*source.inverseTable);
+  return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
+}
+
+LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t material,
+                                         LichenMaterialProperties* properties) {
+  if (bundle == nullptr || material >= bundle->bundle.materials.size())
+    return LICHEN_ERROR_USAGE;
+  LichenMaterialProperties values{};
+  values.noise = LICHEN_NO_NOISE;
+  if (const auto& source = bundle->bundle.materials[material]) {
+    values.noise = std::uint32_t(source->noise);
+    values.mapping = mappingOf(source->mapping);
+    values.texCoord = std::uint32_t(source->texCoord);
+  }
+  return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PROPERTIES, properties);
+}
+
+LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
+                                      LichenImageProperties* properties) {
+  if (bundle == nullptr || image >= bundle->bundle.tables.size())
+    return LICHEN_ERROR_USAGE;
+  const Table& table = bundle->bundle.tables[image];
+  const LichenBundle_T::Extent& extent = bundle->extents[image];
+  LichenImageProperties values{};
+  values.name = table.name.c_str();
+  values.vkFormat = vkFormatOf(table.format);
+  values.dimensionality = extent.dimensionality;
+  values.width = extent.width;
+  values.height = extent.height;
+  values.depth = extent.depth;
+  values.mipLevels = table.mipLevels;
+  values.texelBytes = std::uint32_t(texelBytes(table.format));
+  values.bytes = table.texels.data();
+  values.byteCount = table.texels.size();
+  return writeStruct(values, LICHEN_STRUCTURE_IMAGE_PROPERTIES, properties);
+}
+
+LichenResult lichenGetCopy(LichenBundle bundle, std::uint32_t image, std::uint32_t mipLevel,
+                           LichenCopy* copy) {
+  if (bundle == nullptr || image >= bundle->bundle.tables.size() || copy == nullptr ||
+      mipLevel >= bundle->bundle.tables[image].mipLevels)
+    return LICHEN_ERROR_USAGE;
+  const LevelRange range = levelRange(bundle->bundle.tables[image], mipLevel);
+  const LichenBundle_T::Extent& extent = bundle->extents[image];
+  copy->offset = range.offset;
+  copy->byteCount = range.size;
+  copy->mipLevel = mipLevel;
+  copy->width = std::max(1u, extent.width >> mipLevel);
+  copy->height = std::max(1u, extent.height >> mipLevel);
+  copy->depth = std::max(1u, extent.depth >> mipLevel);
+  return LICHEN_SUCCESS;
+}
+
+LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerProperties* properties) {
+  // The numbers of VkFilter, VkSamplerMipmapMode and VkSamplerAddressMode.
+  constexpr std::uint32_t kLinear = 1, kNearestMip = 0, kLinearMip = 1, kRepeat = 0, kClamp = 2;
+  LichenSamplerProperties values{};
+  values.vkFilter = kLinear;
+  if (use == LICHEN_SAMPLER_GAUSSIAN) {
+    values.vkMipmapMode = kLinearMip;
+    values.vkAddressMode = kRepeat;
+    values.maxLod = float(LICHEN_MAX_MIPS);
+    values.takesAnisotropy = 1;
+  } else if (use == LICHEN_SAMPLER_TABLE) {
+    values.vkMipmapMode = kNearestMip;
+    values.vkAddressMode = kClamp;
+  } else {
+    return LICHEN_ERROR_USAGE;
+  }
+  return writeStruct(values, LICHEN_STRUCTURE_SAMPLER_PROPERTIES, properties);
+}
+
+LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uint32_t index,
+                              LichenBinding* binding) {
+  if (bundle == nullptr || noise >= bundle->bundle.noises.size() || binding == nullptr)
+    return LICHEN_ERROR_USAGE;
+  const std::vector<NoiseMap>& maps = bundle->bundle.noises[noise].maps;
+  if (index > 2 * maps.size())
+    return LICHEN_ERROR_USAGE;
+  *binding = LichenBinding{};
+  if (index == 0) {
+    binding->binding = LICHEN_BINDING_NOISE;
+    binding->kind = LICHEN_BINDING_UNIFORM_BUFFER;
+    return LICHEN_SUCCESS;
+  }
+  const std::uint32_t map = (index - 1) / 2;
+  const bool isTable = (index - 1) % 2 == 1;
+  binding->kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
+  binding->binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
+  binding->sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
+  binding->image = std::uint32_t(isTable ? *maps[map].inverseTable : maps[map].gaussian);
+  return LICHEN_SUCCESS;
+}

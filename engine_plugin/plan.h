@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A parsed bundle, as the plan functions and the Vulkan layer see it.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/lichen.h>
+
+#include <array>
+#include <cstdint>
+#include <lichen_interface.h>
+#include <vector>
+
+struct LichenBundle_T {
+  lichen::Bundle bundle;
+  /// Of table i as an image: tables hold 2-D inverse tables, which are 3-D images on the device.
+  struct Extent {
+    std::uint32_t width = 1, height = 1, depth = 1;
+    std::uint32_t dimensionality = 2;
+  };
+  std::vector<Extent> extents;
+  /// Of noise n: the part of its uniforms that the bundle alone decides.
+  std::vector<lichen::shader::LichenUniforms> uniforms;
+};

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// The uniform block of a material: its parameters and the host's overrides -> LichenUniforms.
+#include "abi.h"
+#include "plan.h"
+
+#include <lichen/lattice.h>
+
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::plugin;
+
+namespace {
+
+struct Range {
+  const char* name;
+  double value, least, most;
+};
+
+LichenResult checkRange(const Range& range, LichenDiagnostic* diagnostic) {
+  // Written so that NaN is outside.
+  if (range.value >= range.least && range.value <= range.most)
+    return LICHEN_SUCCESS;
+  say(diagnostic, "%s %g is outside [%g, %g]", range.name, range.value, range.least, range.most);
+  return LICHEN_ERROR_USAGE;
+}
+
+/// The material's parameters with the host's in their place.
+LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo& info,
+                            MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
+  const auto& materials = plan.bundle.materials;
+  if (info.overrides & LICHEN_OVERRIDE_NOISE) {
+    if (info.noise >= plan.bundle.noises.size()) {
+      say(diagnostic, "noise %u is not in the bundle, which has %zu", info.noise,
+          plan.bundle.noises.size());
+      return LICHEN_ERROR_USAGE;
+    }
+    parameters.noise = info.noise;
+  } else if (info.material >= materials.size() || !materials[info.material]) {
+    say(diagnostic, "material %u has no noise; the bundle has %zu materials", info.material,
+        materials.size());
+    return LICHEN_ERROR_USAGE;
+  } else {
+    parameters = *materials[info.material];
+  }
+  if (info.overrides & LICHEN_OVERRIDE_SCALE)
+    parameters.scale = info.scale;
+  if (info.overrides & LICHEN_OVERRIDE_OFFSET)
+    parameters.offset = {info.offset[0], info.offset[1]};
+  if (info.overrides & LICHEN_OVERRIDE_ROTATION)
+    parameters.rotation = info.rotation;
+  if (info.overrides & LICHEN_OVERRIDE_SEED)
+    parameters.seed = info.seed;
+  if (info.overrides & LICHEN_OVERRIDE_BLEND_SHARPNESS)
+    parameters.blendSharpness = info.blendSharpness;
+  if (info.overrides & LICHEN_OVERRIDE_CONTRAST)
+    parameters.contrast = info.contrast;
+  return LICHEN_SUCCESS;
+}
+
+LichenResult checkParameters(const MaterialNoise& parameters, const LichenUniformInfo& info,
+                             LichenDiagnostic* diagnostic) {
+  constexpr double kHuge = 1.0e30;            // float holds it, and its reciprocal
+  constexpr double kFarthest = 1099511627776; // 2^40 tiles, as latticeOrigin() states
+  constexpr double kLongestPeriod = 65536;    // tiles; keeps columns far below 2^24
+  constexpr double kMostAnisotropy = 64;      // more than any device has
+  const Range ranges[] = {
+      {"scale", parameters.scale, 1.0 / kHuge, kHuge},
+      {"offset", parameters.offset[0], -kHuge, kHuge},
+      {"offset", parameters.offset[1], -kHuge, kHuge},
+      {"rotation", parameters.rotation, -kHuge, kHuge},
+      {"blendSharpness", parameters.blendSharpness, 0.25, 16.0},
+      {"contrast", parameters.contrast, 0.0, 4.0},
+      {"tileOrigin", double(info.tileOrigin[0]), -kFarthest, kFarthest},
+      {"tileOrigin", double(info.tileOrigin[1]), -kFarthest, kFarthest},
+      {"maxAnisotropy", info.maxAnisotropy, 0.0, kMostAnisotropy},
+  };
+  for (const Range& range : ranges)
+    if (const LichenResult result = checkRange(range, diagnostic); result != LICHEN_SUCCESS)
+      return result;
+  if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
+    return LICHEN_SUCCESS;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double period = info.periodTiles[axis];
+    if (const LichenResult result =
+            checkRange({"periodTiles", period, 1.0, kLongestPeriod}, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+    if (info.tileOrigin[axis] != 0 && period != std::floor(period)) {
+      say(diagnostic, "periodTiles %g must be a whole number when tileOrigin is not 0", period);
+      return LICHEN_ERROR_USAGE;
+    }
+  }
+  return LICHEN_SUCCESS;
+}
+
+/// The infinite lattice at the host's tile origin.
+void placeInfinite(const LichenUniformInfo& info, shader::LichenNoise& noise) {
+  const LatticeOrigin origin = latticeOrigin(info.tileOrigin[0], info.tileOrigin[1]);
+  noise.columnsPerTile = float(kLatticeColumnsPerTile);
+  noise.rowsPerTile = float(kLatticeRowsPerTile);
+  noise.cellI = origin.cell[0];
+  noise.cellJ = origin.cell[1];
+  noise.fractionI = origin.fraction[0];
+  noise.fractionJ = origin.fraction[1];
+}
+
+/// The remainder in [0, period), of a whole period where the origin is not 0.
+double reduced(std::int64_t origin, double period) {
+  if (origin == 0)
+    return 0.0;
+  const std::int64_t whole = std::int64_t(period);
+  return double(((origin % whole) + whole) % whole);
+}
+
+/// The periodic lattice: an origin is first reduced to one period.
+void placePeriodic(const LichenUniformInfo& info, shader::LichenNoise& noise) {
+  const Lattice lattice = periodicLattice(info.periodTiles[0], info.periodTiles[1]);
+  const double row = reduced(info.tileOrigin[1], info.periodTiles[1]) * lattice.rowsPerTile;
+  const double column =
+      reduced(info.tileOrigin[0], info.periodTiles[0]) * lattice.columnsPerTile - 0.5 * row;
+  const float belowOne = std::nextafter(1.0f, 0.0f);
+  noise.columnsPerTile = float(lattice.columnsPerTile);
+  noise.rowsPerTile = float(lattice.rowsPerTile);
+  noise.cellI = int(std::floor(column));
+  noise.cellJ = int(std::floor(row));
+  noise.fractionI = std::min(float(column - std::floor(column)), belowOne);
+  noise.fractionJ = std::min(float(row - std::floor(row)), belowOne);
+  noise.periodColumns = lattice.periodColumns;
+  noise.periodRows = lattice.periodRows;
+  noise.periodTilesX = float(info.periodTiles[0]);
+  noise.periodTilesY = float(info.periodTiles[1]);
+}
+
+void fillNoise(const MaterialNoise& parameters, const LichenUniformInfo& info,
+               shader::LichenNoise& noise) {
+  const double cosine = std::cos(parameters.rotation) / parameters.scale;
+  const double sine = std::sin(parameters.rotation) / parameters.scale;
+  noise.uvToTileXX = float(cosine);
+  noise.uvToTileXY = float(sine);
+  noise.uvToTileYX = float(-sine);
+  noise.uvToTileYY = float(cosine);
+  noise.offsetX = float(parameters.offset[0]);
+  noise.offsetY = float(parameters.offset[1]);
+  noise.blendSharpness = float(parameters.blendSharpness);
+  noise.contrast = float(parameters.contrast);
+  noise.maxAnisotropy = std::max(1.0f, info.maxAnisotropy);
+  noise.seed = parameters.seed;
+  noise.seedWord = latticeSeed(parameters.seed, 0);
+  if (info.periodTiles[0] > 0.0)
+    placePeriodic(info, noise);
+  else
+    placeInfinite(info, noise);
+}
+
+} // namespace
+
+LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* given,
+                                void* destination, LichenDiagnostic* diagnostic) {
+  static_assert(sizeof(shader::LichenUniforms) == LICHEN_UNIFORM_BYTES);
+  if (bundle == nullptr || destination == nullptr) {
+    say(diagnostic, "bundle and destination must not be NULL");
+    return LICHEN_ERROR_USAGE;
+  }
+  LichenUniformInfo info{};
+  MaterialNoise parameters;
+  LichenResult result = readStruct(given, LICHEN_STRUCTURE_UNIFORM_INFO, info, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = findParameters(*bundle, info, parameters, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = checkParameters(parameters, info, diagnostic);
+  if (result != LICHEN_SUCCESS)
+    return result;
+  shader::LichenUniforms uniforms = bundle->uniforms[parameters.noise];
+  fillNoise(parameters, info, uniforms.noise);
+  std::memcpy(destination, &uniforms, sizeof uniforms);
+  return LICHEN_SUCCESS;
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// A bundle's images, views and set layouts on the host's device, and their upload.
+#include "abi.h"
+#include "vulkan_objects.h"
+
+#include <memory>
+
+using namespace lichen::plugin;
+
+namespace {
+
+/// A multiple of every texel size and of what buffer copies ask for.
+constexpr VkDeviceSize kCopyAlignment = 16;
+
+VkDeviceSize alignedUp(VkDeviceSize value, VkDeviceSize alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
+
+LichenImageProperties imageProperties(LichenBundle bundle, std::uint32_t image) {
+  LichenImageProperties properties;
+  LICHEN_INIT(properties, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+  (void)lichenGetImageProperties(bundle, image, &properties); // image is in range
+  return properties;
+}
+
+VkImageCreateInfo imageInfo(const LichenImageProperties& properties) {
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = properties.dimensionality == 3 ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+  info.format = VkFormat(properties.vkFormat);
+  info.extent = {properties.width, properties.height, properties.depth};
+  info.mipLevels = properties.mipLevels;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return info;
+}
+
+LichenResult checkFormat(const LichenVulkanContext_T& context,
+                         const LichenImageProperties& properties, LichenDiagnostic* diagnostic) {
+  const VkImageCreateInfo info = imageInfo(properties);
+  VkFormatProperties format{};
+  context.functions.getPhysicalDeviceFormatProperties(context.physicalDevice, info.format, &format);
+  constexpr VkFormatFeatureFlags kNeeded = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT |
+                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT |
+                                           VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
+  VkImageFormatProperties most{};
+  const VkResult result = context.functions.getPhysicalDeviceImageFormatProperties(
+      context.physicalDevice, info.format, info.imageType, info.tiling, info.usage, info.flags,
+      &most);
+  if (result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
+    return vulkanFailure("asking for a format's properties", result, diagnostic);
+  if (result == VK_SUCCESS && (format.optimalTilingFeatures & kNeeded) == kNeeded &&
+      info.extent.width <= most.maxExtent.width && info.extent.height <= most.maxExtent.height &&
+      info.extent.depth <= most.maxExtent.depth && info.mipLevels <= most.maxMipLevels)
+    return LICHEN_SUCCESS;
+  say(diagnostic,
+      "table \"%s\": the device cannot filter an image of VkFormat %u and %u x %u x %u texels",
+      properties.name, properties.vkFormat, properties.width, properties.height, properties.depth);
+  return LICHEN_ERROR_UNSUPPORTED;
+}
+
+LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
+                          LichenDiagnostic* diagnostic) {
+  const LichenVulkanContext_T& context = *assets.context;
+  VkMemoryRequirements all{0, 1, ~0u};
+  std::vector<VkDeviceSize> offsets;
+  for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
+    LichenVulkanAssets_T::Image& image = assets.images[i];
+    const LichenImageProperties properties = imageProperties(bundle, i);
+    if (const LichenResult result = checkFormat(context, properties, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+    const VkImageCreateInfo info = imageInfo(properties);
+    image.mipLevels = info.mipLevels;
+    if (const VkResult result =
+            context.functions.createImage(context.device, &info, context.callbacks, &image.handle);
+        result != VK_SUCCESS)
+      return vulkanFailure("creating an image", result, diagnostic);
+    VkMemoryRequirements own{};
+    context.functions.getImageMemoryRequirements(context.device, image.handle, &own);
+    offsets.push_back(alignedUp(all.size, own.alignment));
+    all.size = offsets.back() + own.size;
+    all.alignment = std::max(all.alignment, own.alignment);
+    all.memoryTypeBits &= own.memoryTypeBits; // the same for all, by the specification
+  }
+  if (assets.images.empty())
+    return LICHEN_SUCCESS;
+  VkResult result =
+      allocateMemory(context, all, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, assets.imageMemory);
+  assets.hasImageMemory = result == VK_SUCCESS;
+  for (std::size_t i = 0; i < assets.images.size() && result == VK_SUCCESS; ++i)
+    result = context.functions.bindImageMemory(context.device, assets.images[i].handle,
+                                               assets.imageMemory.memory,
+                                               assets.imageMemory.offset + offsets[i]);
+  if (result != VK_SUCCESS)
+    return vulkanFailure("memory for the images", result, diagnostic);
+  return LICHEN_SUCCESS;
+}
+
+LichenResult createViews(LichenVulkanAssets_T& assets, LichenBundle bundle,
+                         LichenDiagnostic* diagnostic) {
+  const LichenVulkanContext_T& context = *assets.context;
+  for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
+    const LichenImageProperties properties = imageProperties(bundle, i);
+    VkImageViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    info.image = assets.images[i].handle;
+    info.viewType = properties.dimensionality == 3 ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
+    info.format = VkFormat(properties.vkFormat);
+    info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, properties.mipLevels, 0, 1};
+    if (const VkResult result = context.functions.createImageView(
+            context.device, &info, context.callbacks, &assets.images[i].view);
+        result != VK_SUCCESS)
+      return vulkanFailure("creating an image view", result, diagnostic);
+  }
+  return LICHEN_SUCCESS;
+}
+
+/// Where each level lies in the staging buffer; returns the buffer's size.
+VkDeviceSize planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
+  VkDeviceSize size = 0;
+  for (std::uint32_t i = 0; i < assets.images.size(); ++i)
+    for (std::uint32_t level = 0; level < assets.images[i].mipLevels; ++level) {
+      LichenCopy copy{};
+      (void)lichenGetCopy(bundle, i, level, &copy); // image and level are in range
+      VkBufferImageCopy region{};
+      region.bufferOffset = alignedUp(size, kCopyAlignment);
+      region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+      region.imageExtent = {copy.width, copy.height, copy.depth};
+      assets.images[i].copies.push_back(region);
+      size = region.bufferOffset + copy.byteCount;
+    }
+  return size;
+}
+
+LichenResult createStaging(LichenVulkanAssets_T& assets, LichenBundle bundle,
+                           LichenDiagnostic* diagnostic) {
+  const LichenVulkanContext_T& context = *assets.context;
+  VkBufferCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+  info.size = planCopies(assets, bundle);
+  info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+  if (info.size == 0)
+    return LICHEN_SUCCESS;
+  VkResult result =
+      context.functions.createBuffer(context.device, &info, context.callbacks, &assets.staging);
+  if (result != VK_SUCCESS)
+    return vulkanFailure("creating the staging buffer", result, diagnostic);
+  VkMemoryRequirements requirements{};
+  context.functions.getBufferMemoryRequirements(context.device, assets.staging, &requirements);
+  result =
+      allocateMemory(context, requirements,
+                     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+                     assets.stagingMemory);
+  assets.hasStagingMemory = result == VK_SUCCESS;
+  if (result == VK_SUCCESS)
+    result = context.functions.bindBufferMemory(
+        context.device, assets.staging, assets.stagingMemory.memory, assets.stagingMemory.offset);
+  if (result != VK_SUCCESS)
+    return vulkanFailure("memory for the staging buffer", result, diagnostic);
+  if (assets.stagingMemory.mapped == nullptr) {
+    say(diagnostic, "deviceAllocator gave HOST_VISIBLE memory without `mapped`");
+    return LICHEN_ERROR_USAGE;
+  }
+  unsigned char* const mapped = static_cast<unsigned char*>(assets.stagingMemory.mapped);
+  for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
+    const LichenImageProperties properties = imageProperties(bundle, i);
+    for (const VkBufferImageCopy& region : assets.images[i].copies) {
+      LichenCopy copy{};
+      (void)lichenGetCopy(bundle, i, region.imageSubresource.mipLevel, &copy);
+      std::memcpy(mapped + region.bufferOffset,
+                  static_cast<const unsigned char*>(properties.bytes) + copy.offset,
+                  copy.byteCount);
+    }
+  }
+  return LICHEN_SUCCESS;
+}
+
+LichenResult createNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std::uint32_t index,
+                         LichenDiagnostic* diagnostic) {
+  const LichenVulkanContext_T& context = *assets.context;
+  LichenVulkanAssets_T::Noise& noise = assets.noises[index];
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  LichenBinding binding{};
+  for (std::uint32_t i = 0; lichenGetBinding(bundle, index, i, &binding) == LICHEN_SUCCESS; ++i) {
+    VkDescriptorSetLayoutBinding target{};
+    target.binding = context.firstBinding + binding.binding;
+    target.descriptorCount = 1;
+    target.stageFlags = context.stages;
+    target.descriptorType = context.uniformType;
+    if (binding.kind == LICHEN_BINDING_COMBINED_IMAGE_SAMPLER) {
+      target.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      noise.imageInfos.push_back({context.samplers[binding.sampler],
+                                  assets.images[binding.image].view,
+                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+    bindings.push_back(target);
+  }
+  VkDescriptorSetLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  info.bindingCount = std::uint32_t(bindings.size());
+  info.pBindings = bindings.data();
+  if (const VkResult result = context.functions.createDescriptorSetLayout(
+          context.device, &info, context.callbacks, &noise.layout);
+      result != VK_SUCCESS)
+    return vulkanFailure("creating a descriptor set layout", result, diagnostic);
+  return LICHEN_SUCCESS;
+}
+
+} // namespace
+
+LichenVulkanAssets_T::~LichenVulkanAssets_T() {
+  const LichenVulkanFunctions& f = context->functions;
+  lichenVulkanReleaseStaging(this);
+  for (const Noise& noise : noises)
+    f.destroyDescriptorSetLayout(context->device, noise.layout, context->callbacks);
+  for (const Image& image : images) {
+    f.destroyImageView(context->device, image.view, context->callbacks);
+    f.destroyImage(context->device, image.handle, context->callbacks);
+  }
+  if (hasImageMemory)
+    releaseMemory(*context, imageMemory);
+}
+
+LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle bundle,
+                                      LichenVulkanAssets* assets, LichenDiagnostic* diagnostic) {
+  return guarded(diagnostic, [&] {
+    LichenBundleProperties properties;
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    if (context == nullptr || assets == nullptr ||
+        lichenGetBundleProperties(bundle, &properties) != LICHEN_SUCCESS) {
+      say(diagnostic, "context, bundle and assets must not be NULL");
+      return LICHEN_ERROR_USAGE;
+    }
+    auto made = std::make_unique<LichenVulkanAssets_T>(context);
+    made->images.resize(properties.imageCount);
+    made->noises.resize(properties.noiseCount);
+    LichenResult result = createImages(*made, bundle, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = createViews(*made, bundle, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = createStaging(*made, bundle, diagnostic);
+    for (std::uint32_t i = 0; i < properties.noiseCount && result == LICHEN_SUCCESS; ++i)
+      result = createNoise(*made, bundle, i, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      *assets = made.release();
+    return result;
+  });
+}
+
+void lichenVulkanDestroyAssets(LichenVulkanAssets assets) { delete assets; }
+
+void lichenVulkanReleaseStaging(LichenVulkanAssets assets) {
+  if (assets == nullptr)
+    return;
+  const LichenVulkanContext_T& context = *assets->context;
+  context.functions.destroyBuffer(context.device, assets->staging, context.callbacks);
+  assets->staging = VK_NULL_HANDLE;
+  if (assets->hasStagingMemory)
+    releaseMemory(context, assets->stagingMemory);
+  assets->hasStagingMemory = false;
+}
+
+LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
+  if (assets == nullptr || commandBuffer == VK_NULL_HANDLE || assets->staging == VK_NULL_HANDLE)
+    return LICHEN_ERROR_USAGE;
+  const LichenVulkanFunctions& f = assets->context->functions;
+  for (const LichenVulkanAssets_T::Image& image : assets->images) {
+    VkImageMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image.handle;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
+    f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
+                         VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+    f.cmdCopyBufferToImage(commandBuffer, assets->staging, image.handle,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
+                           image.copies.data());
+    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    // All commands: legal on any queue, whichever stages the host's shaders run in.
+    f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1,
+                         &barrier);
+  }
+  return LICHEN_SUCCESS;
+}
+
+LichenResult lichenVulkanGetSetLayout(LichenVulkanAssets assets, std::uint32_t noise,
+                                      VkDescriptorSetLayout* layout) {
+  if (assets == nullptr || noise >= assets->noises.size() || layout == nullptr)
+    return LICHEN_ERROR_USAGE;
+  *layout = assets->noises[noise].layout;
+  return LICHEN_SUCCESS;
+}
+
+LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t noise,
+                                     VkDescriptorPool pool, const VkDescriptorBufferInfo* uniforms,
+                                     VkDescriptorSet* set, LichenDiagnostic* diagnostic) {
+  return guarded(diagnostic, [&] {
+    if (assets == nullptr || noise >= assets->noises.size() || pool == VK_NULL_HANDLE ||
+        uniforms == nullptr || set == nullptr) {
+      say(diagnostic, "assets, pool, uniforms and set must not be NULL, noise must be in range");
+      return LICHEN_ERROR_USAGE;
+    }
+    if (uniforms->range < LICHEN_UNIFORM_BYTES) {
+      say(diagnostic, "uniforms: a range of %llu bytes, at least %d are needed",
+          static_cast<unsigned long long>(uniforms->range), LICHEN_UNIFORM_BYTES);
+      return LICHEN_ERROR_USAGE;
+    }
+    const LichenVulkanContext_T& context = *assets->context;
+    const LichenVulkanAssets_T::Noise& source = assets->noises[noise];
+    std::vector<VkWriteDescriptorSet> writes(1 + source.imageInfos.size());
+    VkDescriptorSetAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    info.descriptorPool = pool;
+    info.descriptorSetCount = 1;
+    info.pSetLayouts = &source.layout;
+    VkDescriptorSet made = VK_NULL_HANDLE;
+    if (const VkResult result =
+            context.functions.allocateDescriptorSets(context.device, &info, &made);
+        result != VK_SUCCESS)
+      return vulkanFailure("allocating a descriptor set", result, diagnostic);
+    for (std::uint32_t i = 0; i < writes.size(); ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = made;
+      writes[i].dstBinding = context.firstBinding + i; // consecutive: LICHEN_BINDING_*
+      writes[i].descriptorCount = 1;
+      writes[i].descriptorType =
+          i == 0 ? context.uniformType : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      writes[i].pBufferInfo = i == 0 ? uniforms : nullptr;
+      writes[i].pImageInfo = i == 0 ? nullptr : &source.imageInfos[i - 1];
+    }
+    context.functions.updateDescriptorSets(context.device, std::uint32_t(writes.size()),
+                                           writes.data(), 0, nullptr);
+    *set = made;
+    return LICHEN_SUCCESS;
+  });
+}
+
+LichenResult lichenVulkanGetImageInfos(LichenVulkanAssets assets, std::uint32_t noise,
+                                       VkDescriptorImageInfo* imageInfos) {
+  if (assets == nullptr || noise >= assets->noises.size() || imageInfos == nullptr)
+    return LICHEN_ERROR_USAGE;
+  const auto& source = assets->noises[noise].imageInfos;
+  std::copy(source.begin(), source.end(), imageInfos);
+  return LICHEN_SUCCESS;
+}

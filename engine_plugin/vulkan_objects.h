@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What the Vulkan layer's contexts and assets hold.
+#pragma once
+
+#include <lichen/lichen_vulkan.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+struct LichenVulkanContext_T {
+  LichenVulkanFunctions functions;
+  VkPhysicalDevice physicalDevice;
+  VkDevice device;
+  const VkAllocationCallbacks* callbacks; // points to `ownCallbacks`, or NULL
+  VkAllocationCallbacks ownCallbacks;
+  bool hostAllocates;
+  LichenDeviceAllocator allocator; // the host's, where hostAllocates
+  VkPhysicalDeviceMemoryProperties memory;
+  VkDescriptorType uniformType;
+  std::uint32_t firstBinding;
+  VkShaderStageFlags stages;
+  std::array<VkSampler, 2> samplers; // by LichenSamplerUse
+};
+
+struct LichenVulkanAssets_T {
+  struct Image {
+    VkImage handle = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    std::uint32_t mipLevels = 0;
+    std::vector<VkBufferImageCopy> copies; // from the staging buffer
+  };
+  struct Noise {
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    std::vector<VkDescriptorImageInfo> imageInfos; // Gaussian, table, Gaussian, table, ...
+  };
+
+  explicit LichenVulkanAssets_T(LichenVulkanContext owner) : context(owner) {}
+  LichenVulkanAssets_T(const LichenVulkanAssets_T&) = delete;
+  LichenVulkanAssets_T& operator=(const LichenVulkanAssets_T&) = delete;
+  ~LichenVulkanAssets_T();
+
+  LichenVulkanContext context;
+  std::vector<Image> images;
+  std::vector<Noise> noises;
+  LichenDeviceMemory imageMemory{};
+  bool hasImageMemory = false;
+  VkBuffer staging = VK_NULL_HANDLE;
+  LichenDeviceMemory stagingMemory{};
+  bool hasStagingMemory = false;
+};
+
+namespace lichen::plugin {
+
+/// The result code of a failed Vulkan call, and its diagnostic.
+LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* diagnostic);
+
+/// Memory from the host's allocator, or a block of the plugin's own.
+VkResult allocateMemory(const LichenVulkanContext_T& context,
+                        const VkMemoryRequirements& requirements, VkMemoryPropertyFlags properties,
+                        LichenDeviceMemory& memory);
+void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemory& memory);
+
+} // namespace lichen::plugin

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
+// uv (float2) and its screen-space gradients -> LichenTaps; slopes (float2) -> tangent-space normal.
+#ifndef LICHEN_UV_GLSL
+#define LICHEN_UV_GLSL
+
+#include "../noise/tiling.glsl"
+
+/// The linear part of the mapping from texture to tile coordinates.
+vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
+  return vec2(noise.uvToTileXX * uv.x + noise.uvToTileXY * uv.y,
+              noise.uvToTileYX * uv.x + noise.uvToTileYY * uv.y);
+}
+
+/// Taps at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
+LichenTaps lichenTilingUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenNoise noise) {
+  vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
+  return lichenTilingTaps(position, lichenUvToTile(uvGradientX, noise),
+                          lichenUvToTile(uvGradientY, noise), noise);
+}
+
+/// Slopes as the map holds them (in the exemplar's frame) -> in the frame of the texture
+/// coordinates, whose tangent space the mesh supplies. Y points up, against v.
+vec2 lichenSlopesToUv(vec2 slopes, LichenNoise noise) {
+  vec2 direction = normalize(vec2(noise.uvToTileXX, noise.uvToTileXY)); // (cos, sin)
+  return vec2(direction.x * slopes.x + direction.y * slopes.y,
+              direction.x * slopes.y - direction.y * slopes.x);
+}
+
+/// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).
+vec3 lichenNormalFromSlopes(vec2 slopes) { return normalize(vec3(-slopes, 1.0)); }
+
+#endif

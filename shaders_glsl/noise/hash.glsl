@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The integer hash of the lattice, bit for bit that of bundle/include/lichen/lattice.h.
+// Integers in, integers out; uint arithmetic wraps modulo 2^32.
+// [Jarzynski and Olano 2020] "Hash Functions for GPU Rendering", JCGT 9(3): pcg, pcg3d.
+#ifndef LICHEN_HASH_GLSL
+#define LICHEN_HASH_GLSL
+
+/// PCG output function over one LCG step.
+uint lichenPcg(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// Three words hashed to three.
+uvec3 lichenPcg3d(uvec3 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v ^= v >> 16u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return v;
+}
+
+/// The word that stands for a noise's seed and a projection plane (0 for uv).
+uint lichenLatticeSeed(uint seed, uint plane) { return lichenPcg(lichenPcg(seed) + plane); }
+
+/// The offset of vertex (i, j)'s tile, in whole texels of the largest map: [0, sizeTexels).
+uvec2 lichenTileOffsetTexels(int i, int j, uint seedWord, uvec2 sizeTexels) {
+  // Conversion of int to uint keeps the bits, negative values included.
+  uvec3 hash = lichenPcg3d(uvec3(uint(i), uint(j), seedWord));
+  return ((hash.xy >> 16u) * sizeTexels) >> 16u;
+}
+
+#endif

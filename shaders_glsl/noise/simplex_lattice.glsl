@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The triangle of the simplex lattice that holds a point, and the barycentric weights in it.
+// Tile coordinate (float2, tiles) -> three integer vertices, three weights that sum to 1.
+// [HN18] Heitz and Neyret 2018, section 3; the lattice is specified bit for bit in
+// docs/gltf_extension/README.md.
+#ifndef LICHEN_SIMPLEX_LATTICE_GLSL
+#define LICHEN_SIMPLEX_LATTICE_GLSL
+
+#include "../interface/lichen_interface.h"
+
+struct LichenTriangle {
+  ivec3 i, j;   // the vertices (i[k], j[k]), not yet reduced to a period
+  vec3 weights; // barycentric, [0, 1]
+};
+
+/// The triangle that holds `position` [tiles, relative to the host's integer tile origin].
+LichenTriangle lichenTriangleAt(vec2 position, LichenNoise noise) {
+  // [HN18] section 3: skewed coordinates, in which the triangles halve the unit squares.
+  float row = position.y * noise.rowsPerTile;
+  vec2 skewed = vec2(position.x * noise.columnsPerTile - 0.5 * row + noise.fractionI,
+                     row + noise.fractionJ);
+  vec2 cell = floor(skewed);
+  vec2 inside = skewed - cell;
+  // Float to int, never to uint: float to uint of a negative is undefined.
+  ivec2 base = ivec2(cell) + ivec2(noise.cellI, noise.cellJ);
+  float third = 1.0 - inside.x - inside.y;
+  bool upper = third <= 0.0;
+  LichenTriangle triangle;
+  triangle.i = base.x + ivec3(upper ? 1 : 0, 1, 0);
+  triangle.j = base.y + ivec3(upper ? 1 : 0, 0, 1);
+  triangle.weights = upper ? vec3(-third, 1.0 - inside.y, 1.0 - inside.x) : vec3(third, inside);
+  return triangle;
+}
+
+/// floor(value / period) per component, for any value and 0 < period < 2^24. Integer division is
+/// slow on many devices: the quotient of floats is off by at most 384 / period + 1 for |value| up to
+/// 2^31, the second quotient, of what is left, by at most 1.
+ivec3 lichenFloorDivide(ivec3 value, int period) {
+  float inverse = 1.0 / float(period);
+  ivec3 quotient = ivec3(floor(vec3(value) * inverse));
+  quotient += ivec3(floor(vec3(value - quotient * period) * inverse));
+  ivec3 rest = value - quotient * period;
+  return quotient + ivec3(greaterThanEqual(rest, ivec3(period))) - ivec3(lessThan(rest, ivec3(0)));
+}
+
+/// Reduces the vertices to one period of a periodic lattice. `shiftX`, `shiftY`: the whole periods
+/// taken away, in tiles. An infinite lattice is left alone.
+void lichenReduceToPeriod(inout LichenTriangle triangle, LichenNoise noise, out vec3 shiftX,
+                          out vec3 shiftY) {
+  shiftX = vec3(0.0);
+  shiftY = vec3(0.0);
+  if (noise.periodRows > 0) {
+    ivec3 rows = lichenFloorDivide(triangle.j, noise.periodRows);
+    triangle.j -= rows * noise.periodRows;
+    triangle.i += rows * (noise.periodRows / 2);
+    ivec3 columns = lichenFloorDivide(triangle.i, noise.periodColumns);
+    triangle.i -= columns * noise.periodColumns;
+    shiftX = vec3(columns) * noise.periodTilesX;
+    shiftY = vec3(rows) * noise.periodTilesY;
+  }
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Histogram-preserving tiling and blending: tile coordinate and footprint -> the material's value.
+// Lattice, offsets and weights are computed once per fragment (lichenTilingTaps) and serve every
+// map of the noise (lichenTiling). The CPU twin is analysis/tiling/evaluate.
+// [HN18] Heitz and Neyret 2018. Deviations, with reasons: docs/gltf_extension/README.md.
+#ifndef LICHEN_TILING_GLSL
+#define LICHEN_TILING_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "gaussian_cdf.glsl"
+#include "hash.glsl"
+#include "simplex_lattice.glsl"
+
+// 1 when the Gaussian images' sampler is not anisotropic: the level of detail is then computed once
+// per map instead of once per tap. The result is the same, and cheaper.
+#ifndef LICHEN_TRILINEAR
+#define LICHEN_TRILINEAR 0
+#endif
+
+// Cells of a three-channel inverse table along each axis.
+#define LICHEN_TABLE_CELLS 32.0
+
+/// What all maps of a noise share at one point.
+struct LichenTaps {
+  vec2 position;         // [tiles] relative to the host's integer tile origin
+  vec2 gradientX;        // [tiles / pixel] of the position along the screen's x
+  vec2 gradientY;        // and y
+  vec2 tap0, tap1, tap2; // [tiles] where each tile of the triangle is fetched
+  vec3 weights;          // of the three tiles, sum 1
+  float gain;            // contrast / sqrt(sum of squared weights)
+};
+
+/// Lattice, weights and tap positions of a noise at one point. The gradients are those of
+/// `position`, which is continuous; those of the taps are not.
+LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise) {
+  // [HN18] Algorithm 1: the triangle and its three tiles.
+  LichenTriangle triangle = lichenTriangleAt(position, noise);
+  vec3 weights = triangle.weights;
+  if (noise.blendSharpness != 1.0) {
+    weights = pow(weights, vec3(noise.blendSharpness));
+    weights /= weights.x + weights.y + weights.z;
+  }
+  vec3 shiftX, shiftY;
+  lichenReduceToPeriod(triangle, noise, shiftX, shiftY);
+  uvec2 sizeTexels = uvec2(noise.tileWidthTexels, noise.tileHeightTexels);
+  vec2 offset0 =
+      vec2(lichenTileOffsetTexels(triangle.i.x, triangle.j.x, noise.seedWord, sizeTexels));
+  vec2 offset1 =
+      vec2(lichenTileOffsetTexels(triangle.i.y, triangle.j.y, noise.seedWord, sizeTexels));
+  vec2 offset2 =
+      vec2(lichenTileOffsetTexels(triangle.i.z, triangle.j.z, noise.seedWord, sizeTexels));
+  LichenTaps taps;
+  taps.position = position;
+  taps.gradientX = gradientX;
+  taps.gradientY = gradientY;
+  taps.tap0 = position - vec2(shiftX.x, shiftY.x) + offset0 / vec2(sizeTexels);
+  taps.tap1 = position - vec2(shiftX.y, shiftY.y) + offset1 / vec2(sizeTexels);
+  taps.tap2 = position - vec2(shiftX.z, shiftY.z) + offset2 / vec2(sizeTexels);
+  taps.weights = weights;
+  taps.gain = noise.contrast * inversesqrt(dot(weights, weights));
+  return taps;
+}
+
+/// The level of detail of the footprint in a map: log2 of the side of the square of texels that
+/// loses the same variance. Negative when magnified.
+float lichenTilingLevel(LichenTaps taps, LichenNoise noise, LichenMap map) {
+  vec2 size = vec2(map.widthTexels, map.heightTexels);
+  vec2 texelsX = taps.gradientX * size;
+  vec2 texelsY = taps.gradientY * size;
+  vec2 squared = vec2(dot(texelsX, texelsX), dot(texelsY, texelsY));
+  float major = max(squared.x, squared.y);
+  float level = 0.5 * log2(major);
+#if !LICHEN_TRILINEAR
+  const float kLeast = 1.0e-20; // texels^2; keeps 0 / 0 away
+  float minor = max(min(squared.x, squared.y), kLeast);
+  level -= 0.25 * log2(clamp(major / minor, 1.0, noise.maxAnisotropy * noise.maxAnisotropy));
+#endif
+  return level;
+}
+
+/// One tap of the Gaussian image.
+vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, LichenTaps taps, float level) {
+#if LICHEN_TRILINEAR
+  return textureLod(gaussian, tap, level).rgb;
+#else
+  return textureGrad(gaussian, tap, taps.gradientX, taps.gradientY).rgb;
+#endif
+}
+
+/// The blended Gaussian value of a map: mean 1/2, standard deviation 1/6 where nothing is minified.
+vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
+  // [HN18] eq. 4, about the mean 1/2.
+  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps, level) +
+               taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps, level) +
+               taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps, level);
+  return 0.5 + taps.gain * (blend - 0.5);
+}
+
+/// The variance of the Gaussian value that fetching loses, [0, 1] of its full variance.
+float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, LichenMap map) {
+  // Magnified: bilinear interpolation loses most midway between texels. All three taps share the
+  // place between texels when the map has the size in which offsets are whole texels.
+  vec2 size = vec2(map.widthTexels, map.heightTexels);
+  vec2 inside = fract(taps.position * size - 0.5);
+  vec2 kept = 1.0 - vec2(map.bilinearLossX, map.bilinearLossY) * inside * (1.0 - inside);
+  bool sameSize = map.widthTexels == float(noise.tileWidthTexels) &&
+                  map.heightTexels == float(noise.tileHeightTexels);
+  float lost0 = sameSize ? 1.0 - kept.x * kept.y : map.mipLoss[0].x;
+  // Minified: a trilinear blend of a level and its own average.
+  float clamped = clamp(level, 0.0, float(map.mipCount - 1u));
+  uint below = uint(clamped);
+  uint above = min(below + 1u, uint(LICHEN_MAX_MIPS - 1));
+  float lostBelow = below == 0u ? lost0 : map.mipLoss[below >> 2u][below & 3u];
+  float lostAbove = map.mipLoss[above >> 2u][above & 3u];
+  float rest = 1.0 - (clamped - float(below));
+  return lostBelow + (1.0 - rest * rest) * (lostAbove - lostBelow);
+}
+
+/// The inverse table, at a Gaussian value of which the fraction `lostVariance` is missing.
+vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+  // [HN18] eq. 20: T^-1 after the Gaussian's distribution function.
+  vec3 uniformValue = lichenGaussianCdf(gaussian);
+  float levels = float(map.tableLevels);
+  // The table's levels are equidistant in kept amplitude.
+  float level = (levels - 1.0) * (1.0 - sqrt(max(0.0, 1.0 - lostVariance)));
+  if (map.dimensions < 3u)
+    return textureLod(table, vec3(uniformValue.xy, (level + 0.5) / levels), 0.0);
+  // A volume for each level, one behind the other: interpolation stays half a cell inside each.
+  float slab = floor(level);
+  float depth = clamp(LICHEN_TABLE_CELLS * uniformValue.z, 0.5, LICHEN_TABLE_CELLS - 0.5);
+  vec3 place =
+      vec3(uniformValue.xy, (slab * LICHEN_TABLE_CELLS + depth) / (levels * LICHEN_TABLE_CELLS));
+  vec4 value = textureLod(table, place, 0.0);
+  if (level > slab) {
+    place.z += 1.0 / levels;
+    value = mix(value, textureLod(table, place, 0.0), level - slab);
+  }
+  return value;
+}
+
+/// The value of one map: light for colours, the decoded quantity for the others.
+vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
+                  LichenMap map) {
+  float level = lichenTilingLevel(taps, noise, map);
+  float lost = lichenTilingLostVariance(taps, level, noise, map);
+  // Contrast scales what is missing with what is there.
+  lost = min(1.0, noise.contrast * noise.contrast * lost);
+  return lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost, map);
+}
+
+/// For comparison: the three tiles decoded, then blended linearly. [HN18] eq. 2, fig. 4: contrast is
+/// lost between vertices.
+vec4 lichenTilingLinear(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
+                        LichenMap map) {
+  float level = lichenTilingLevel(taps, noise, map);
+  float lost = lichenTilingLostVariance(taps, level, noise, map);
+  vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps, level);
+  vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps, level);
+  vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps, level);
+  return taps.weights.x * lichenTilingDecode(table, tile0, lost, map) +
+         taps.weights.y * lichenTilingDecode(table, tile1, lost, map) +
+         taps.weights.z * lichenTilingDecode(table, tile2, lost, map);
+}
+
+/// For comparison: as above, blended about the mean so that variance, but not the histogram, is
+/// kept. [HN18] eq. 4, fig. 5: values leave the exemplar's range.
+vec4 lichenTilingVariance(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
+                          LichenMap map) {
+  vec4 linear = lichenTilingLinear(gaussian, table, taps, noise, map);
+  return map.mean + taps.gain * (linear - map.mean);
+}
+
+#endif

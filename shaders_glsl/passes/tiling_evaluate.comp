@@ -1,0 +1,47 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Evaluates the first map of a tiling noise at a list of points:
+// points[k] (uv and its gradients) -> values[k] (RGBA of the decoded quantity).
+// For tests and for engines that fill a texture from a noise at run time.
+
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "../lichen.glsl"
+
+const int kOperatorHistogram = 0;
+const int kOperatorLinear = 1;
+const int kOperatorVariance = 2;
+const int kOperatorGaussian = 3; // the blended Gaussian value, lost variance in alpha
+layout(constant_id = 0) const int kOperator = kOperatorHistogram;
+
+struct Point {
+  vec4 uvAndGradientX;
+  vec4 gradientY; // zw unused
+};
+
+layout(local_size_x = 64) in;
+layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
+layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= uint(points.length()))
+    return;
+  Point point = points[index];
+  LichenNoise noise = lichenUniforms.noise;
+  LichenMap map = lichenUniforms.maps[0];
+  LichenTaps taps = lichenTilingUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
+                                       point.gradientY.xy, noise);
+  if (kOperator == kOperatorLinear) {
+    values[index] = lichenTilingLinear(lichenGaussian0, lichenTable0, taps, noise, map);
+  } else if (kOperator == kOperatorVariance) {
+    values[index] = lichenTilingVariance(lichenGaussian0, lichenTable0, taps, noise, map);
+  } else if (kOperator == kOperatorGaussian) {
+    float level = lichenTilingLevel(taps, noise, map);
+    values[index] = vec4(lichenTilingGaussian(lichenGaussian0, taps, level),
+                         lichenTilingLostVariance(taps, level, noise, map));
+  } else {
+    values[index] = lichenTiling(lichenGaussian0, lichenTable0, taps, noise, map);
+  }
+}
