@@ -37,6 +37,8 @@ std::size_t addTexture(OrderedJson& root, GltfBuilder& builder, const std::strin
 OrderedJson textureInfo(OrderedJson& root, std::size_t texture, const MaterialNoise& use,
                         int tilesPerImage) {
   OrderedJson info = {{"index", texture}};
+  if (use.texCoord != 0)
+    info["texCoord"] = use.texCoord;
   const double tiles = tilesPerImage;
   OrderedJson transform = OrderedJson::object();
   if (use.offset != std::array<double, 2>{0.0, 0.0})

@@ -48,17 +48,17 @@ std::array<double, 3> normalized(const std::array<double, 3>& v) {
 
 Vec3 toFloat(const std::array<double, 3>& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
 
-/// Triangles of a polar grid, counter-clockwise: vertex 0 in the middle, then `rings` rings of
-/// `sectors` vertices from the inside out.
-std::vector<std::uint16_t> polarIndices(int rings, int sectors) {
+/// Triangles of the sectors [first, last) of a polar grid, counter-clockwise. Vertex 0 is in the
+/// middle, then come `rings` rings of `sectors` vertices from the inside out.
+std::vector<std::uint16_t> polarIndices(int rings, int sectors, int first, int last) {
   std::vector<std::uint16_t> indices;
   const auto vertex = [sectors](int ring, int sector) {
     return std::uint16_t(1 + ring * sectors + sector % sectors);
   };
-  for (int s = 0; s < sectors; ++s)
+  for (int s = first; s < last; ++s)
     indices.insert(indices.end(), {0, vertex(0, s), vertex(0, s + 1)});
   for (int r = 0; r + 1 < rings; ++r)
-    for (int s = 0; s < sectors; ++s)
+    for (int s = first; s < last; ++s)
       indices.insert(indices.end(), {vertex(r, s), vertex(r + 1, s), vertex(r + 1, s + 1),
                                      vertex(r, s), vertex(r + 1, s + 1), vertex(r, s + 1)});
   return indices;
@@ -94,7 +94,7 @@ Mesh makeBall(const std::array<double, 3>& toCamera) {
     for (int s = 0; s < kSectors; ++s) // the last ring is the far point, half a sector on
       addVertex(std::numbers::pi * r / kRings,
                 2.0 * std::numbers::pi * (s + (r == kRings ? 0.5 : 0.0)) / kSectors);
-  mesh.indices = polarIndices(kRings - 1, kSectors);
+  mesh.indices = polarIndices(kRings - 1, kSectors, 0, kSectors);
   const auto lastRing = std::uint16_t(1 + (kRings - 2) * kSectors);
   for (int s = 0; s < kSectors; ++s)
     mesh.indices.insert(mesh.indices.end(),
@@ -105,9 +105,9 @@ Mesh makeBall(const std::array<double, 3>& toCamera) {
 
 /// A disc in the plane y = 0. Its rings double in radius, so that texture coordinates keep their
 /// precision near the camera; its edge is 0.2 degrees below the horizon.
+constexpr int kGroundRings = 11;
+constexpr int kGroundSectors = 48;
 Mesh makeGround() {
-  constexpr int kRings = 11;
-  constexpr int kSectors = 48;
   constexpr double kFirstRadius = 0.5; // metres; the last is 512
   Mesh mesh;
   const auto addVertex = [&](double x, double z) {
@@ -117,13 +117,12 @@ Mesh makeGround() {
     mesh.uvs.push_back({float(x * kExemplarsPerMetre), float(z * kExemplarsPerMetre)});
   };
   addVertex(0.0, 0.0);
-  for (int r = 0; r < kRings; ++r)
-    for (int s = 0; s < kSectors; ++s) {
+  for (int r = 0; r < kGroundRings; ++r)
+    for (int s = 0; s < kGroundSectors; ++s) {
       const double radius = std::ldexp(kFirstRadius, r);
-      const double phi = 2.0 * std::numbers::pi * s / kSectors;
+      const double phi = 2.0 * std::numbers::pi * s / kGroundSectors;
       addVertex(radius * std::cos(phi), -radius * std::sin(phi));
     }
-  mesh.indices = polarIndices(kRings, kSectors);
   return mesh;
 }
 
@@ -137,14 +136,48 @@ OrderedJson addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTange
   return attributes;
 }
 
-OrderedJson makeMesh(const std::string& name, OrderedJson attributes, std::size_t indices,
-                     std::size_t material, bool withTangents) {
+void addPrimitive(OrderedJson& mesh, OrderedJson attributes, std::size_t indices,
+                  std::size_t material, bool withTangents) {
   if (!withTangents)
     attributes.erase("TANGENT");
-  OrderedJson mesh = {{"name", name}};
   mesh["primitives"].push_back(
       {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material}});
-  return mesh;
+}
+
+bool any(const std::vector<bool>& values) {
+  return std::find(values.begin(), values.end(), true) != values.end();
+}
+
+/// The ground, divided like a cake between the first `materials` materials.
+void addGround(OrderedJson& root, GltfBuilder& builder, std::size_t materials,
+               const std::vector<bool>& needsTangents) {
+  const OrderedJson attributes = addAttributes(builder, makeGround(), any(needsTangents));
+  OrderedJson mesh = {{"name", "ground"}};
+  for (std::size_t i = 0; i < materials; ++i) {
+    const auto sector = [&](std::size_t part) {
+      return int(std::size_t(kGroundSectors) * part / materials);
+    };
+    const auto indices = polarIndices(kGroundRings, kGroundSectors, sector(i), sector(i + 1));
+    addPrimitive(mesh, attributes, builder.addIndices(indices), i, needsTangents[i]);
+  }
+  root["nodes"].push_back({{"name", "ground"}, {"mesh", root["meshes"].size()}});
+  root["meshes"].push_back(std::move(mesh));
+}
+
+/// One ball a material, side by side.
+void addBalls(OrderedJson& root, GltfBuilder& builder, const std::array<double, 3>& eye,
+              const std::vector<bool>& needsTangents) {
+  const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}));
+  const OrderedJson attributes = addAttributes(builder, ball, any(needsTangents));
+  const std::size_t indices = builder.addIndices(ball.indices);
+  for (std::size_t i = 0; i < needsTangents.size(); ++i) {
+    OrderedJson mesh = {{"name", "ball " + std::to_string(i)}};
+    addPrimitive(mesh, attributes, indices, i, needsTangents[i]);
+    const double x = kBallSpacing * (double(i) - (double(needsTangents.size()) - 1.0) / 2.0);
+    root["nodes"].push_back(
+        {{"name", mesh["name"]}, {"translation", {x, 1.0, 0.0}}, {"mesh", root["meshes"].size()}});
+    root["meshes"].push_back(std::move(mesh));
+  }
 }
 
 /// Quaternion x, y, z, w of a turn about +X by `pitch`, then about +Y by `yaw`.
@@ -189,33 +222,16 @@ void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape
                      const std::vector<bool>& needsTangents) {
   if (shape == PreviewShape::none)
     return;
-  const std::size_t balls = shape == PreviewShape::sphere ? needsTangents.size() : 0;
-  const double distance = cameraDistance(std::max<std::size_t>(balls, 1));
+  const bool withBalls = shape == PreviewShape::sphere;
+  const double distance = cameraDistance(withBalls ? needsTangents.size() : 1);
   const std::array<double, 3> eye = {0.0,
                                      kCameraTargetHeight + distance * std::sin(kCameraElevation),
                                      distance * std::cos(kCameraElevation)};
   root["nodes"] = OrderedJson::array();
   root["meshes"] = OrderedJson::array();
-
-  const Mesh ground = makeGround();
-  const OrderedJson groundAttributes = addAttributes(builder, ground, needsTangents.front());
-  root["meshes"].push_back(makeMesh("ground", groundAttributes, builder.addIndices(ground.indices),
-                                    0, needsTangents.front()));
-  root["nodes"].push_back({{"name", "ground"}, {"mesh", 0}});
-  if (balls > 0) {
-    const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}));
-    const bool anyTangents =
-        std::find(needsTangents.begin(), needsTangents.end(), true) != needsTangents.end();
-    const OrderedJson attributes = addAttributes(builder, ball, anyTangents);
-    const std::size_t indices = builder.addIndices(ball.indices);
-    for (std::size_t i = 0; i < balls; ++i) {
-      const std::string name = "ball " + std::to_string(i);
-      const double x = kBallSpacing * (double(i) - (double(balls) - 1.0) / 2.0);
-      root["nodes"].push_back(
-          {{"name", name}, {"translation", {x, 1.0, 0.0}}, {"mesh", root["meshes"].size()}});
-      root["meshes"].push_back(makeMesh(name, attributes, indices, i, needsTangents[i]));
-    }
-  }
+  addGround(root, builder, withBalls ? 1 : needsTangents.size(), needsTangents);
+  if (withBalls)
+    addBalls(root, builder, eye, needsTangents);
   addCameraAndSun(root, eye);
   OrderedJson nodeIndices = OrderedJson::array();
   for (std::size_t i = 0; i < root["nodes"].size(); ++i)

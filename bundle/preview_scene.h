@@ -8,8 +8,9 @@
 
 namespace lichen {
 
-/// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Mesh i has
-/// material i; TANGENT exactly where needsTangents[i]. Nothing for PreviewShape::none.
+/// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Every material,
+/// as many as needsTangents has elements, is shown; a primitive has TANGENT exactly where its
+/// material's needsTangents is set. Nothing for PreviewShape::none.
 void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents);
 

@@ -84,6 +84,7 @@ BundleFile smallest() {
 BundleFile everyMap() {
   using enum MapChannel;
   BundleFile file = smallest();
+  file.previews.front().baseColor = tinyPng();
   Bundle& bundle = file.bundle;
   Noise noise;
   noise.name = "moss";

@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is written is read back, bit for bit.
 #include "bundle_example.h"
+#include "bundle_temporary_folder.h"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
 
 using namespace lichen;
 
 namespace {
-
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "lichen-bundle-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 void checkSameTable(const Table& a, const Table& b) {
   CHECK(a.name == b.name);

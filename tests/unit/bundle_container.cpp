@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The container under a bundle: GLB framing, JSON bounds, data URIs, files beside a .gltf.
+#include "bundle_example.h"
+#include "bundle_surgery.h"
+#include "bundle_temporary_folder.h"
+
+#include <lichen/files.h>
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using example::GlbParts;
+
+namespace {
+
+std::vector<std::byte> smallFile() { return encodeGlb(example::smallest()).value(); }
+
+std::string codeOf(std::span<const std::byte> file) {
+  const std::vector<Finding> findings = checkBundle(file);
+  CHECK_FALSE(parseBundle(file, "x").ok());
+  return findings.empty() ? "" : findings.front().code;
+}
+
+std::string codeOfText(const std::string& text) { return codeOf(std::as_bytes(std::span(text))); }
+
+std::string base64(std::span<const std::byte> bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8u | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0);
+    for (unsigned k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  REQUIRE(replaceFile(path, std::as_bytes(std::span(text))).ok());
+}
+
+} // namespace
+
+TEST_CASE("every truncated length of a GLB is refused") {
+  const std::vector<std::byte> file = smallFile();
+  REQUIRE(parseBundle(file, "x").ok());
+  for (std::size_t length = 0; length < file.size(); ++length)
+    REQUIRE_FALSE(parseBundle(std::span(file).first(length), "x").ok());
+}
+
+TEST_CASE("every truncated length of a KTX2 file is refused") {
+  const std::vector<std::byte> file =
+      encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
+  for (std::size_t length = 0; length < file.size(); ++length)
+    REQUIRE_FALSE(decodeKtx2(std::span(file).first(length), "x").ok());
+}
+
+TEST_CASE("every fault of the GLB framing is found") {
+  const auto withWord = [](std::size_t offset, std::uint32_t value) {
+    std::vector<std::byte> file = smallFile();
+    std::memcpy(file.data() + offset, &value, sizeof value);
+    return file;
+  };
+  CHECK(codeOf(withWord(0, 0x46546C68u)) == "not-gltf");
+  CHECK(codeOf(withWord(4, 1)) == "glb-version");
+  CHECK(codeOf(withWord(8, 100)) == "glb-length");
+  CHECK(codeOf(withWord(12, 0xfffffffcu)) == "glb-chunk");
+  CHECK(codeOf(withWord(12, 7)) == "glb-chunk");
+  CHECK(codeOf(withWord(16, 0x004E4942u)) == "glb-chunk");
+  std::vector<std::byte> longer = smallFile();
+  longer.resize(longer.size() + 4);
+  CHECK(codeOf(longer) == "glb-length");
+  std::vector<std::byte> headerOnly = smallFile();
+  headerOnly.resize(12);
+  const std::uint32_t length = 12;
+  std::memcpy(headerOnly.data() + 8, &length, sizeof length);
+  CHECK(codeOf(headerOnly) == "glb-chunk");
+}
+
+TEST_CASE("what is not glTF, too deep, too large or not JSON is refused") {
+  CHECK(codeOfText("") == "not-gltf");
+  CHECK(codeOfText("a photograph") == "not-gltf");
+  CHECK(codeOfText("[]") == "not-gltf");
+  CHECK(codeOfText("{\"asset\":") == "json-syntax");
+  CHECK(codeOfText("{\"asset\": {\"version\": \"2.0\"}, \"n\": 1e999}") == "json-syntax");
+  CHECK(codeOfText("{\"a\": \"\xff\"}") == "json-syntax");
+  CHECK(codeOfText("{\"asset\": {\"version\": 2}}") == "asset-version");
+  CHECK(codeOfText("{\"a\":" + std::string(1000000, '[')) == "json-depth");
+  CHECK(codeOfText("{\"a\":" + std::string(65, '[') + std::string(65, ']') + "}") == "json-depth");
+  std::string large = "{\"a\": \"";
+  large.resize((std::size_t(64) << 20u) + 1, 'a');
+  CHECK(codeOfText(large + "\"}") == "json-size");
+}
+
+TEST_CASE("brackets inside strings do not count as nesting") {
+  GlbParts parts(smallFile());
+  parts.extension()["noises"][0]["name"] = std::string(1000, '[') + "\\\"" + std::string(99, '{');
+  CHECK(parseBundle(parts.join(), "x").ok());
+}
+
+TEST_CASE("a chunk of an unknown type after the binary one is ignored") {
+  std::vector<std::byte> file = smallFile();
+  GlbParts::append(file, 4);
+  GlbParts::append(file, 0x12345678u);
+  GlbParts::append(file, 0);
+  const auto length = std::uint32_t(file.size());
+  std::memcpy(file.data() + 8, &length, sizeof length);
+  CHECK(parseBundle(file, "x").ok());
+}
+
+TEST_CASE("buffers in data URIs are read, of any length modulo three") {
+  for (std::size_t extra = 0; extra < 3; ++extra) {
+    GlbParts parts(smallFile());
+    parts.binary.resize(parts.binary.size() + extra);
+    parts.json["buffers"][0] = {
+        {"byteLength", parts.binary.size()},
+        {"uri", "data:application/octet-stream;base64," + base64(parts.binary)}};
+    const std::string text = parts.json.dump();
+    const auto bundle = parseBundle(std::as_bytes(std::span(text)), "x");
+    REQUIRE(bundle.ok());
+    CHECK(bundle.value().tables[0].texels == example::smallest().bundle.tables[0].texels);
+  }
+}
+
+TEST_CASE("a buffer's file is never sought outside the folder of the .gltf") {
+  const TemporaryFolder folder;
+  const std::filesystem::path inside = folder.path() / "inside";
+  std::filesystem::create_directory(inside);
+  GlbParts parts(smallFile());
+  REQUIRE(replaceFile(folder.path() / "secret.bin", parts.binary).ok());
+  REQUIRE(replaceFile(inside / "own.bin", parts.binary).ok());
+  std::filesystem::create_symlink(folder.path() / "secret.bin", inside / "link.bin");
+  std::filesystem::create_directory_symlink(folder.path(), inside / "up");
+  const auto readWith = [&](const std::string& uri) {
+    parts.json["buffers"][0] = {{"byteLength", parts.binary.size()}, {"uri", uri}};
+    writeText(inside / "scene.gltf", parts.json.dump());
+    return readBundle(inside / "scene.gltf");
+  };
+  CHECK(readWith("own.bin").ok());
+  CHECK(readWith("./own%2Ebin").ok());
+  for (const std::string& uri :
+       {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"), std::string("link.bin"),
+        std::string("up/secret.bin"), (folder.path() / "secret.bin").string(),
+        "file://" + (folder.path() / "secret.bin").string(), std::string("own.bin%00"),
+        std::string("own.bi%6"), std::string(""), std::string("."), std::string("absent.bin")}) {
+    INFO(uri);
+    const auto bundle = readWith(uri);
+    REQUIRE_FALSE(bundle.ok());
+    CHECK(bundle.error().kind == ErrorKind::badInput);
+  }
+}
+
+TEST_CASE("a file that is absent or a folder is refused by its name") {
+  const TemporaryFolder folder;
+  for (const std::filesystem::path& path : {folder.path() / "absent.glb", folder.path()}) {
+    const auto bundle = readBundle(path);
+    REQUIRE_FALSE(bundle.ok());
+    CHECK(bundle.error().kind == ErrorKind::badInput);
+    CHECK(bundle.error().message.rfind(path.string(), 0) == 0);
+    CHECK_FALSE(checkBundle(path).ok());
+  }
+}
