@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Second-order statistics of one image plane: power spectrum and autocovariance.
+//
+// A plane is width * height floats, row-major, row 0 at the top. Building blocks of the analysis:
+// std::bad_alloc passes through them. Same bytes for any number of threads.
+#pragma once
+
+#include <lichen/image.h>
+
+#include <span>
+#include <vector>
+
+namespace lichen {
+
+/// The luminance of the stored code values, as an eye sees them: Rec. 709 weights for 3 or 4
+/// channels, the grey channel for 1 or 2. Alpha is ignored.
+[[nodiscard]] std::vector<float> luminancePlane(const SrgbImage& image);
+
+/// Radially averaged power spectrum, averaged over square, Hann-windowed, half-overlapping crops
+/// of `cropSide` pixels [Welch 1967]. Element r, r in [0, cropSide / 2], is the mean power of the
+/// frequencies whose radius in cycles per crop rounds to r; white noise of variance s has power s
+/// throughout. Crops start at multiples of cropSide / 2; a rest too small for a crop is left out.
+/// cropSide even, in [2, min(width, height)]. The window spreads the mean over r = 0 and 1 only.
+[[nodiscard]] std::vector<double> radialPowerSpectrum(std::span<const float> plane, int width,
+                                                      int height, int cropSide);
+
+/// Autocovariance at the lags inside a support of `support` pixels a side: element
+/// (dy + support - 1) * (2 support - 1) + dx + support - 1 for |dx|, |dy| < support, each the mean
+/// over the pairs of pixels that the plane holds (nothing wraps), so that planes of different
+/// sizes can be compared. support in [1, min(width, height)]. Computed by zero-padded FFT.
+[[nodiscard]] std::vector<double> autocovariance(std::span<const float> plane, int width,
+                                                 int height, int support);
+
+} // namespace lichen

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Both backends, whichever the library was built with.
+#include "fft_backend.h"
+
+#include <lichen/fft.h>
+#include <lichen/lattice.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using namespace lichen;
+
+namespace {
+
+struct Backend {
+  const char* name;
+  HalfSpectrum (*forward)(std::span<const float>, int, int);
+  std::vector<float> (*inverse)(const HalfSpectrum&);
+};
+constexpr std::array<Backend, 2> kBackends{
+    {{"FFTW", forwardFftw, inverseFftw}, {"KissFFT", forwardKissFft, inverseKissFft}}};
+
+// Odd, even, prime, one row, one column, one pixel.
+constexpr std::array<std::pair<int, int>, 9> kSizes{
+    {{8, 8}, {7, 5}, {16, 9}, {13, 12}, {31, 29}, {1, 17}, {18, 1}, {1, 1}, {2, 3}}};
+
+std::vector<float> noise(int width, int height, std::uint32_t seed) {
+  std::vector<float> plane;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      plane.push_back(float(pcg3d({std::uint32_t(x), std::uint32_t(y), seed})[0]) * 0x1p-32f);
+  return plane;
+}
+
+/// The definition, term by term, in double.
+std::complex<double> directSum(const std::vector<float>& plane, int width, int height, int u,
+                               int v) {
+  std::complex<double> sum = 0.0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double turns = double(u) * x / width + double(v) * y / height;
+      sum += double(plane[std::size_t(y * width + x)]) *
+             std::polar(1.0, -2.0 * std::numbers::pi * turns);
+    }
+  }
+  return sum;
+}
+
+/// Single precision, relative to the root of the energy: measured 2e-7 at most.
+constexpr double kTolerance = 1e-6;
+
+double rootEnergy(const std::vector<float>& plane) {
+  double energy = 0.0;
+  for (const float value : plane)
+    energy += double(value) * double(value);
+  return std::sqrt(energy * double(plane.size()));
+}
+
+} // namespace
+
+TEST_CASE("both transforms agree with the direct sum, for any size") {
+  for (const Backend& backend : kBackends) {
+    for (const auto& [width, height] : kSizes) {
+      const std::vector<float> plane = noise(width, height, 1);
+      const HalfSpectrum spectrum = backend.forward(plane, width, height);
+      REQUIRE(spectrum.values.size() == std::size_t((width / 2 + 1) * height));
+      double worst = 0.0;
+      for (int v = 0; v < height; ++v)
+        for (int u = 0; u <= width / 2; ++u)
+          worst = std::max(worst, std::abs(std::complex<double>(spectrum.at(u, v)) -
+                                           directSum(plane, width, height, u, v)));
+      INFO(backend.name << " " << width << " x " << height);
+      CHECK(worst < kTolerance * rootEnergy(plane));
+    }
+  }
+}
+
+TEST_CASE("the inverse transform undoes the forward one, for any size") {
+  for (const Backend& backend : kBackends) {
+    for (const auto& [width, height] : kSizes) {
+      const std::vector<float> plane = noise(width, height, 2);
+      const std::vector<float> back = backend.inverse(backend.forward(plane, width, height));
+      REQUIRE(back.size() == plane.size());
+      double worst = 0.0;
+      for (std::size_t i = 0; i < plane.size(); ++i)
+        worst = std::max(worst, std::abs(double(back[i]) - double(plane[i])));
+      INFO(backend.name << " " << width << " x " << height);
+      CHECK(worst < kTolerance);
+    }
+  }
+}
+
+TEST_CASE("the two backends agree on an image of prime sides") {
+  constexpr int kWidth = 251, kHeight = 127;
+  const std::vector<float> plane = noise(kWidth, kHeight, 3);
+  const HalfSpectrum a = forwardFftw(plane, kWidth, kHeight);
+  const HalfSpectrum b = forwardKissFft(plane, kWidth, kHeight);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    worst = std::max(worst, double(std::abs(a.values[i] - b.values[i])));
+  CHECK(worst < kTolerance * rootEnergy(plane));
+}
+
+TEST_CASE("multiplicities make the energy of the half spectrum that of the plane") {
+  for (const auto& [width, height] : kSizes) {
+    const std::vector<float> plane = noise(width, height, 4);
+    const HalfSpectrum spectrum = forwardFft(plane, width, height);
+    double energy = 0.0;
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < spectrum.columns(); ++u)
+        energy += spectrum.multiplicity(u) * double(std::norm(spectrum.at(u, v)));
+    CHECK(std::sqrt(energy) == Approx(rootEnergy(plane)).epsilon(kTolerance));
+  }
+}
+
+TEST_CASE("transforms made at the same time on several threads give the same bytes") {
+  constexpr int kThreads = 4, kSide = 60;
+  std::array<std::vector<std::complex<float>>, kThreads> results;
+  std::vector<std::thread> threads;
+  for (auto& result : results) {
+    threads.emplace_back([&result] {
+      for (int repeat = 0; repeat < 20; ++repeat)
+        result = forwardFft(noise(kSide, kSide, 5), kSide, kSide).values;
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const auto& result : results)
+    CHECK(result == results[0]);
+}
