@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): what they accept keeps their
+// contract, and reading and checking agree.
+#include <lichen/bundle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace lichen;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition)
+    return;
+  std::fprintf(stderr, "bundle: %s\n", what);
+  std::abort();
+}
+
+bool isOneLine(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+bool areFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+void checkTable(const Table& table) {
+  require(table.width > 0 && table.height > 0 && table.mipLevels > 0, "an empty table");
+  const LevelRange last = levelRange(table, table.mipLevels - 1);
+  require(table.texels.size() == last.offset + last.size, "number of texel bytes");
+  for (const float value : decodeLevel(table, table.mipLevels - 1))
+    require(std::isfinite(value), "a texel that is not finite");
+}
+
+void checkMap(const NoiseMap& map, const Bundle& bundle) {
+  const std::size_t n = map.channels.size();
+  require(n >= 1 && n <= 3, "number of channels");
+  require(map.mean.size() == n && map.covariance.size() == n * n, "size of the statistics");
+  require(areFinite(map.mean) && areFinite(map.covariance) && areFinite(map.mipLoss),
+          "a number that is not finite");
+  require(map.gaussian < bundle.tables.size(), "index of the Gaussian image");
+  require(map.mipLoss.size() == bundle.tables[map.gaussian].mipLevels, "number of mip losses");
+  require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
+  require(!map.inverseTable || *map.inverseTable < bundle.tables.size(), "index of the table");
+}
+
+void checkContract(const Bundle& bundle) {
+  std::for_each(bundle.tables.begin(), bundle.tables.end(), checkTable);
+  for (const Noise& noise : bundle.noises)
+    for (const NoiseMap& map : noise.maps)
+      checkMap(map, bundle);
+  require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
+  for (const std::optional<MaterialNoise>& use : bundle.materials)
+    require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::span<const std::byte> file(reinterpret_cast<const std::byte*>(data), size);
+  const Result<Table> table = decodeKtx2(file, "file");
+  if (table)
+    checkTable(table.value());
+  else
+    require(isOneLine(table.error().message), "a message of more or less than one line");
+
+  const Result<Bundle> bundle = parseBundle(file, "file");
+  const std::vector<Finding> findings = checkBundle(file);
+  const bool hasError = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
+    return f.severity == Finding::Severity::error;
+  });
+  require(bundle.ok() == !hasError, "reading and checking disagree");
+  for (const Finding& finding : findings)
+    require(!finding.code.empty() && isOneLine(finding.message), "a finding without a message");
+  if (bundle)
+    checkContract(bundle.value());
+  else
+    require(isOneLine(bundle.error().message), "a message of more or less than one line");
+  return 0;
+}
