@@ -96,8 +96,7 @@ typedef struct LichenVulkanInfo {
    * its staging buffer. */
   const LichenDeviceAllocator* deviceAllocator;
   /* Above 1 only when the samplerAnisotropy feature is enabled, and at most the device's limit;
-   * lichenFillUniforms wants the same value. 0 and 1: off, which the shader's LICHEN_TRILINEAR
-   * takes advantage of. */
+   * lichenFillUniforms wants the same value, the shaders LICHEN_ANISOTROPIC 1. 0 and 1: off. */
   float maxAnisotropy;
   uint32_t firstBinding;     /* LICHEN_FIRST_BINDING of the shaders */
   VkShaderStageFlags stages; /* that read the noise; 0: fragment and compute */

@@ -1,0 +1,12 @@
+# cmake -P: writes spirv/*.spv and spirv/MANIFEST. Run by the target regenerate_spirv.
+include(${CMAKE_CURRENT_LIST_DIR}/spirv_manifest.cmake)
+lichen_glslang_version(version)
+set(manifest "# Written by the target regenerate_spirv, never by hand.\n")
+string(APPEND manifest "compiler ${version}\nflags ${flags}\n")
+foreach(source IN LISTS SOURCES)
+  cmake_path(GET source FILENAME name)
+  lichen_compile_spirv(${source} ${WORK_DIR}/${name}.spv hash)
+  file(COPY ${WORK_DIR}/${name}.spv DESTINATION ${SPIRV_DIR})
+  string(APPEND manifest "${name}.spv source-sha256 ${hash}\n")
+endforeach()
+file(WRITE ${SPIRV_DIR}/MANIFEST "${manifest}")

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Runs one compute shader over an array of inputs; see compute_run.h.
+#include "compute_run.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace lichen::test {
+namespace {
+
+constexpr std::uint32_t kWorkgroup = 64;
+
+void require(VkResult result, const char* what) {
+  if (result != VK_SUCCESS)
+    throw std::runtime_error(vulkanError(what, result).message);
+}
+
+template <class T>
+T require(Result<T> result) {
+  if (!result)
+    throw std::runtime_error(result.error().message);
+  return std::move(result).value();
+}
+
+/// What one run creates, destroyed in the end.
+struct Objects {
+  explicit Objects(VkDevice d) : device(d) {}
+  Objects(const Objects&) = delete;
+  Objects& operator=(const Objects&) = delete;
+  ~Objects() {
+    vkDestroyPipeline(device, pipeline, nullptr);
+    vkDestroyPipelineLayout(device, pipelineLayout, nullptr);
+    vkDestroyShaderModule(device, module, nullptr);
+    vkDestroyDescriptorPool(device, pool, nullptr);
+    vkDestroyDescriptorSetLayout(device, setLayout, nullptr);
+  }
+
+  VkDevice device;
+  VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  VkShaderModule module = VK_NULL_HANDLE;
+  VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+};
+
+void createBufferSet(Objects& objects, const DeviceBuffer& input, const DeviceBuffer& output) {
+  std::array<VkDescriptorSetLayoutBinding, 2> bindings{};
+  std::array<VkWriteDescriptorSet, 2> writes{};
+  const std::array<VkDescriptorBufferInfo, 2> buffers{
+      {{input.handle, 0, VK_WHOLE_SIZE}, {output.handle, 0, VK_WHOLE_SIZE}}};
+  for (std::uint32_t i = 0; i < 2; ++i)
+    bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+  VkDescriptorSetLayoutCreateInfo layout{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  layout.bindingCount = 2;
+  layout.pBindings = bindings.data();
+  require(vkCreateDescriptorSetLayout(objects.device, &layout, nullptr, &objects.setLayout),
+          "a set layout");
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.maxSets = 1;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  require(vkCreateDescriptorPool(objects.device, &pool, nullptr, &objects.pool), "a pool");
+  VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  allocation.descriptorPool = objects.pool;
+  allocation.descriptorSetCount = 1;
+  allocation.pSetLayouts = &objects.setLayout;
+  require(vkAllocateDescriptorSets(objects.device, &allocation, &objects.set), "a set");
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    writes[i].dstSet = objects.set;
+    writes[i].dstBinding = i;
+    writes[i].descriptorCount = 1;
+    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[i].pBufferInfo = &buffers[i];
+  }
+  vkUpdateDescriptorSets(objects.device, 2, writes.data(), 0, nullptr);
+}
+
+void createPipeline(Objects& objects, const ComputeRun& run) {
+  VkShaderModuleCreateInfo module{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  module.codeSize = run.spirv.size_bytes();
+  module.pCode = run.spirv.data();
+  require(vkCreateShaderModule(objects.device, &module, nullptr, &objects.module), "a shader");
+  const std::array<VkDescriptorSetLayout, 2> layouts{run.layout, objects.setLayout};
+  const bool hasOther = run.layout != VK_NULL_HANDLE;
+  VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  layout.setLayoutCount = hasOther ? 2 : 1;
+  layout.pSetLayouts = hasOther ? layouts.data() : &objects.setLayout;
+  require(vkCreatePipelineLayout(objects.device, &layout, nullptr, &objects.pipelineLayout),
+          "a pipeline layout");
+  const VkSpecializationMapEntry entry{0, 0, sizeof run.constant};
+  const VkSpecializationInfo specialization{1, &entry, sizeof run.constant, &run.constant};
+  VkComputePipelineCreateInfo pipeline{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  pipeline.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  pipeline.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  pipeline.stage.module = objects.module;
+  pipeline.stage.pName = "main";
+  pipeline.stage.pSpecializationInfo = &specialization;
+  pipeline.layout = objects.pipelineLayout;
+  require(vkCreateComputePipelines(objects.device, VK_NULL_HANDLE, 1, &pipeline, nullptr,
+                                   &objects.pipeline),
+          "a pipeline");
+}
+
+} // namespace
+
+std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run) {
+  const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const DeviceBuffer input = require(device.createBuffer(run.input.size(), usage, true));
+  const DeviceBuffer output = require(device.createBuffer(run.outputBytes, usage, true));
+  std::copy(run.input.begin(), run.input.end(), input.mapped);
+  Objects objects(device.device());
+  createBufferSet(objects, input, output);
+  createPipeline(objects, run);
+  VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+  toHost.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+  const Result<void> submitted = device.submit([&](VkCommandBuffer commands) {
+    if (run.before)
+      run.before(commands);
+    const std::array<VkDescriptorSet, 2> sets{run.set, objects.set};
+    const bool hasOther = run.set != VK_NULL_HANDLE;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipelineLayout, 0,
+                            hasOther ? 2 : 1, hasOther ? sets.data() : &objects.set, 0, nullptr);
+    vkCmdDispatch(commands, (run.items + kWorkgroup - 1) / kWorkgroup, 1, 1);
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+                         0, 1, &toHost, 0, nullptr, 0, nullptr);
+  });
+  if (!submitted)
+    throw std::runtime_error(submitted.error().message);
+  return {output.mapped, output.mapped + run.outputBytes};
+}
+
+} // namespace lichen::test

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Runs one compute shader over an array of inputs.
+#pragma once
+
+#include <lichen/headless_device.h>
+
+#include <cstring>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace lichen::test {
+
+struct ComputeRun {
+  std::span<const std::uint32_t> spirv;
+  std::span<const std::byte> input; ///< storage buffer, binding 0
+  std::size_t outputBytes = 0;      ///< storage buffer, binding 1
+  std::uint32_t items = 0;          ///< invocations; the shader's workgroup has 64
+  std::int32_t constant = 0;        ///< specialization constant 0
+  /// A set of the caller's for set 0; the two buffers are then in set 1.
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  /// Records before the dispatch, in the same command buffer.
+  std::function<void(VkCommandBuffer)> before;
+};
+
+/// The output buffer's bytes. Throws std::runtime_error with the device's message.
+[[nodiscard]] std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run);
+
+/// The same with typed arrays: a.size() invocations, one or more outputs for each.
+template <class Output, class Input>
+std::vector<Output> runCompute(HeadlessDevice& device, ComputeRun run,
+                               const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
+  run.input = std::as_bytes(std::span(inputs));
+  run.items = std::uint32_t(inputs.size());
+  run.outputBytes = inputs.size() * outputsEach * sizeof(Output);
+  const std::vector<std::byte> bytes = runCompute(device, run);
+  std::vector<Output> outputs(bytes.size() / sizeof(Output));
+  std::memcpy(outputs.data(), bytes.data(), bytes.size());
+  return outputs;
+}
+
+} // namespace lichen::test

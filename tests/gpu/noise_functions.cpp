@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The shader's integer hash, lattice and distribution function against C++.
+#include "compute_run.h"
+#include "require_device.h"
+
+#include <lichen/lattice.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <noise_functions.comp.h>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+using Words = std::array<std::uint32_t, 4>;
+
+enum Function { kHash, kTriangle, kCdf, kFloorDivide };
+
+/// Three answers for each question.
+std::vector<Words> ask(Function function, const std::vector<Words>& questions) {
+  const auto device = requireDevice();
+  ComputeRun run;
+  run.spirv = noise_functions_comp;
+  run.constant = function;
+  const std::vector<Words> answers = runCompute<Words>(*device, run, questions, 3);
+  CHECK(device->messages().texts().empty());
+  return answers;
+}
+
+} // namespace
+
+TEST_CASE("the shader's hash is the C++ hash, bit for bit, negative and wrapping cells included") {
+  std::mt19937 generator(1u);
+  const auto random = [&] { return std::uint32_t(generator()); };
+  std::vector<Words> questions;
+  for (const std::uint32_t i : {0u, 1u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
+    for (const std::uint32_t j : {0u, 1u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
+      questions.push_back({i, j, latticeSeed(1u, 0u), 7u});
+  while (questions.size() < 20000)
+    questions.push_back({random(), random(), random(), random()});
+  const std::vector<Words> answers = ask(kHash, questions);
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const auto [i, j, word, seed] = questions[k];
+    const auto hash = pcg3d({i, j, word});
+    const auto offset = tileOffsetTexels(i, j, word, 512u, 300u);
+    REQUIRE(answers[3 * k] == Words{hash[0], hash[1], hash[2], 0u});
+    REQUIRE(answers[3 * k + 1] == Words{offset[0], offset[1], 0u, 0u});
+    REQUIRE(answers[3 * k + 2] == Words{latticeSeed(seed, word & 3u), pcg(i), 0u, 0u});
+  }
+}
+
+TEST_CASE("the triangle's vertices surround the point and its weights are barycentric") {
+  std::mt19937 random(2u);
+  std::uniform_real_distribution<float> tiles(-20.0f, 20.0f);
+  std::vector<Words> questions;
+  for (int k = 0; k < 20000; ++k) // every fourth near the wrap of the cell number
+    questions.push_back({std::bit_cast<std::uint32_t>(tiles(random)),
+                         std::bit_cast<std::uint32_t>(tiles(random)),
+                         k % 4 == 0 ? 0x80000000u : std::uint32_t(-k), std::uint32_t(3 * k)});
+  const std::vector<Words> answers = ask(kTriangle, questions);
+  // Coordinates up to 20 tiles, 80 cells: rounded three times to 2^-18 cells.
+  constexpr double kTolerance = 3.0 / 262144.0;
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const double x = double(std::bit_cast<float>(questions[k][0]));
+    const double y = double(std::bit_cast<float>(questions[k][1]));
+    const double a = x * double(3.4641016f) - 2.0 * y + 0.375, b = y * 4.0;
+    double sum = 0.0, sumA = 0.0, sumB = 0.0;
+    for (std::size_t v = 0; v < 3; ++v) {
+      const double weight = double(std::bit_cast<float>(answers[3 * k + 2][v]));
+      REQUIRE(weight >= 0.0);
+      REQUIRE(weight <= 1.0);
+      sum += weight;
+      sumA += weight * double(std::int32_t(answers[3 * k][v] - questions[k][2]));
+      sumB += weight * double(std::int32_t(answers[3 * k + 1][v] - questions[k][3]));
+    }
+    REQUIRE(std::abs(sum - 1.0) < 3e-7);
+    REQUIRE(std::abs(sumA - a) < kTolerance);
+    REQUIRE(std::abs(sumB - b) < kTolerance);
+  }
+}
+
+TEST_CASE("the Gaussian's distribution function is std::erf's within 1.2e-6") {
+  std::vector<Words> questions;
+  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+  for (float g = -4.0f; g <= 5.0f; g += 0.001f)
+    questions.push_back({bits(g), bits(1.0f - g), bits(g * 100.0f), 0u});
+  const std::vector<Words> answers = ask(kCdf, questions);
+  for (std::size_t k = 0; k < questions.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double g = double(std::bit_cast<float>(questions[k][c]));
+      const double expected = 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (g - 0.5));
+      // 7.1.28 promises 3e-7 for erf; the sixteenth power makes 2e-6 of the polynomial's
+      // two last roundings; the function is half of their sum.
+      REQUIRE(std::abs(double(std::bit_cast<float>(answers[3 * k][c])) - expected) < 1.2e-6);
+    }
+}
+
+TEST_CASE("division that rounds down is exact for every integer") {
+  std::mt19937 generator(3u);
+  const auto random = [&] { return std::uint32_t(generator()); };
+  std::vector<Words> questions;
+  for (const std::uint32_t period : {1u, 2u, 3u, 7u, 14u, 64u, 1000u, 65536u, 226859u})
+    for (int k = 0; k < 2000; ++k) {
+      const std::uint32_t edge = period * std::uint32_t(k - 1000);
+      questions.push_back({random(), edge, edge - 1u, period});
+    }
+  for (const std::uint32_t value : {0u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
+    questions.push_back({value, value, value, 7u});
+  const std::vector<Words> answers = ask(kFloorDivide, questions);
+  for (std::size_t k = 0; k < questions.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = double(std::int32_t(questions[k][c]));
+      const double expected = std::floor(value / double(questions[k][3]));
+      REQUIRE(double(std::int32_t(answers[3 * k][c])) == expected);
+    }
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A small host of the engine plugin for the tests; see plugin_host.h.
+#include "plugin_host.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace lichen::test {
+namespace {
+
+/// The pool that exactly one set of the noise fits in, without FREE_DESCRIPTOR_SET.
+VkDescriptorPool exactPool(VkDevice device, LichenBundle bundle) {
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  if (lichenGetNoiseProperties(bundle, 0, &noise) != LICHEN_SUCCESS)
+    throw std::runtime_error("the bundle has no noise");
+  const VkDescriptorPoolSize sizes[] = {
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, noise.uniformBufferCount},
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, noise.combinedImageSamplerCount}};
+  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  info.maxSets = 1;
+  info.poolSizeCount = 2;
+  info.pPoolSizes = sizes;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  if (vkCreateDescriptorPool(device, &info, nullptr, &pool) != VK_SUCCESS)
+    throw std::runtime_error("no descriptor pool");
+  return pool;
+}
+
+void require(LichenResult result, const LichenDiagnostic& diagnostic) {
+  if (result != LICHEN_SUCCESS)
+    throw std::runtime_error(diagnostic.text);
+}
+
+} // namespace
+
+LichenBundle parseOrThrow(std::span<const std::byte> glb) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  LichenParseInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_PARSE_INFO);
+  info.headerVersion = LICHEN_HEADER_VERSION;
+  info.bytes = glb.data();
+  info.byteCount = glb.size();
+  LichenBundle bundle = nullptr;
+  require(lichenParseBundle(&info, &bundle, &diagnostic), diagnostic);
+  return bundle;
+}
+
+LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device) {
+  LichenVulkanInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_VULKAN_INFO);
+  info.headerVersion = LICHEN_HEADER_VERSION;
+  info.physicalDevice = device.physicalDevice();
+  info.device = device.device();
+  info.getInstanceProcAddr = vkGetInstanceProcAddr;
+  info.instance = device.instance();
+  return info;
+}
+
+PluginHost::PluginHost(HeadlessDevice& device, std::span<const std::byte> glb,
+                       const LichenVulkanInfo& info)
+    : device_(device), bundle_(parseOrThrow(glb)) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  require(lichenVulkanCreateContext(&info, &context_, &diagnostic), diagnostic);
+  require(lichenVulkanCreateAssets(context_, bundle_, &assets_, &diagnostic), diagnostic);
+  pool_ = exactPool(device.device(), bundle_);
+  uniformBuffer_ =
+      device.createBuffer(LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true).value();
+  const VkDescriptorBufferInfo buffer{uniformBuffer_.handle, 0, LICHEN_UNIFORM_BYTES};
+  require(lichenVulkanAllocateSet(assets_, 0, pool_, &buffer, &set_, &diagnostic), diagnostic);
+}
+
+PluginHost::~PluginHost() {
+  vkDestroyDescriptorPool(device_.device(), pool_, nullptr);
+  lichenVulkanDestroyAssets(assets_);
+  lichenVulkanDestroyContext(context_);
+  lichenDestroyBundle(bundle_);
+}
+
+std::vector<std::array<float, 4>> PluginHost::evaluate(std::span<const std::uint32_t> spirv,
+                                                       std::int32_t constant,
+                                                       const LichenUniformInfo& uniforms,
+                                                       const std::vector<Point>& points,
+                                                       std::size_t valuesEach) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  require(lichenFillUniforms(bundle_, &uniforms, uniformBuffer_.mapped, &diagnostic), diagnostic);
+  std::memcpy(&uniforms_, uniformBuffer_.mapped, sizeof uniforms_);
+  ComputeRun run;
+  run.spirv = spirv;
+  run.constant = constant;
+  run.set = set_;
+  if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
+    throw std::runtime_error("no set layout");
+  if (!uploaded_)
+    run.before = [&](VkCommandBuffer commands) {
+      if (lichenVulkanRecordUpload(assets_, commands) != LICHEN_SUCCESS)
+        throw std::runtime_error("the upload was not recorded");
+    };
+  std::vector<std::array<float, 4>> values =
+      runCompute<std::array<float, 4>>(device_, run, points, valuesEach);
+  uploaded_ = true;
+  lichenVulkanReleaseStaging(assets_);
+  return values;
+}
+
+std::vector<std::uint32_t> committedShader(const std::string& name) {
+  std::ifstream file(std::string(LICHEN_SOURCE_DIR) + "/spirv/" + name + ".spv", std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (bytes.empty())
+    throw std::runtime_error("spirv/" + name + ".spv cannot be read");
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return words;
+}
+
+} // namespace lichen::test

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A small host of the engine plugin for the tests: a bundle's bytes -> a descriptor set that a
+// compute shader reads. Records the upload into the command buffer of its first run.
+#pragma once
+
+#include "compute_run.h"
+#include "tiling_reference.h"
+
+#include <lichen/lichen_vulkan.h>
+
+#include <lichen_interface.h>
+
+namespace lichen::test {
+
+/// The bundle of these bytes. Throws std::runtime_error with the plugin's diagnostic.
+[[nodiscard]] LichenBundle parseOrThrow(std::span<const std::byte> glb);
+
+/// What a host gives the plugin for this device: the loader's entry point, nothing else.
+[[nodiscard]] LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device);
+
+class PluginHost {
+public:
+  PluginHost(HeadlessDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info);
+  PluginHost(HeadlessDevice& device, std::span<const std::byte> glb)
+      : PluginHost(device, glb, defaultVulkanInfo(device)) {}
+  ~PluginHost();
+  PluginHost(const PluginHost&) = delete;
+  PluginHost& operator=(const PluginHost&) = delete;
+
+  [[nodiscard]] LichenBundle bundle() const { return bundle_; }
+  [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
+  /// Takes the set's place: another set of the same layout, with bindings written by the caller.
+  void useSet(VkDescriptorSet set) { set_ = set; }
+  [[nodiscard]] VkDescriptorSet set() const { return set_; }
+  [[nodiscard]] VkBuffer uniformBuffer() const { return uniformBuffer_.handle; }
+
+  /// Writes the uniforms and runs `spirv` (set 0: the noise; set 1: points, values) over `points`,
+  /// `valuesEach` four-component values for each.
+  [[nodiscard]] std::vector<std::array<float, 4>> evaluate(std::span<const std::uint32_t> spirv,
+                                                           std::int32_t constant,
+                                                           const LichenUniformInfo& uniforms,
+                                                           const std::vector<Point>& points,
+                                                           std::size_t valuesEach = 1);
+  /// The uniforms of the last evaluate().
+  [[nodiscard]] const shader::LichenUniforms& uniforms() const { return uniforms_; }
+
+private:
+  HeadlessDevice& device_;
+  LichenBundle bundle_ = nullptr;
+  LichenVulkanContext context_ = nullptr;
+  LichenVulkanAssets assets_ = nullptr;
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  DeviceBuffer uniformBuffer_;
+  shader::LichenUniforms uniforms_{};
+  bool uploaded_ = false;
+};
+
+/// A committed shader, spirv/NAME.spv.
+[[nodiscard]] std::vector<std::uint32_t> committedShader(const std::string& name);
+
+} // namespace lichen::test

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Noises made for the tests; see synthetic_noise.h.
+#include "synthetic_noise.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace lichen::test {
+namespace {
+
+using enum TexelFormat;
+
+TexelFormat gaussianFormat(const SyntheticMap& map) {
+  constexpr TexelFormat kEight[] = {r8Unorm, rg8Unorm, rgba8Unorm};
+  constexpr TexelFormat kSixteen[] = {r16Sfloat, rg16Sfloat, rgba16Sfloat};
+  return (map.eightBit ? kEight : kSixteen)[map.dimensions - 1];
+}
+
+/// Averages of 2 x 2 texels, the last one repeated where a side is odd.
+std::vector<float> halved(const std::vector<float>& level, std::uint32_t width,
+                          std::uint32_t height, std::size_t channels) {
+  const std::uint32_t w = std::max(1u, width / 2), h = std::max(1u, height / 2);
+  std::vector<float> result(std::size_t(w) * h * channels);
+  for (std::uint32_t y = 0; y < h; ++y)
+    for (std::uint32_t x = 0; x < w; ++x)
+      for (std::size_t c = 0; c < channels; ++c) {
+        float sum = 0.0f;
+        for (std::uint32_t k = 0; k < 4; ++k) {
+          const std::uint32_t sx = std::min(2 * x + k % 2, width - 1);
+          const std::uint32_t sy = std::min(2 * y + k / 2, height - 1);
+          sum += level[(std::size_t(sy) * width + sx) * channels + c];
+        }
+        result[(std::size_t(y) * w + x) * channels + c] = sum / 4.0f;
+      }
+  return result;
+}
+
+Table gaussianTable(const SyntheticMap& map, std::mt19937& generator) {
+  Table table;
+  table.format = gaussianFormat(map);
+  table.width = map.width;
+  table.height = map.height;
+  table.mipLevels = std::uint32_t(std::bit_width(std::max(map.width, map.height)));
+  const auto channels = std::size_t(channelCount(table.format));
+  std::normal_distribution<float> gaussian(0.5f, 1.0f / 6.0f);
+  std::vector<float> level(std::size_t(map.width) * map.height * channels);
+  std::generate(level.begin(), level.end(), [&] { return gaussian(generator); });
+  std::uint32_t width = map.width, height = map.height;
+  for (std::uint32_t l = 0; l < table.mipLevels; ++l) {
+    appendTexels(table.texels, table.format, level);
+    level = halved(level, width, height, channels);
+    width = std::max(1u, width / 2);
+    height = std::max(1u, height / 2);
+  }
+  return table;
+}
+
+/// Channel c of cell (x, y, z) in [0, 1]^3, `kept` of its contrast left.
+float tableValue(double x, double y, double z, std::size_t c, double kept) {
+  constexpr double kTurn = 3.0; // radians over the unit cube: smooth, not linear, not symmetric
+  const double phase = double(c) + kTurn * (x + 0.7 * y - 0.4 * z);
+  return float(0.5 + kept * (0.25 * std::sin(phase) + 0.2 * (x - 0.5) * double(c == 0 ? 1 : -1)));
+}
+
+Table inverseTable(const SyntheticMap& map) {
+  constexpr std::uint32_t kCells[] = {256, 64, 32};
+  const std::uint32_t cells = kCells[map.dimensions - 1];
+  const auto levels = std::uint32_t(map.levels);
+  Table table;
+  const bool slopes = map.dimensions == 2; // the format wants them as floats
+  table.format = !map.eightBit || slopes ? rgba16Sfloat
+                 : map.dimensions == 3   ? rgba8Srgb
+                                         : rgba8Unorm;
+  table.width = cells;
+  const std::uint32_t rows = map.dimensions > 1 ? cells : 1;
+  const std::uint32_t slices = map.dimensions > 2 ? cells : 1;
+  table.height = map.dimensions > 2 ? rows : rows * levels;
+  table.depth = map.dimensions > 2 ? slices * levels : 0;
+  std::vector<float> values;
+  for (std::uint32_t level = 0; level < levels; ++level)
+    for (std::uint32_t z = 0; z < slices; ++z)
+      for (std::uint32_t y = 0; y < rows; ++y)
+        for (std::uint32_t x = 0; x < cells; ++x)
+          for (std::size_t c = 0; c < 4; ++c)
+            values.push_back(tableValue((x + 0.5) / cells, (y + 0.5) / rows, (z + 0.5) / slices, c,
+                                        1.0 - double(level) / double(levels - 1)));
+  appendTexels(table.texels, table.format, values);
+  return table;
+}
+
+NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
+  using enum MapChannel;
+  NoiseMap map;
+  if (source.dimensions == 3) {
+    map.target = MapTarget::baseColor;
+    map.channels = {red, green, blue};
+    map.encoding = ValueEncoding::srgb;
+  } else if (source.dimensions == 2) {
+    map.target = MapTarget::normal;
+    map.channels = {slopeX, slopeY};
+    map.encoding = ValueEncoding::slope;
+  } else {
+    map.target = MapTarget::occlusionRoughnessMetallic;
+    map.channels = {occlusion, roughness, metallic};
+    map.encoding = ValueEncoding::linear;
+  }
+  const std::size_t n = map.channels.size();
+  map.mean.assign(n, 0.5);
+  map.covariance.assign(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    map.covariance[i * n + i] = 0.01;
+  for (std::size_t k = 0; k < source.levels; ++k)
+    map.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
+  for (std::uint32_t level = 0; level < mipLevels; ++level)
+    map.mipLoss.push_back(1.0 - 0.6 * std::pow(0.4, double(level)));
+  map.bilinearLoss = {1.9, 1.1};
+  return map;
+}
+
+} // namespace
+
+BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
+  std::mt19937 generator(20181001u);
+  BundleFile file;
+  Noise noise;
+  noise.name = "synthetic";
+  for (const SyntheticMap& source : maps) {
+    Table gaussian = gaussianTable(source, generator);
+    NoiseMap map = describeMap(source, gaussian.mipLevels);
+    map.gaussian = file.bundle.tables.size();
+    file.bundle.tables.push_back(std::move(gaussian));
+    map.inverseTable = file.bundle.tables.size();
+    file.bundle.tables.push_back(inverseTable(source));
+    noise.maps.push_back(std::move(map));
+  }
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.emplace_back(MaterialNoise{});
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
+  return file;
+}
+
+std::vector<std::byte> syntheticGlb(std::span<const SyntheticMap> maps) {
+  Result<std::vector<std::byte>> glb = encodeGlb(syntheticBundle(maps));
+  if (!glb)
+    throw std::runtime_error(glb.error().message);
+  return std::move(glb).value();
+}
+
+} // namespace lichen::test

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// The whole tiling in the shader against the double-precision oracle, through the plugin.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <tiling_evaluate.comp.h>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+enum Operator { kHistogram, kLinear, kVariance, kGaussian };
+
+/// Footprints from a hundredth of a texel to all of a tile, round and stretched, and points some
+/// tiles around the origin; every tenth at one pixel per texel, in the centre of a texel.
+std::vector<Point> samplePoints(float sizeTexels, std::size_t count) {
+  std::mt19937 generator(7u);
+  std::uniform_real_distribution<float> tiles(-6.0f, 6.0f), level(-3.0f, 8.0f), stretch(0.0f, 4.0f),
+      angle(0.0f, 2.0f * std::numbers::pi_v<float>);
+  std::vector<Point> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    Point& point = points[k];
+    point.uv = {tiles(generator), tiles(generator)};
+    const float length = std::exp2(level(generator)) / sizeTexels;
+    const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
+    point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
+    point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
+    if (k % 2 == 1)
+      std::swap(point.gradientX, point.gradientY);
+    if (k % 10 == 0)
+      point = {{(std::floor(point.uv[0] * sizeTexels) + 0.5f) / sizeTexels,
+                (std::floor(point.uv[1] * sizeTexels) + 0.5f) / sizeTexels},
+               {1.0f / sizeTexels, 0.0f},
+               {0.0f, 1.0f / sizeTexels},
+               {}};
+  }
+  return points;
+}
+
+struct Difference {
+  double largest = 0.0;
+  double fractionBeyond = 0.0; ///< of values further off than 1/1024
+};
+
+constexpr double kStrict = 1.0 / 1024.0;
+
+void note(Difference& difference, double error, double share) {
+  difference.largest = std::max(difference.largest, error);
+  difference.fractionBeyond += error > kStrict ? share : 0.0;
+}
+
+/// Of the committed shader's values (and of its Gaussian value and lost variance) to the oracle's.
+struct Parity {
+  Difference value, gaussian;
+};
+
+Parity compare(PluginHost& host, const TilingReference& reference,
+               std::span<const std::uint32_t> spirv, const LichenUniformInfo& info,
+               const std::vector<Point>& points, std::size_t components) {
+  const auto values = host.evaluate(spirv, kHistogram, info, points);
+  const auto gaussians = host.evaluate(spirv, kGaussian, info, points);
+  const shader::LichenUniforms& uniforms = host.uniforms();
+  Parity parity;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TilingReference::Sample expected =
+        reference.evaluate(points[k], uniforms.noise, uniforms.maps[0]);
+    for (std::size_t c = 0; c < 3; ++c)
+      note(parity.value, std::abs(double(values[k][c]) - expected.value[c]),
+           1.0 / double(3 * points.size()));
+    for (std::size_t c = 0; c < 4; ++c)
+      if (c < components || c == 3)
+        note(parity.gaussian, std::abs(double(gaussians[k][c]) - expected.gaussian[c]),
+             1.0 / double((components + 1) * points.size()));
+  }
+  return parity;
+}
+
+LichenUniformInfo uniformInfo() {
+  LichenUniformInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+  return info;
+}
+
+/// Uniforms that between them use every parameter.
+std::vector<LichenUniformInfo> manyUniforms() {
+  std::vector<LichenUniformInfo> all(6, uniformInfo());
+  all[1].overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
+                     LICHEN_OVERRIDE_SEED;
+  all[1].scale = 0.8;
+  all[1].rotation = 0.6;
+  all[1].offset[0] = 0.25;
+  all[1].offset[1] = -1.5;
+  all[1].seed = 4294967295u;
+  all[2].tileOrigin[0] = 10000000;
+  all[2].tileOrigin[1] = -9999999;
+  all[3].tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[3].tileOrigin[1] = std::int64_t(1) << 40;
+  all[3].overrides = LICHEN_OVERRIDE_BLEND_SHARPNESS;
+  all[3].blendSharpness = 3.0;
+  all[4].periodTiles[0] = 2.0;
+  all[4].periodTiles[1] = 3.0;
+  all[4].tileOrigin[0] = -7;
+  all[5].periodTiles[0] = all[5].periodTiles[1] = 1.37;
+  all[5].overrides = LICHEN_OVERRIDE_CONTRAST;
+  all[5].contrast = 1.4;
+  return all;
+}
+
+} // namespace
+
+namespace {
+
+/// Parity of every set of uniforms, for one noise of one map.
+std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint32_t> spirv) {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
+  const Bundle bundle = parseBundle(glb, "synthetic").value();
+  const TilingReference reference(bundle, bundle.noises[0].maps[0]);
+  PluginHost host(*device, glb);
+  const std::vector<Point> points = samplePoints(float(map.width), 4000);
+  std::vector<Parity> all;
+  for (const LichenUniformInfo& info : manyUniforms())
+    all.push_back(compare(host, reference, spirv, info, points, std::size_t(map.dimensions)));
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("16-bit tiling is the oracle's: 99.9 % within 1/1024 and all within 1/255") {
+  const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
+  for (const SyntheticMap& map : {SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, false, 3},
+                                  SyntheticMap{1, 48, 80, false, 6}}) {
+    int uniforms = 0;
+    for (const Parity& parity : parities(map, committed)) {
+      INFO("D = " << map.dimensions << ", uniforms " << uniforms++);
+      CHECK(parity.value.largest <= 1.0 / 255.0);
+      CHECK(parity.value.fractionBeyond <= 0.001);
+      CHECK(parity.gaussian.largest <= 1.0 / 255.0);
+      CHECK(parity.gaussian.fractionBeyond <= 0.001);
+    }
+  }
+}
+
+TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains") {
+  const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
+  // A sampler that filters in 8 bits rounds G twice (in a level, between levels) by 1/255 each at
+  // worst; blending three taps multiplies that by at most sqrt(3) and contrast by up to 1.4, the
+  // distribution function by 3 / sqrt(2 pi) * 2 < 2.4, the table by its slope < 1, and the table's
+  // own fetch adds 2/255.
+  constexpr double kGaussian = 2.0 / 255.0 * 1.7320508 * 1.4;
+  constexpr double kValue = kGaussian * 2.4 + 2.0 / 255.0;
+  for (const SyntheticMap& map : {SyntheticMap{3, 64, 64, true}, SyntheticMap{2, 64, 32, true, 3},
+                                  SyntheticMap{1, 48, 80, true, 6}}) {
+    int uniforms = 0;
+    for (const Parity& parity : parities(map, committed)) {
+      INFO("D = " << map.dimensions << ", uniforms " << uniforms++);
+      CHECK(parity.value.largest <= kValue);
+      CHECK(parity.gaussian.largest <= kGaussian);
+    }
+  }
+}
+
+TEST_CASE("with gradients left to the sampler, only the driver's level of detail differs") {
+  // lavapipe takes log2 of the footprint to within 0.09 levels; neighbouring levels of independent
+  // texels differ by up to 0.3.
+  for (const Parity& parity : parities({3, 64, 64}, tiling_evaluate_comp)) {
+    CHECK(parity.value.largest <= 0.03);
+    CHECK(parity.gaussian.largest <= 0.03);
+  }
+}

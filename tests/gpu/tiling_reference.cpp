@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The oracle of the tiling tests; see tiling_reference.h. Steps are numbered as in the format's
+// specification (docs/gltf_extension/README.md).
+#include "tiling_reference.h"
+
+#include <lichen/lattice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::test {
+namespace {
+
+using Vec2 = std::array<double, 2>;
+using Vec4 = std::array<double, 4>;
+
+int wrapped(int value, int size) { return ((value % size) + size) % size; }
+
+const float* texel(const Volume& v, int x, int y, int z) {
+  return &v.values[((std::size_t(z) * std::size_t(v.height) + std::size_t(y)) *
+                        std::size_t(v.width) +
+                    std::size_t(x)) *
+                   v.channels];
+}
+
+/// Bilinear with repeat at normalized (x, y).
+Vec4 sampleRepeat(const Volume& v, Vec2 at) {
+  const double x = at[0] * v.width - 0.5, y = at[1] * v.height - 0.5;
+  const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
+  Vec4 result{};
+  for (int k = 0; k < 4; ++k) {
+    const double weight = std::abs(1 - k % 2 - (x - x0)) * std::abs(1 - k / 2 - (y - y0));
+    const float* source = texel(v, wrapped(x0 + k % 2, v.width), wrapped(y0 + k / 2, v.height), 0);
+    for (std::size_t c = 0; c < std::min<std::size_t>(3, v.channels); ++c)
+      result[c] += weight * double(source[c]);
+  }
+  return result;
+}
+
+/// Linear along each axis, clamped to edge, at texel coordinates (texel k's centre is k + 1/2).
+Vec4 sampleClamp(const Volume& v, std::array<double, 3> at) {
+  const std::array<int, 3> size{v.width, v.height, v.depth};
+  std::array<int, 3> base{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at[axis] = std::clamp(at[axis] - 0.5, 0.0, double(size[axis] - 1));
+    base[axis] = std::min(int(at[axis]), std::max(0, size[axis] - 2));
+    at[axis] -= base[axis];
+  }
+  Vec4 result{};
+  for (int k = 0; k < 8; ++k) {
+    const int dx = k & 1, dy = (k >> 1) & 1, dz = k >> 2;
+    const double weight =
+        std::abs(1 - dx - at[0]) * std::abs(1 - dy - at[1]) * std::abs(1 - dz - at[2]);
+    if (weight == 0.0)
+      continue;
+    const float* source = texel(v, base[0] + dx, base[1] + dy, base[2] + dz);
+    for (std::size_t c = 0; c < v.channels; ++c)
+      result[c] += weight * double(source[c]);
+  }
+  return result;
+}
+
+struct Vertex {
+  int i = 0, j = 0;
+  double weight = 0.0;
+};
+
+/// Steps 1 and 2.
+std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
+  const double a =
+      p[0] * double(n.columnsPerTile) - 0.5 * p[1] * double(n.rowsPerTile) + double(n.fractionI);
+  const double b = p[1] * double(n.rowsPerTile) + double(n.fractionJ);
+  const double f = a - std::floor(a), g = b - std::floor(b);
+  const int i = int(std::uint32_t(int(std::floor(a))) + std::uint32_t(n.cellI));
+  const int j = int(std::uint32_t(int(std::floor(b))) + std::uint32_t(n.cellJ));
+  const auto next = [](int value) { return int(std::uint32_t(value) + 1u); };
+  std::array<Vertex, 3> vertices;
+  if (f + g < 1.0)
+    vertices = {{{i, j, 1.0 - f - g}, {next(i), j, f}, {i, next(j), g}}};
+  else
+    vertices = {{{next(i), next(j), f + g - 1.0}, {next(i), j, 1.0 - g}, {i, next(j), 1.0 - f}}};
+  double sum = 0.0;
+  for (Vertex& v : vertices)
+    sum += v.weight = std::pow(v.weight, double(n.blendSharpness));
+  for (Vertex& v : vertices)
+    v.weight /= sum;
+  return vertices;
+}
+
+/// Step 3.
+Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
+  if (n.periodRows > 0) {
+    const auto floorDivide = [](std::int64_t value, std::int64_t by) {
+      return value >= 0 ? value / by : -((-value + by - 1) / by);
+    };
+    const std::int64_t k = floorDivide(v.j, n.periodRows);
+    std::int64_t i = v.i + k * (n.periodRows / 2);
+    const std::int64_t q = floorDivide(i, n.periodColumns);
+    v.j = int(v.j - k * n.periodRows);
+    v.i = int(i - q * n.periodColumns);
+    p[0] -= double(q) * double(n.periodTilesX);
+    p[1] -= double(k) * double(n.periodTilesY);
+  }
+  const auto offset = tileOffsetTexels(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord,
+                                       n.tileWidthTexels, n.tileHeightTexels);
+  return {p[0] + double(offset[0]) / n.tileWidthTexels,
+          p[1] + double(offset[1]) / n.tileHeightTexels};
+}
+
+/// Step 5.
+double lostVariance(Vec2 p, double lambda, const shader::LichenNoise& n,
+                    const shader::LichenMap& m) {
+  const auto loss = [&](int level) {
+    const shader::vec4& four = m.mipLoss[level / 4];
+    const float members[] = {four.x, four.y, four.z, four.w};
+    return double(members[level % 4]);
+  };
+  double s0 = loss(0);
+  if (m.widthTexels == float(n.tileWidthTexels) && m.heightTexels == float(n.tileHeightTexels)) {
+    const double x = p[0] * double(m.widthTexels) - 0.5, y = p[1] * double(m.heightTexels) - 0.5;
+    const double f = x - std::floor(x), g = y - std::floor(y);
+    s0 = 1.0 - (1.0 - double(m.bilinearLossX) * f * (1.0 - f)) *
+                   (1.0 - double(m.bilinearLossY) * g * (1.0 - g));
+  }
+  const int last = int(m.mipCount) - 1;
+  if (lambda <= 0.0)
+    return s0;
+  if (lambda >= last)
+    return last == 0 ? s0 : loss(last);
+  const int mu = int(std::floor(lambda));
+  const double t = lambda - mu, low = mu == 0 ? s0 : loss(mu), high = loss(mu + 1);
+  return high - (1.0 - t) * (1.0 - t) * (high - low);
+}
+
+} // namespace
+
+TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map)
+    : slabs_(map.levels.size()) {
+  const Table& gaussian = bundle.tables[map.gaussian];
+  for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
+    levels_.push_back({int(std::max(1u, gaussian.width >> level)),
+                       int(std::max(1u, gaussian.height >> level)), 1,
+                       std::size_t(channelCount(gaussian.format)), decodeLevel(gaussian, level)});
+  const Table& table = bundle.tables[*map.inverseTable];
+  table_ = {int(table.width), int(table.height), int(std::max(1u, table.depth)),
+            std::size_t(channelCount(table.format)), decodeLevel(table, 0)};
+}
+
+TilingReference::Sample TilingReference::evaluate(const Point& point, const shader::LichenNoise& n,
+                                                  const shader::LichenMap& m) const {
+  const auto toTile = [&](std::array<float, 2> v) {
+    return Vec2{double(n.uvToTileXX) * double(v[0]) + double(n.uvToTileXY) * double(v[1]),
+                double(n.uvToTileYX) * double(v[0]) + double(n.uvToTileYY) * double(v[1])};
+  };
+  Vec2 p = toTile(point.uv);
+  p = {p[0] + double(n.offsetX), p[1] + double(n.offsetY)};
+  const auto texels = [&](std::array<float, 2> v) {
+    const Vec2 tiles = toTile(v);
+    return std::hypot(tiles[0] * double(m.widthTexels), tiles[1] * double(m.heightTexels));
+  };
+  const double along = texels(point.gradientX), across = texels(point.gradientY);
+  const double major = std::max(along, across), minor = std::min(along, across);
+  const double ratio = major == 0.0 ? 1.0 : std::clamp(major / minor, 1.0, double(n.maxAnisotropy));
+  const double lambda = std::log2(major) - 0.5 * std::log2(ratio);
+
+  // Step 4. The sampler is trilinear: its level is that of the major axis.
+  const double lod = std::clamp(std::log2(major), 0.0, double(levels_.size() - 1));
+  const auto lower = std::size_t(lod);
+  const std::size_t upper = std::min(lower + 1, levels_.size() - 1);
+  Sample sample;
+  double squares = 0.0;
+  for (const Vertex& vertex : triangleAt(p, n)) {
+    const Vec2 tap = tapOf(p, vertex, n);
+    const Vec4 low = sampleRepeat(levels_[lower], tap), high = sampleRepeat(levels_[upper], tap);
+    const double t = lod - double(lower);
+    for (std::size_t c = 0; c < 3; ++c)
+      sample.gaussian[c] += vertex.weight * (low[c] + t * (high[c] - low[c]) - 0.5);
+    squares += vertex.weight * vertex.weight;
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
+  sample.gaussian[3] = lostVariance(p, lambda, n, m);
+
+  // Step 6.
+  const double s = std::min(1.0, double(n.contrast) * double(n.contrast) * sample.gaussian[3]);
+  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - s));
+  std::array<double, 3> u{};
+  for (std::size_t c = 0; c < 3; ++c)
+    u[c] = 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (sample.gaussian[c] - 0.5));
+  const int cellsX = table_.width;
+  const int cellsY = m.dimensions == 3 ? table_.height : table_.height / int(slabs_);
+  const int cellsZ = table_.depth / (m.dimensions == 3 ? int(slabs_) : 1);
+  const auto slab = [&](int k) {
+    const auto inside = [](double value, int cells) {
+      return std::clamp(value * cells, 0.5, cells - 0.5);
+    };
+    std::array<double, 3> at{inside(u[0], cellsX), inside(u[1], cellsY), inside(u[2], cellsZ)};
+    if (m.dimensions == 1)
+      at[1] = 0.5;
+    at[m.dimensions == 3 ? 2 : 1] += double(k * (m.dimensions == 3 ? cellsZ : cellsY));
+    return sampleClamp(table_, at);
+  };
+  const int low = int(level), high = std::min(low + 1, int(slabs_) - 1);
+  const Vec4 a = slab(low), b = slab(high);
+  for (std::size_t c = 0; c < 4; ++c)
+    sample.value[c] = a[c] + (level - low) * (b[c] - a[c]);
+  return sample;
+}
+
+} // namespace lichen::test

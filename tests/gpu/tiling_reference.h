@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A second, slow and obvious evaluation of tiling revision 1, in double precision, from the
+// format's specification: the oracle for the shader. It shares only the integer hash with the rest,
+// which is checked on its own.
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <array>
+#include <lichen_interface.h>
+#include <vector>
+
+namespace lichen::test {
+
+/// A texture coordinate and its gradients along the screen's axes.
+struct Point {
+  std::array<float, 2> uv{};
+  std::array<float, 2> gradientX{};
+  std::array<float, 2> gradientY{};
+  std::array<float, 2> unused{};
+};
+
+/// A mip level or a table as floats.
+struct Volume {
+  int width = 1, height = 1, depth = 1;
+  std::size_t channels = 4;
+  std::vector<float> values;
+};
+
+/// One map of a noise, decoded.
+class TilingReference {
+public:
+  TilingReference(const Bundle& bundle, const NoiseMap& map);
+
+  /// The map's value, and the blended Gaussian value with the lost variance in its last component.
+  struct Sample {
+    std::array<double, 4> value{};
+    std::array<double, 4> gaussian{};
+  };
+  [[nodiscard]] Sample evaluate(const Point& point, const shader::LichenNoise& noise,
+                                const shader::LichenMap& map) const;
+
+private:
+  std::vector<Volume> levels_;
+  Volume table_;
+  std::size_t slabs_;
+};
+
+} // namespace lichen::test
