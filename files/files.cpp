@@ -69,7 +69,8 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
 } // namespace
 
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without O_NONBLOCK, opening a named pipe waits for its writer.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0)
     return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(errno)};
   struct stat status {};

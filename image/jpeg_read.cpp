@@ -123,7 +123,8 @@ bool JpegReader::finish() {
 
 Error JpegReader::error(const std::string& name) const {
   if (tooManyScans_)
-    return refused(name, "progressive JPEG of more than " + std::to_string(kMaxScans) + " scans");
+    return refused(name, "progressive JPEG of more than " + std::to_string(kMaxScans) + " scans; " +
+                             std::to_string(kMaxScans) + " are accepted");
   switch (errors_.msg_code) {
   case JERR_OUT_OF_MEMORY:
     return outOfMemory(name, "decode the JPEG");

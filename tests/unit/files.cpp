@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Whole files in and out; a failed write leaves the old file whole and no partial one.
+#include <lichen/files.h>
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace lichen;
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// A folder of the test's own, removed at its end.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "lichen-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
+  [[nodiscard]] std::size_t entryCount() const {
+    return std::size_t(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+Bytes patternOf(std::size_t size) {
+  Bytes bytes(size);
+  for (std::size_t i = 0; i < size; ++i)
+    bytes[i] = std::byte(i * 31 % 251);
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("a written file is read back byte for byte, empty ones too") {
+  const TemporaryFolder folder;
+  for (const std::size_t size : {0u, 1u, 4096u, 1000003u}) {
+    REQUIRE(replaceFile(folder / "file", patternOf(size)));
+    CHECK(readFile(folder / "file").value() == patternOf(size));
+    CHECK(folder.entryCount() == 1);
+  }
+}
+
+TEST_CASE("a new file has the permissions that the process gives new files") {
+  const TemporaryFolder folder;
+  const mode_t old = ::umask(0027);
+  const Result<void> written = replaceFile(folder / "file", patternOf(10));
+  ::umask(old);
+  REQUIRE(written);
+  struct stat status {};
+  REQUIRE(::stat((folder / "file").c_str(), &status) == 0);
+  CHECK((status.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("what is not a readable regular file is refused with the reason") {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "absent").string();
+  CHECK(readFile(folder / "absent").error().kind == ErrorKind::badInput);
+  CHECK(readFile(folder / "absent").error().message ==
+        path + ": cannot be read: No such file or directory");
+  CHECK(readFile(folder.path()).error().message == folder.path().string() + ": not a regular file");
+  CHECK(readFile("/dev/zero").error().message == "/dev/zero: not a regular file");
+}
+
+TEST_CASE("a named pipe without a writer is refused instead of waited for") {
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  ::alarm(10); // ends the test when it hangs
+  CHECK(readFile(folder / "pipe").error().message ==
+        (folder / "pipe").string() + ": not a regular file");
+  ::alarm(0);
+}
+
+TEST_CASE("a file longer than the caller accepts is refused with both sizes") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(100)));
+  CHECK(readFile(folder / "file", 100));
+  CHECK(readFile(folder / "file", 99).error().message ==
+        (folder / "file").string() + ": 100 bytes; at most 99 are accepted");
+}
+
+TEST_CASE("writing into an absent folder fails as the environment's fault") {
+  const TemporaryFolder folder;
+  const Result<void> result = replaceFile(folder / "absent/file", patternOf(10));
+  CHECK(result.error().kind == ErrorKind::environment);
+  CHECK(result.error().message ==
+        (folder / "absent/file").string() + ": cannot be written: No such file or directory");
+}
+
+TEST_CASE("writing over a folder fails and leaves nothing behind") {
+  const TemporaryFolder folder;
+  REQUIRE(std::filesystem::create_directory(folder / "target"));
+  REQUIRE(replaceFile(folder / "target/inside", patternOf(10)));
+  const Result<void> result = replaceFile(folder / "target", patternOf(10));
+  CHECK(result.error().kind == ErrorKind::environment);
+  CHECK(result.error().message ==
+        (folder / "target").string() + ": cannot be written: Is a directory");
+  CHECK(readFile(folder / "target/inside").value() == patternOf(10));
+  CHECK(folder.entryCount() == 1);
+}
+
+TEST_CASE("a write that does not fit leaves the old file whole and no partial one") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(100)));
+  // A limit on file size stands for a full disk; in a child, for it cannot be raised again.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {4096, 4096};
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0)
+      ::_exit(100);
+    const Result<void> result = replaceFile(folder / "file", patternOf(100000));
+    const bool asExpected = !result && result.error().kind == ErrorKind::resources &&
+                            result.error().message ==
+                                (folder / "file").string() + ": cannot be written: File too large";
+    ::_exit(asExpected ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(readFile(folder / "file").value() == patternOf(100));
+  CHECK(folder.entryCount() == 1);
+}

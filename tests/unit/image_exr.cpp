@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// EXR in and out: every accepted kind pixel by pixel, every refused one with its message.
+#include "image_samples.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace lichen;
+using namespace lichen::samples;
+
+namespace {
+
+using Notes = std::vector<std::string>;
+
+struct Decoded {
+  LinearImage image;
+  Notes notes;
+};
+
+Decoded decode(const Bytes& bytes) {
+  Result<ImageFile> result = decodeImage(bytes, "file");
+  INFO((result ? "" : result.error().message));
+  REQUIRE(result);
+  ImageFile file = std::move(result).value();
+  CHECK(file.bitsPerChannel == 32);
+  return {std::get<LinearImage>(std::move(file.pixels)), file.notes};
+}
+
+/// Channel c of the image must be channel source[c] of the sample; -1 stands for zeros.
+void checkPixels(const Decoded& decoded, const Exr& exr, const std::vector<int>& source) {
+  const LinearImage& image = decoded.image;
+  REQUIRE(image.width == exr.width);
+  REQUIRE(image.height == exr.height);
+  REQUIRE(std::size_t(image.channels) == source.size());
+  for (int y = 0; y < exr.height; ++y)
+    for (int x = 0; x < exr.width; ++x)
+      for (int c = 0; c < image.channels; ++c) {
+        const int from = source[std::size_t(c)];
+        if (image.pixel(x, y)[c] != (from < 0 ? 0.0f : exrValue(x, y, from)))
+          FAIL("pixel (" << x << ", " << y << ") channel " << c << ": " << image.pixel(x, y)[c]);
+      }
+}
+
+constexpr int kUint = 0;
+constexpr int kHalf = 1;
+constexpr int kFloat = 2;
+
+/// Overwrites 4 bytes of an attribute's value, least significant first.
+void patchAttribute(Bytes& exr, const std::string& nameAndType, std::size_t offset,
+                    std::uint32_t value) {
+  constexpr std::size_t kSizeBytes = 4;
+  const std::size_t at = find(exr, nameAndType) + nameAndType.size() + kSizeBytes + offset;
+  REQUIRE(at + 4 <= exr.size());
+  for (std::size_t i = 0; i < 4; ++i)
+    exr[at + i] = std::byte(value >> (8 * i));
+}
+
+const std::string kDataWindow("dataWindow\0box2i\0", 17);
+const std::string kTiles("tiles\0tiledesc\0", 15);
+
+} // namespace
+
+TEST_CASE("half, float and unsigned EXR is read exactly under every lossless compression") {
+  for (const int compression : {0, 1, 2, 3, 4})
+    for (const int type : {kUint, kHalf, kFloat})
+      for (const int tileSide : {0, 16})
+        for (const bool decreasingY : {false, true}) {
+          const Exr exr = {.width = 37,
+                           .height = 41,
+                           .channels = {{"R", type}, {"G", type}, {"B", type}, {"A", type}},
+                           .compression = compression,
+                           .tileSide = tileSide,
+                           .decreasingY = decreasingY};
+          const Decoded decoded = decode(makeExr(exr));
+          checkPixels(decoded, exr, {0, 1, 2, 3});
+          CHECK(decoded.notes.empty());
+        }
+}
+
+TEST_CASE("EXR of the lossy compressions is read") {
+  for (const int compression : {5, 6, 7, 8, 9}) {
+    const Exr exr = {.width = 37, .height = 41, .compression = compression};
+    const Decoded decoded = decode(makeExr(exr));
+    REQUIRE(decoded.image.channels == 3);
+    double error = 0;
+    for (int y = 0; y < exr.height; ++y)
+      for (int x = 0; x < exr.width; ++x)
+        for (int c = 0; c < 3; ++c)
+          error += std::abs(double(decoded.image.pixel(x, y)[c] - exrValue(x, y, c)));
+    CHECK(error / double(decoded.image.values.size()) < 1.0); // of values up to 63
+  }
+}
+
+TEST_CASE("EXR of 1 x 1 and 1 x N is read") {
+  for (const auto& [width, height] : {std::pair(1, 1), {1, 300}, {300, 1}})
+    for (const int tileSide : {0, 32}) {
+      const Exr exr = {.width = width, .height = height, .tileSide = tileSide};
+      checkPixels(decode(makeExr(exr)), exr, {0, 1, 2});
+    }
+}
+
+TEST_CASE("of a mip-mapped EXR the full resolution is read") {
+  const Exr exr = {.width = 50, .height = 33, .tileSide = 16, .mipMapped = true};
+  checkPixels(decode(makeExr(exr)), exr, {0, 1, 2});
+}
+
+TEST_CASE("a data window away from the origin is the picture, with a note where it is a part") {
+  Exr exr = {.width = 20, .height = 30, .xMin = -7, .yMin = 1000};
+  const Decoded decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {0, 1, 2});
+  CHECK(decoded.notes.empty());
+  exr.wideDisplay = true;
+  exr.tileSide = 8;
+  const Decoded part = decode(makeExr(exr));
+  checkPixels(part, exr, {0, 1, 2});
+  CHECK(part.notes == Notes{"the data window is taken, not the display window"});
+}
+
+TEST_CASE("channels are chosen by name, and what is missing or left over is noted") {
+  Exr exr = {.channels = {{"Y"}}};
+  Decoded decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {0});
+  CHECK(decoded.notes.empty());
+
+  exr.channels = {{"A"}, {"Y", kFloat}};
+  checkPixels(decode(makeExr(exr)), exr, {1, 0});
+
+  exr.channels = {{"R"}, {"B"}};
+  decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {0, -1, 1});
+  CHECK(decoded.notes == Notes{"missing channels taken as 0: G"});
+
+  exr.channels = {{"G", kFloat}};
+  decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {-1, 0, -1});
+  CHECK(decoded.notes == Notes{"missing channels taken as 0: R, B"});
+
+  exr.channels = {{"height"}};
+  decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {0});
+  CHECK(decoded.notes == Notes{"channel height taken as grey"});
+
+  exr.channels = {{"B"}, {"G"}, {"R"}, {"Z", kFloat, 2}, {"diffuse.R"}};
+  decoded = decode(makeExr(exr));
+  checkPixels(decoded, exr, {2, 1, 0});
+  CHECK(decoded.notes == Notes{"channels ignored: Z, diffuse.R"});
+}
+
+TEST_CASE("negative EXR values become 0, with a note") {
+  Exr exr = {.hasOddValue = true, .oddValue = -2.5f};
+  const Decoded decoded = decode(makeExr(exr));
+  CHECK(decoded.image.values[0] == 0.0f);
+  CHECK(decoded.notes == Notes{"1 negative values set to 0"});
+}
+
+TEST_CASE("NaN and infinite EXR values are refused with their place") {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Exr exr = {.hasOddValue = true, .oddValue = std::numeric_limits<float>::quiet_NaN()};
+  CHECK(refusal(makeExr(exr)) ==
+        "file: NaN in channel R of pixel (0, 0); finite values are accepted");
+  for (const float value : {kInfinity, -kInfinity}) {
+    exr.oddValue = value;
+    CHECK(refusal(makeExr(exr)) ==
+          "file: infinity in channel R of pixel (0, 0); finite values are accepted");
+  }
+}
+
+TEST_CASE("multi-part, deep and luminance-chroma EXR are refused by name") {
+  CHECK(refusal(makeMultiPartExr()) == "file: multi-part EXR; a single-part file is accepted");
+  CHECK(refusal(makeDeepExr()) == "file: deep EXR; a flat file (scan lines or tiles) is accepted");
+  CHECK(refusal(makeLuminanceChromaExr()) ==
+        "file: luminance-chroma EXR (channels BY, RY, Y); R, G, B or Y alone is accepted");
+}
+
+TEST_CASE("EXR channels that cannot be taken are refused by name") {
+  CHECK(refusal(makeExr({.channels = {{"N.X"}, {"Z"}}})) ==
+        "file: EXR with channels N.X, Z; R, G, B, or Y, or a single channel is accepted");
+  CHECK(refusal(makeExr({.channels = {{"B"}, {"G"}, {"R", kHalf, 2}}})) ==
+        "file: EXR channel R is subsampled 2 x 2; 1 x 1 is accepted");
+}
+
+TEST_CASE("an EXR with a side of 0 or over the limit is refused") {
+  Bytes exr = makeExr({});
+  patchAttribute(exr, kDataWindow, 8, std::uint32_t(-1));
+  CHECK(refusal(exr) == "file: 0 x 8 pixels; 1 to 16384 on a side are accepted");
+  patchAttribute(exr, kDataWindow, 8, 16384);
+  CHECK(refusal(exr) == "file: 16385 x 8 pixels; 1 to 16384 on a side are accepted");
+  patchAttribute(exr, kDataWindow, 0, 0x80000000u);
+  patchAttribute(exr, kDataWindow, 8, 0x7fffffffu);
+  CHECK(refusal(exr) == "file: 4294967296 x 8 pixels; 1 to 16384 on a side are accepted");
+}
+
+TEST_CASE("an EXR that claims more than its compression can give is refused before it is decoded") {
+  Bytes wide = makeExr({});
+  patchAttribute(wide, kDataWindow, 8, 16383);
+  CHECK(refusal(wide).starts_with("file: claims 786432 bytes of pixels in a file of "));
+  CHECK(refusal(wide).ends_with("; EXR's ZIP expands at most 1032 times"));
+  Bytes tall = makeExr({.compression = 0});
+  patchAttribute(tall, kDataWindow, 12, 16383);
+  CHECK(refusal(tall).starts_with("file: truncated: a table of 16384 EXR chunks in the last "));
+}
+
+TEST_CASE("EXR tiles far larger than the image are refused") {
+  Bytes exr = makeExr({.tileSide = 4});
+  patchAttribute(exr, kTiles, 0, 5000);
+  CHECK(refusal(exr) == "file: EXR tiles of 5000 x 4; 1 to 4096 on a side, or the image's own "
+                        "side, are accepted");
+  patchAttribute(exr, kTiles, 0, 0);
+  CHECK(refusal(exr).starts_with("file: EXR tiles of 0 x 4;"));
+}
+
+TEST_CASE("EXR attributes that lie about their size are refused") {
+  const std::string sizeOfWindow = std::string("dataWindow\0box2i\0", 17);
+  Bytes longer = makeExr({});
+  longer[find(longer, sizeOfWindow) + sizeOfWindow.size()] = std::byte(20);
+  CHECK(refusal(longer) == "file: damaged EXR: attribute dataWindow is not a whole box2i");
+  Bytes channels = makeExr({});
+  channels[find(channels, std::string("chlist\0", 7)) + 7] ^= std::byte(2);
+  CHECK(refusal(channels) == "file: damaged EXR: attribute channels is not a whole chlist");
+}
+
+TEST_CASE("an EXR without a needed attribute is refused by the attribute's name") {
+  for (const std::string attribute :
+       {"dataWindow", "displayWindow", "compression", "channels", "tiles"}) {
+    Bytes exr = makeExr({.tileSide = 4});
+    exr[find(exr, attribute)] = std::byte('x'); // an unknown attribute of a known type
+    CHECK(refusal(exr) == "file: damaged EXR: no attribute " + attribute);
+  }
+}
+
+TEST_CASE("EXR of another version or compression is refused") {
+  Bytes version = makeExr({});
+  version[4] = std::byte(3);
+  CHECK(refusal(version) == "file: EXR of unknown version 3; version 2 is accepted");
+  Bytes compression = makeExr({});
+  const std::string attribute("compression\0compression\0", 24);
+  compression[find(compression, attribute) + attribute.size() + 4] = std::byte(10);
+  CHECK(refusal(compression) == "file: EXR of unknown compression 10; 0 to 9 are accepted");
+}
+
+TEST_CASE("an EXR whose writer was interrupted is refused") {
+  Bytes exr = makeExr({.compression = 0});
+  // The table of 8 chunk offsets ends where the first chunk begins: 4 bytes y, 4 bytes size.
+  const std::size_t chunkBytes = 8 + 8 * 3 * 2;
+  const std::size_t tableEnd = exr.size() - 8 * chunkBytes;
+  std::fill_n(exr.begin() + std::ptrdiff_t(tableEnd) - 8, 8, std::byte(0));
+  CHECK(refusal(exr) == "file: incomplete EXR: not every chunk was written");
+}
+
+TEST_CASE("damaged EXR pixels are refused") {
+  Bytes exr = makeExr({.width = 64, .height = 64});
+  for (std::size_t i = exr.size() - 40; i < exr.size(); ++i)
+    exr[i] = std::byte(0x55);
+  CHECK(refusal(exr).starts_with("file: damaged EXR: "));
+}
+
+TEST_CASE("an encoded EXR decodes to the values rounded to half, of 1 to 4 channels") {
+  for (const int channels : {1, 2, 3, 4}) {
+    LinearImage image(13, 27, channels);
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+      image.values[i] = float(i) * 0.37f;
+    image.values[0] = 1e9f; // beyond half's largest
+    const Result<Bytes> exr = encodeExr(image);
+    REQUIRE(exr);
+    const Decoded decoded = decode(exr.value());
+    REQUIRE(decoded.image.channels == channels);
+    CHECK(decoded.notes.empty());
+    CHECK(decoded.image.values[0] == 65504.0f);
+    for (std::size_t i = 1; i < image.values.size(); ++i) // half keeps 11 bits
+      CHECK(decoded.image.values[i] == Approx(image.values[i]).epsilon(1.0 / 2048));
+    CHECK(encodeExr(image).value() == exr.value());
+  }
+}
+
+TEST_CASE("an image that no EXR can hold is refused by the encoder") {
+  CHECK(encodeExr(LinearImage(1, 1, 0)).error().message == "EXR: 0 channels; 1 to 4 are accepted");
+  LinearImage image(1, 1, 1);
+  image.values[0] = std::numeric_limits<float>::infinity();
+  CHECK(encodeExr(image).error().message == "EXR: value 0 is inf; finite values are accepted");
+}

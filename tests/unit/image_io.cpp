@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// What all formats share: recognition, truncation, exhausted memory, and files on disk.
+#include "image_samples.h"
+
+#include <lichen/files.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace lichen;
+using namespace lichen::samples;
+
+namespace {
+
+/// A folder of the test's own, removed at its end.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "lichen-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
+  [[nodiscard]] std::size_t entryCount() const {
+    return std::size_t(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+Bytes bytesOf(const std::string& text) {
+  Bytes bytes;
+  for (const char c : text)
+    bytes.push_back(std::byte(static_cast<unsigned char>(c)));
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("what is not an image is refused with its first bytes") {
+  CHECK(refusal({}) == "file: empty file; a PNG, JPEG or EXR image is accepted");
+  CHECK(refusal(bytesOf("GIF89a")) ==
+        "file: not a PNG, JPEG or EXR image (starts with 47 49 46 38)");
+  CHECK(refusal(bytesOf("\xff")) == "file: not a PNG, JPEG or EXR image (starts with ff)");
+}
+
+TEST_CASE("every kind of sample is accepted, also with bytes after its end") {
+  for (Bytes file : everyAcceptedKind()) {
+    CHECK(refusal(file) == "(accepted)");
+    file.insert(file.end(), 100, std::byte(0x5a));
+    CHECK(refusal(file) == "(accepted)");
+  }
+}
+
+TEST_CASE("every truncated length of every kind of file is refused on one line") {
+  for (const Bytes& file : everyAcceptedKind()) {
+    // The smaller levels of a mip-mapped EXR come last and are not read.
+    const bool mipMapped = find(file, std::string("\x04\0\0\0\x04\0\0\0\x01", 9)) < file.size();
+    for (std::size_t size = 0; size < file.size(); ++size) {
+      const std::string message = refusal(Bytes(file.begin(), file.begin() + std::ptrdiff_t(size)));
+      const bool refused = message.starts_with("file: ") && message.find('\n') == std::string::npos;
+      if (!refused && !(mipMapped && message == "(accepted)"))
+        FAIL(size << " of " << file.size() << " bytes: " << message);
+    }
+  }
+}
+
+TEST_CASE("a truncated file is called truncated") {
+  const auto withoutLastByte = [](Bytes file) {
+    file.pop_back();
+    return refusal(file);
+  };
+  CHECK(withoutLastByte(makePng({})) ==
+        "file: truncated: the PNG ends before its IEND chunk is complete");
+  CHECK(withoutLastByte(makeJpeg({})) ==
+        "file: truncated: the JPEG ends before its pixels or its end marker");
+  CHECK(withoutLastByte(makeExr({})).starts_with("file: truncated: the EXR lacks the chunk at "));
+  const Bytes exr = makeExr({});
+  CHECK(refusal(Bytes(exr.begin(), exr.begin() + 100)) ==
+        "file: truncated: the EXR ends inside its header");
+}
+
+TEST_CASE("an image written to disk is read back in its own encoding or the other's") {
+  const TemporaryFolder folder;
+  SrgbImage srgb(3, 2, 3);
+  for (std::size_t i = 0; i < srgb.values.size(); ++i)
+    srgb.values[i] = float(i * 15) / 255.0f;
+  const LinearImage linear = toLinear(srgb);
+
+  for (const char* name : {"srgb.png", "SRGB.PNG"}) {
+    REQUIRE(writeImage(folder / name, srgb));
+    const Result<ImageFile> file = readImage(folder / name);
+    REQUIRE(file);
+    CHECK(std::get<SrgbImage>(file.value().pixels).values == srgb.values);
+  }
+  REQUIRE(writeImage(folder / "linear.png", linear));
+  CHECK(std::get<SrgbImage>(readImage(folder / "linear.png").value().pixels).values == srgb.values);
+  REQUIRE(writeImage(folder / "srgb.exr", srgb));
+  REQUIRE(writeImage(folder / "linear.exr", linear));
+  CHECK(readFile(folder / "srgb.exr").value() == readFile(folder / "linear.exr").value());
+  const LinearImage back = std::get<LinearImage>(readImage(folder / "linear.exr").value().pixels);
+  for (std::size_t i = 0; i < linear.values.size(); ++i)
+    CHECK(back.values[i] == Approx(linear.values[i]).epsilon(1.0 / 2048));
+}
+
+TEST_CASE("writing an image fails with a reason and leaves what was there") {
+  const TemporaryFolder folder;
+  const SrgbImage image(2, 2, 3);
+  const Result<void> extension = writeImage(folder / "image.bmp", image);
+  CHECK(extension.error().kind == ErrorKind::usage);
+  CHECK(extension.error().message ==
+        (folder / "image.bmp").string() + ": extension .bmp; .png and .exr are accepted");
+  CHECK(writeImage(folder / "image", image).error().message ==
+        (folder / "image").string() + ": extension missing; .png and .exr are accepted");
+  const Result<void> absent = writeImage(folder / "absent/image.png", image);
+  CHECK(absent.error().kind == ErrorKind::environment);
+  CHECK(absent.error().message ==
+        (folder / "absent/image.png").string() + ": cannot be written: No such file or directory");
+  REQUIRE(writeImage(folder / "old.png", image));
+  CHECK(writeImage(folder / "old.png", SrgbImage(2, 2, 7)).error().message ==
+        (folder / "old.png").string() + ": PNG: 7 channels; 1 to 4 are accepted");
+  CHECK(readImage(folder / "old.png"));
+  CHECK(folder.entryCount() == 1);
+}
+
+TEST_CASE("an absent file and a folder are refused") {
+  const TemporaryFolder folder;
+  const Result<ImageFile> absent = readImage(folder / "absent.png");
+  CHECK(absent.error().kind == ErrorKind::badInput);
+  CHECK(absent.error().message ==
+        (folder / "absent.png").string() + ": cannot be read: No such file or directory");
+  CHECK(readImage(folder / "").error().message == (folder / "").string() + ": not a regular file");
+}
+
+// The sanitizers reserve the address space that this test limits.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace {
+
+/// The kind of error of `operation` in a child process that may use only `spare` bytes more than
+/// it has; 0 when it succeeds.
+template <class Operation>
+int errorKindWithLittleMemory(std::size_t spare, Operation operation) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::malloc_trim(0); // or what the parent has freed would be spare memory too
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t limit = pages * std::size_t(::sysconf(_SC_PAGESIZE)) + spare;
+    const rlimit limits = {limit, limit};
+    if (::setrlimit(RLIMIT_AS, &limits) != 0)
+      ::_exit(100);
+    const auto result = operation();
+    ::_exit(result ? 0 : int(result.error().kind));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+} // namespace
+
+TEST_CASE("exhausted memory is an error of its own, in decoders and encoders") {
+  constexpr int kSide = 4096;
+  constexpr std::size_t kEnough = std::size_t(1) << 30;
+  constexpr int kResources = int(ErrorKind::resources);
+  const SrgbImage codes(kSide, kSide, 1);
+  const LinearImage light(kSide, kSide, 1);
+  const std::vector<Bytes> files = {
+      encodePng(codes, 8).value(), encodeExr(light).value(),
+      makeJpeg({.width = kSide, .height = kSide, .colour = JpegColour::grey}),
+      makeJpeg(
+          {.width = kSide, .height = kSide, .colour = JpegColour::ycbcr, .progressive = true})};
+  for (const Bytes& file : files) {
+    const auto decode = [&] { return decodeImage(file, "file"); };
+    CHECK(errorKindWithLittleMemory(kEnough, decode) == 0);
+    // From nearly nothing to most of what is needed: each allocation fails once.
+    for (std::size_t spare = 1; spare <= std::size_t(48) << 20; spare *= 4)
+      CHECK(errorKindWithLittleMemory(spare, decode) == kResources);
+  }
+  const TemporaryFolder folder;
+  const auto encode = [&] { return encodeExr(light); };
+  const auto convert = [&] { return writeImage(folder / "image.exr", codes); };
+  for (std::size_t spare = 1; spare <= std::size_t(16) << 20; spare *= 4) {
+    CHECK(errorKindWithLittleMemory(spare, encode) == kResources);
+    CHECK(errorKindWithLittleMemory(spare, convert) == kResources);
+  }
+  CHECK(folder.entryCount() == 0);
+}
+
+#endif
