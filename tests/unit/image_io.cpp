@@ -169,7 +169,7 @@ int errorKindWithLittleMemory(std::size_t spare, Operation operation) {
 } // namespace
 
 TEST_CASE("exhausted memory is an error of its own, in decoders and encoders") {
-  constexpr int kSide = 4096;
+  constexpr int kSide = 2048;
   constexpr std::size_t kEnough = std::size_t(1) << 30;
   constexpr int kResources = int(ErrorKind::resources);
   const SrgbImage codes(kSide, kSide, 1);
@@ -183,13 +183,13 @@ TEST_CASE("exhausted memory is an error of its own, in decoders and encoders") {
     const auto decode = [&] { return decodeImage(file, "file"); };
     CHECK(errorKindWithLittleMemory(kEnough, decode) == 0);
     // From nearly nothing to most of what is needed: each allocation fails once.
-    for (std::size_t spare = 1; spare <= std::size_t(48) << 20; spare *= 4)
+    for (std::size_t spare = 1; spare <= std::size_t(12) << 20; spare *= 4)
       CHECK(errorKindWithLittleMemory(spare, decode) == kResources);
   }
   const TemporaryFolder folder;
   const auto encode = [&] { return encodeExr(light); };
   const auto convert = [&] { return writeImage(folder / "image.exr", codes); };
-  for (std::size_t spare = 1; spare <= std::size_t(16) << 20; spare *= 4) {
+  for (std::size_t spare = 1; spare <= std::size_t(4) << 20; spare *= 4) {
     CHECK(errorKindWithLittleMemory(spare, encode) == kResources);
     CHECK(errorKindWithLittleMemory(spare, convert) == kResources);
   }

@@ -29,9 +29,11 @@ struct Png {
 [[nodiscard]] unsigned paletteCode(unsigned i, int c);
 [[nodiscard]] Bytes makePng(const Png& png);
 
-/// Overwrites 4 bytes at `offset`, most significant first, and mends the checksum of IHDR.
+/// Overwrites 4 bytes at `offset`, most significant first, and mends the checksums.
 void patchPngHeader(Bytes& png, std::size_t offset, std::uint32_t value);
-/// Inserts a chunk with a right checksum before the first IDAT.
+/// Mends the checksum of every chunk that is whole; other files are left alone.
+void mendPngChecksums(Bytes& file);
+/// Inserts a chunk with a right checksum after IHDR.
 void insertPngChunk(Bytes& png, const std::string& type, const std::string& data);
 
 enum class JpegColour { grey, ycbcr, cmyk, ycck };

@@ -118,27 +118,36 @@ Bytes makePng(const Png& png) {
   return bytes;
 }
 
+void mendPngChecksums(Bytes& file) {
+  constexpr std::size_t kSignatureBytes = 8;
+  constexpr std::size_t kFramingBytes = 12; // length, type and checksum
+  if (find(file, "\x89PNG") != 0)
+    return;
+  std::size_t at = kSignatureBytes;
+  while (at + kFramingBytes <= file.size()) {
+    const std::size_t dataBytes = bigEndian(file, at);
+    if (dataBytes > file.size() - at - kFramingBytes)
+      return;
+    const Bytes crc = bigEndian(checksum(file.data() + at + 4, 4 + dataBytes));
+    std::copy(crc.begin(), crc.end(), file.begin() + std::ptrdiff_t(at + 8 + dataBytes));
+    at += kFramingBytes + dataBytes;
+  }
+}
+
 void patchPngHeader(Bytes& png, std::size_t offset, std::uint32_t value) {
-  constexpr std::size_t kTypeOffset = 12;
-  constexpr std::size_t kTypeAndData = 17;
-  const Bytes valueBytes = bigEndian(value);
-  std::copy(valueBytes.begin(), valueBytes.end(), png.begin() + std::ptrdiff_t(offset));
-  const Bytes crc = bigEndian(checksum(png.data() + kTypeOffset, kTypeAndData));
-  std::copy(crc.begin(), crc.end(), png.begin() + std::ptrdiff_t(kTypeOffset + kTypeAndData));
+  const Bytes bytes = bigEndian(value);
+  std::copy(bytes.begin(), bytes.end(), png.begin() + std::ptrdiff_t(offset));
+  mendPngChecksums(png);
 }
 
 void insertPngChunk(Bytes& png, const std::string& type, const std::string& data) {
-  std::size_t at = 8;
-  while (find(Bytes(png.begin() + std::ptrdiff_t(at) + 4, png.begin() + std::ptrdiff_t(at) + 8),
-              "IDAT") != 0)
-    at += 12 + bigEndian(png, at);
-  const std::string body = type + data;
+  constexpr std::ptrdiff_t kHeaderEnd = 33; // signature (8), IHDR's framing (12) and data (13)
   Bytes chunk = bigEndian(std::uint32_t(data.size()));
-  for (const char c : body)
+  for (const char c : type + data)
     chunk.push_back(std::byte(static_cast<unsigned char>(c)));
-  const Bytes crc = bigEndian(checksum(chunk.data() + 4, body.size()));
-  chunk.insert(chunk.end(), crc.begin(), crc.end());
-  png.insert(png.begin() + std::ptrdiff_t(at), chunk.begin(), chunk.end());
+  chunk.insert(chunk.end(), 4, std::byte(0)); // the checksum
+  png.insert(png.begin() + kHeaderEnd, chunk.begin(), chunk.end());
+  mendPngChecksums(png);
 }
 
 } // namespace lichen::samples

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Any bytes -> decodeImage(): an image that keeps its contract, or an error that does.
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace lichen;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition)
+    return;
+  std::fprintf(stderr, "decodeImage: %s\n", what);
+  std::abort();
+}
+
+template <class AnyImage>
+void checkImage(const AnyImage& image) {
+  require(image.width >= 1 && image.width <= kMaxImageSide, "width out of range");
+  require(image.height >= 1 && image.height <= kMaxImageSide, "height out of range");
+  require(image.channels >= 1 && image.channels <= 4, "channels out of range");
+  require(image.values.size() == image.pixelCount() * std::size_t(image.channels),
+          "number of values");
+  constexpr bool kCodes = AnyImage::encoding == Encoding::srgb;
+  require(std::all_of(image.values.begin(), image.values.end(),
+                      [](float value) {
+                        return std::isfinite(value) && value >= 0.0f && (!kCodes || value <= 1.0f);
+                      }),
+          "a value out of range");
+}
+
+bool isOneLine(const std::string& text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(data);
+  const Result<ImageFile> result = decodeImage({bytes, size}, "file");
+  if (!result) {
+    require(isOneLine(result.error().message), "a message of more or less than one line");
+    return 0;
+  }
+  std::visit([](const auto& image) { checkImage(image); }, result.value().pixels);
+  for (const std::string& note : result.value().notes)
+    require(isOneLine(note), "a note of more or less than one line");
+  return 0;
+}
