@@ -16,6 +16,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 namespace lichen {
 namespace {
@@ -128,6 +129,11 @@ void readPixels(std::span<const std::byte> file, const std::vector<std::string>&
   input.readPixels(window.min.y, window.max.y);
 }
 
+/// OpenEXR turns a failed allocation into an exception of its own, that keeps only the text.
+bool tellsOfExhaustedMemory(std::string_view text) {
+  return text.find("std::bad_alloc") != text.npos || text.find("allocate memory") != text.npos;
+}
+
 /// Refuses NaN and infinity, and sets negative values to 0.
 Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& image,
                          std::vector<std::string>& notes, const std::string& name) {
@@ -173,6 +179,8 @@ Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& problem) {
+    if (tellsOfExhaustedMemory(problem.what()))
+      return outOfMemory(name, "decode the EXR");
     return refused(name, "damaged EXR: " + printable(problem.what()));
   }
   describeChannels(header, chosen, result.notes);
