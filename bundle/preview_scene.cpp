@@ -148,9 +148,9 @@ bool any(const std::vector<bool>& values) {
   return std::find(values.begin(), values.end(), true) != values.end();
 }
 
-/// The ground, divided like a cake between the first `materials` materials.
-void addGround(OrderedJson& root, GltfBuilder& builder, std::size_t materials,
-               const std::vector<bool>& needsTangents) {
+/// The ground, divided like a cake between the materials that `needsTangents` has elements for.
+void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>& needsTangents) {
+  const std::size_t materials = needsTangents.size();
   const OrderedJson attributes = addAttributes(builder, makeGround(), any(needsTangents));
   OrderedJson mesh = {{"name", "ground"}};
   for (std::size_t i = 0; i < materials; ++i) {
@@ -229,7 +229,10 @@ void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape
                                      distance * std::cos(kCameraElevation)};
   root["nodes"] = OrderedJson::array();
   root["meshes"] = OrderedJson::array();
-  addGround(root, builder, withBalls ? 1 : needsTangents.size(), needsTangents);
+  if (withBalls)
+    addGround(root, builder, {needsTangents.front()});
+  else
+    addGround(root, builder, needsTangents);
   if (withBalls)
     addBalls(root, builder, eye, needsTangents);
   addCameraAndSun(root, eye);

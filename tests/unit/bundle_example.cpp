@@ -62,6 +62,10 @@ std::vector<double> levels(std::size_t count) {
   return values;
 }
 
+Table tableWithMips() {
+  return patternTable("mips", TexelFormat::rg16Sfloat, 8, 4, 0, fullMipChain(8, 4));
+}
+
 BundleFile smallest() {
   BundleFile file;
   Noise noise;

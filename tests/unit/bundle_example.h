@@ -15,6 +15,9 @@ namespace lichen::example {
 /// levels[k] = 1 - (1 - k / (count - 1))^2.
 [[nodiscard]] std::vector<double> levels(std::size_t count);
 
+/// A 2-D table of half floats, 8 x 4 with all its mips.
+[[nodiscard]] Table tableWithMips();
+
 /// One height map of one channel: 4 x 2 texels and a table of 256 x 2. About 3 KB as a GLB.
 [[nodiscard]] BundleFile smallest();
 

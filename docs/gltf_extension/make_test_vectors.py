@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes test_vectors.json: the lattice of README.md, implemented a second time, in Python with
+integers and decimals of any length, so that an implementation in another language can be compared
+with something that shares no code with it. Run: python3 make_test_vectors.py > test_vectors.json"""
+import json
+from decimal import Decimal, getcontext
+
+getcontext().prec = 60
+WORD = 2**32
+
+
+def pcg(value):
+    state = (value * 747796405 + 2891336453) % WORD
+    word = (((state >> ((state >> 28) + 4)) ^ state) * 277803737) % WORD
+    return (word >> 22) ^ word
+
+
+def pcg3d(x, y, z):
+    x, y, z = ((word * 1664525 + 1013904223) % WORD for word in (x, y, z))
+    x = (x + y * z) % WORD
+    y = (y + z * x) % WORD
+    z = (z + x * y) % WORD
+    x, y, z = (word ^ (word >> 16) for word in (x, y, z))
+    x = (x + y * z) % WORD
+    y = (y + z * x) % WORD
+    z = (z + x * y) % WORD
+    return [x, y, z]
+
+
+def lattice_seed(seed, plane):
+    return pcg((pcg(seed) + plane) % WORD)
+
+
+def tile_offset(i, j, seed_word, width, height):
+    x, y, _ = pcg3d(i % WORD, j % WORD, seed_word)
+    return [((x >> 16) * width) >> 16, ((y >> 16) * height) >> 16]
+
+
+def signed(word):
+    return word - WORD if word >= WORD // 2 else word
+
+
+def lattice_origin(tile_x, tile_y):
+    columns = 2 * Decimal(3).sqrt() * tile_x - 2 * tile_y
+    cell = int(columns.to_integral_value(rounding="ROUND_FLOOR"))
+    return {
+        "tile": [tile_x, tile_y],
+        "cell": [signed(cell % WORD), signed(4 * tile_y % WORD)],
+        "fraction": [float(columns - cell), 0.0],
+    }
+
+
+def periodic_lattice(width, height):
+    def half_up(value):
+        return int((value + Decimal("0.5")).to_integral_value(rounding="ROUND_FLOOR"))
+
+    columns = max(3, half_up(2 * Decimal(3).sqrt() * Decimal(width)))
+    rows = max(4, 2 * half_up(4 * Decimal(height) / 2))
+    return {"tiles": [width, height], "columns": columns, "rows": rows}
+
+
+WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
+VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
+SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
+SIZES = [(1, 1), (256, 256), (1000, 17), (16384, 16384)]
+TILES = [(0, 0), (1, 0), (0, 1), (-1, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
+PERIODS = [(0.5, 0.5), (1.0, 1.0), (1.37, 2.0), (4.0, 4.0), (16.0, 3.0)]
+
+print(json.dumps({
+    "pcg": [{"value": w, "hash": pcg(w)} for w in WORDS],
+    "pcg3d": [{"value": [w, (w * 5 + 1) % WORD, (w * 9 + 2) % WORD],
+               "hash": pcg3d(w, (w * 5 + 1) % WORD, (w * 9 + 2) % WORD)} for w in WORDS],
+    "latticeSeed": [{"seed": s, "plane": p, "word": lattice_seed(s, p)} for s, p in SEEDS],
+    "tileOffset": [{"vertex": list(v), "seed": s, "plane": p, "size": list(size),
+                    "texels": tile_offset(*v, lattice_seed(s, p), *size)}
+                   for v in VERTICES for s, p in SEEDS[1:3] for size in SIZES],
+    "latticeOrigin": [lattice_origin(*tile) for tile in TILES],
+    "periodicLattice": [periodic_lattice(*period) for period in PERIODS],
+}, indent=1))

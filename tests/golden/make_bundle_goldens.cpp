@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// make_bundle_goldens SOURCE_FOLDER: writes the golden bundle bytes of tests/golden and the
+// examples of docs/gltf_extension. Run by the target regenerate_bundle_goldens only, when the
+// format changes on purpose.
+//
+// The example is "felt": a 16 x 16 image of white Gaussian noise, decoded to shades between two
+// colours. Its base colour spans one dimension, so the Gaussian image has one channel and the
+// inverse table is 256 x 4.
+#include "bundle_example.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/files.h>
+#include <lichen/image_io.h>
+#include <lichen/lattice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+using namespace lichen;
+
+namespace {
+
+constexpr std::uint32_t kSide = 16;
+constexpr std::size_t kCells = 256; // of a one-dimensional inverse table
+constexpr std::size_t kLevels = 4;
+constexpr double kSigma = 1.0 / 6.0;
+constexpr std::array<double, 3> kDark = {0.16, 0.20, 0.12}; // light
+constexpr std::array<double, 3> kBright = {0.52, 0.50, 0.34};
+
+double uniformOf(double gaussian) {
+  return 0.5 * std::erfc(-(gaussian - 0.5) / (kSigma * std::sqrt(2.0)));
+}
+
+double gaussianOf(double uniform) {
+  double low = -1.0, high = 2.0;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2.0;
+    (uniformOf(middle) < uniform ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The exemplar's light for a uniform value: mostly dark, with bright fibres.
+double brightness(double uniform) { return uniform * uniform * (3.0 - 2.0 * uniform); }
+
+/// E[brightness(U(g + e))], e ~ N(0, lost / 36), by a sum over quantiles of e.
+double filteredBrightness(double gaussian, double lost) {
+  constexpr int kSamples = 256;
+  double sum = 0.0;
+  for (int i = 0; i < kSamples; ++i)
+    sum += brightness(
+        uniformOf(gaussian + std::sqrt(lost) * (gaussianOf((i + 0.5) / kSamples) - 0.5)));
+  return sum / kSamples;
+}
+
+/// The quantiles of the Gaussian in an order fixed by the published hash.
+std::vector<float> whiteNoise() {
+  constexpr std::uint32_t kCount = kSide * kSide;
+  std::vector<std::uint32_t> order(kCount);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [](auto a, auto b) { return pcg(a) < pcg(b); });
+  std::vector<float> values(kCount);
+  for (std::uint32_t rank = 0; rank < kCount; ++rank)
+    values[order[rank]] = float(gaussianOf((rank + 0.5) / kCount));
+  return values;
+}
+
+Table gaussianImage(std::vector<float> level) {
+  Table table{"felt.baseColor.gaussian",
+              TexelFormat::r8Unorm,
+              kSide,
+              kSide,
+              0,
+              example::fullMipChain(kSide, kSide),
+              {}};
+  for (std::size_t side = kSide;; side /= 2) {
+    appendTexels(table.texels, table.format, level);
+    if (side == 1)
+      return table;
+    std::vector<float> half;
+    for (std::size_t y = 0; y < side; y += 2)
+      for (std::size_t x = 0; x < side; x += 2)
+        half.push_back((level[y * side + x] + level[y * side + x + 1] + level[(y + 1) * side + x] +
+                        level[(y + 1) * side + x + 1]) /
+                       4.0f);
+    level = std::move(half);
+  }
+}
+
+Table inverseTable(const std::vector<double>& levels) {
+  Table table{"felt.baseColor.inverse", TexelFormat::rgba8Srgb, kCells, kLevels, 0, 1, {}};
+  std::vector<float> texels;
+  for (const double lost : levels)
+    for (std::size_t cell = 0; cell < kCells; ++cell) {
+      const double gaussian = gaussianOf((double(cell) + 0.5) / double(kCells));
+      const double t =
+          lost == 1.0 ? filteredBrightness(0.5, 1.0) : filteredBrightness(gaussian, lost);
+      for (std::size_t c = 0; c < 3; ++c)
+        texels.push_back(float(kDark[c] + t * (kBright[c] - kDark[c])));
+      texels.push_back(1.0f);
+    }
+  appendTexels(table.texels, table.format, texels);
+  return table;
+}
+
+/// The exemplar itself, which tiles: the preview.
+SrgbImage exemplar(const std::vector<float>& gaussian) {
+  SrgbImage image(kSide, kSide, 3);
+  for (std::size_t i = 0; i < gaussian.size(); ++i) {
+    const double t = brightness(uniformOf(double(gaussian[i])));
+    for (std::size_t c = 0; c < 3; ++c)
+      image.values[3 * i + c] = linearToSrgb(float(kDark[c] + t * (kBright[c] - kDark[c])));
+  }
+  return image;
+}
+
+void setStatistics(NoiseMap& map, const SrgbImage& image) {
+  const double count = double(image.pixelCount());
+  map.mean.assign(3, 0.0);
+  map.covariance.assign(9, 0.0);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    map.mean[i % 3] += double(image.values[i]) / count;
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        map.covariance[3 * a + b] += (double(image.values[3 * i + a]) - map.mean[a]) *
+                                     (double(image.values[3 * i + b]) - map.mean[b]) / count;
+}
+
+BundleFile feltExample() {
+  const std::vector<float> gaussian = whiteNoise();
+  const SrgbImage image = exemplar(gaussian);
+  BundleFile file;
+  NoiseMap map;
+  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
+  setStatistics(map, image);
+  map.gaussian = 0;
+  map.inverseTable = 1;
+  map.levels = example::levels(kLevels);
+  // Of white noise, a level keeps 4^-level of the variance, and a bilinear fetch 2/3 each way.
+  for (std::uint32_t level = 0; level < example::fullMipChain(kSide, kSide); ++level)
+    map.mipLoss.push_back(1.0 - 4.0 / 9.0 * std::pow(4.0, -double(level)));
+  map.bilinearLoss = {2.0, 2.0};
+  file.bundle.tables = {gaussianImage(gaussian), inverseTable(map.levels)};
+  Noise noise;
+  noise.name = "felt";
+  noise.tileSizeMetres = 0.1;
+  noise.maps.push_back(std::move(map));
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.emplace_back(MaterialNoise{});
+  PreviewImages preview;
+  preview.baseColor = encodePng(image, 8).value();
+  file.previews.push_back(std::move(preview));
+  file.shape = PreviewShape::plane;
+  file.generator = "lichen make_bundle_goldens";
+  return file;
+}
+
+bool report(const Result<void>& result) {
+  if (!result)
+    std::fprintf(stderr, "%s\n", result.error().message.c_str());
+  return result.ok();
+}
+
+} // namespace
+
+int main(int argumentCount, char** arguments) {
+  if (argumentCount != 2) {
+    std::fprintf(stderr, "usage: make_bundle_goldens SOURCE_FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path source = arguments[1];
+  const std::filesystem::path golden = source / "tests/golden";
+  const std::filesystem::path examples = source / "docs/gltf_extension/examples";
+  const BundleFile felt = feltExample();
+  const bool written =
+      report(writeBundle(golden / "bundle_smallest.glb", example::smallest())) &&
+      report(replaceFile(golden / "table_mips.ktx2", encodeKtx2(example::tableWithMips()))) &&
+      report(writeBundle(examples / "felt.glb", felt)) &&
+      report(writeBundle(examples / "felt.gltf", felt));
+  return written ? 0 : 1;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The checker and the JSON schemas agree: tests/cli/gltf_validator/schema_cases.json holds patches
+// (RFC 6902) of the extension's example with the verdict that both must reach. The script beside
+// that file puts the same cases to the schemas.
+#include "bundle_temporary_folder.h"
+
+#include <lichen/bundle.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+using namespace lichen;
+using nlohmann::json;
+
+namespace {
+
+json readJson(const std::string& path) {
+  std::ifstream stream(LICHEN_SOURCE_DIR "/" + path);
+  return json::parse(stream);
+}
+
+} // namespace
+
+TEST_CASE("the checker accepts and refuses what the JSON schemas do") {
+  const std::string examples = "docs/gltf_extension/examples/";
+  const json example = readJson(examples + "felt.gltf");
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(LICHEN_SOURCE_DIR "/" + examples + "felt.bin",
+                             folder.path() / "felt.bin");
+  const json cases = readJson("tests/cli/gltf_validator/schema_cases.json");
+  CHECK(cases.size() >= 30);
+  for (const json& entry : cases) {
+    INFO(entry["what"].get<std::string>());
+    const std::filesystem::path path = folder.path() / "case.gltf";
+    std::ofstream(path) << example.patch(entry["patch"]).dump();
+    const auto findings = checkBundle(path);
+    REQUIRE(findings.ok());
+    const bool sound =
+        std::none_of(findings.value().begin(), findings.value().end(), [](const Finding& finding) {
+          return finding.severity == Finding::Severity::error;
+        });
+    CHECK(sound == entry["valid"].get<bool>());
+  }
+}

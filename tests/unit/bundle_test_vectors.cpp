@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The lattice against the extension's published vectors, which an independent implementation made.
+#include <lichen/lattice.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+using namespace lichen;
+
+namespace {
+
+const nlohmann::json& vectors() {
+  static const nlohmann::json file = [] {
+    std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+    return nlohmann::json::parse(stream);
+  }();
+  return file;
+}
+
+} // namespace
+
+TEST_CASE("the hashes and seeds are those of the published test vectors") {
+  for (const nlohmann::json& v : vectors()["pcg"])
+    CHECK(pcg(v["value"]) == v["hash"].get<std::uint32_t>());
+  for (const nlohmann::json& v : vectors()["pcg3d"])
+    CHECK(pcg3d(v["value"].get<std::array<std::uint32_t, 3>>()) ==
+          v["hash"].get<std::array<std::uint32_t, 3>>());
+  for (const nlohmann::json& v : vectors()["latticeSeed"])
+    CHECK(latticeSeed(v["seed"], v["plane"]) == v["word"].get<std::uint32_t>());
+}
+
+TEST_CASE("tile offsets are those of the published test vectors") {
+  for (const nlohmann::json& v : vectors()["tileOffset"]) {
+    const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
+    const auto size = v["size"].get<std::array<std::uint32_t, 2>>();
+    CHECK(tileOffsetTexels(std::uint32_t(vertex[0]), std::uint32_t(vertex[1]),
+                           latticeSeed(v["seed"], v["plane"]), size[0],
+                           size[1]) == v["texels"].get<std::array<std::uint32_t, 2>>());
+  }
+}
+
+TEST_CASE("tile origins and periodic lattices are those of the published test vectors") {
+  for (const nlohmann::json& v : vectors()["latticeOrigin"]) {
+    const auto tile = v["tile"].get<std::array<std::int64_t, 2>>();
+    const LatticeOrigin origin = latticeOrigin(tile[0], tile[1]);
+    INFO("tile " << tile[0] << ", " << tile[1]);
+    CHECK(origin.cell == v["cell"].get<std::array<std::int32_t, 2>>());
+    // Double precision leaves 2^-53 of a column number near 2^42.
+    CHECK(std::abs(double(origin.fraction[0]) - v["fraction"][0].get<double>()) < 1e-3);
+    if (std::abs(tile[0]) <= 10000000)
+      CHECK(std::abs(double(origin.fraction[0]) - v["fraction"][0].get<double>()) < 1e-7);
+    CHECK(origin.fraction[1] == 0.0f);
+  }
+  for (const nlohmann::json& v : vectors()["periodicLattice"]) {
+    const auto tiles = v["tiles"].get<std::array<double, 2>>();
+    const Lattice lattice = periodicLattice(tiles[0], tiles[1]);
+    CHECK(lattice.periodColumns == v["columns"].get<std::int32_t>());
+    CHECK(lattice.periodRows == v["rows"].get<std::int32_t>());
+  }
+}
