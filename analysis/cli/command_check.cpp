@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// lichen check: our extension against its schema, index ranges, table headers and sizes.
+#include "command.h"
+
+#include <lichen/bundle.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace lichen::cli {
+namespace {
+
+struct Arguments {
+  SharedOptions shared;
+  std::string bundle;
+};
+
+const char* severityName(Finding::Severity severity) {
+  return severity == Finding::Severity::error ? "error" : "warning";
+}
+
+Result<int> run(const Arguments& arguments) {
+  const Result<std::vector<Finding>> findings = checkBundle(arguments.bundle);
+  if (!findings)
+    return findings.error();
+  std::size_t errors = 0;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings.value()) {
+    errors += finding.severity == Finding::Severity::error ? 1 : 0;
+    list.push_back({{"severity", severityName(finding.severity)},
+                    {"code", finding.code},
+                    {"pointer", finding.pointer},
+                    {"message", finding.message}});
+    if (!arguments.shared.json)
+      fmt::print("{}: {} [{}] at {}\n", severityName(finding.severity), finding.message,
+                 finding.code, finding.pointer.empty() ? "/" : finding.pointer);
+  }
+  if (arguments.shared.json) {
+    const nlohmann::ordered_json report{{"file", arguments.bundle},
+                                        {"errors", errors},
+                                        {"warnings", findings.value().size() - errors},
+                                        {"findings", list}};
+    fmt::print("{}\n", report.dump(2));
+  }
+  say(arguments.shared, fmt::format("{}: {} errors, {} warnings", arguments.bundle, errors,
+                                    findings.value().size() - errors));
+  return errors == 0 ? kDone : kFound;
+}
+
+} // namespace
+
+Runner addCheck(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* verb = app.add_subcommand("check", "Check a bundle's extension and tables");
+  verb->add_option("BUNDLE", arguments->bundle, "A .glb or .gltf")->required();
+  addSharedOptions(*verb, arguments->shared);
+  return [arguments] { return run(*arguments); };
+}
+
+} // namespace lichen::cli

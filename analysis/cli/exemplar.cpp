@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Image file (1 to 4 channels) -> base colour exemplar (3 channels).
+#include "exemplar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::cli {
+namespace {
+
+template <Encoding kEncoding>
+std::vector<float> redGreenBlue(const Image<kEncoding>& image, std::vector<std::string>& notes) {
+  const int colours = image.channels <= 2 ? 1 : 3;
+  std::vector<float> values;
+  values.reserve(image.pixelCount() * 3);
+  bool opaque = true;
+  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+    const float* pixel = &image.values[i * std::size_t(image.channels)];
+    for (int c = 0; c < 3; ++c)
+      values.push_back(pixel[colours == 1 ? 0 : c]);
+    opaque = opaque && (image.channels == colours || pixel[colours] >= 1.0f);
+  }
+  if (!opaque)
+    notes.push_back("the image has an alpha channel that is not all opaque; it is ignored");
+  return values;
+}
+
+} // namespace
+
+MapExemplar baseColorExemplar(const ImageFile& file, std::vector<std::string>& notes) {
+  MapExemplar map;
+  map.target = MapTarget::baseColor;
+  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
+  notes = file.notes;
+  std::visit(
+      [&](const auto& image) {
+        map.width = image.width;
+        map.height = image.height;
+        map.values = redGreenBlue(image, notes);
+      },
+      file.pixels);
+  // A half float has 11 significant bits.
+  const int bits = file.bitsPerChannel == 32 ? 11 : file.bitsPerChannel;
+  map.quantum = 1.0 / double((1 << bits) - 1);
+  if (std::holds_alternative<LinearImage>(file.pixels)) {
+    const bool highRange = *std::max_element(map.values.begin(), map.values.end()) > 1.0f;
+    map.encoding = highRange ? ValueEncoding::log2 : ValueEncoding::srgb;
+    if (highRange)
+      notes.push_back("the image has values above 1; it is baked as log2(1 + light)");
+    for (float& value : map.values)
+      value = highRange ? std::log2(1.0f + value) : linearToSrgb(value);
+  }
+  return map;
+}
+
+} // namespace lichen::cli

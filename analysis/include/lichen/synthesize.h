@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Whole images of a noise, without Vulkan.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/image.h>
+#include <lichen/result.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <array>
+#include <optional>
+
+namespace lichen {
+
+struct SynthesisOptions {
+  std::size_t noise = 0;
+  MapTarget map = MapTarget::baseColor;
+  int width = 0;  ///< pixels, [1, 16384]
+  int height = 0; ///< pixels, [1, 16384]
+  /// Pixels across one exemplar's width; 0 for the exemplar's own texels, one a pixel.
+  double texelsPerTile = 0.0;
+  /// Of the image's top left corner, in tiles. The integer part may be as large as 2^40.
+  std::array<double, 2> origin{0.0, 0.0};
+  std::uint32_t seed = 1;
+  bool tileable = false; ///< opposite borders continue each other; `origin` then has no meaning
+  double blendSharpness = 1.0; ///< [0.25, 16]
+  double contrast = 1.0;       ///< [0, 4]
+  BlendOperator blend = BlendOperator::histogramPreserving;
+};
+
+/// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
+/// footprint of one pixel. The result holds decoded values: light for colour; as many channels as
+/// the map has. Errors: usage for options out of range or a map that the noise has not; resources
+/// for memory. Multi-threaded, the same result for any number of threads.
+[[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
+
+/// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
+/// glTF material. At most 1024 pixels a side, at least one a tile.
+[[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
+                                                    MapTarget map, std::uint32_t seed, int tiles);
+
+} // namespace lichen

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The CPU twin of shaders_glsl/noise/tiling.glsl: the noise from the bundle alone.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/result.h>
+#include <lichen/shader_parameters.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace lichen {
+
+/// A position in tile space, relative to the tile origin in LichenNoise, and its derivatives along
+/// the result's x and y, in tiles per pixel.
+struct TileFootprint {
+  std::array<float, 2> position{};
+  std::array<float, 2> dx{};
+  std::array<float, 2> dy{};
+};
+
+/// How the three taps are blended. The first is the method; the others serve comparison.
+enum class BlendOperator {
+  histogramPreserving, ///< [HN18] eq. 18
+  variancePreserving,  ///< eq. 8 on the decoded values: no inverse table after the blend
+  linear,              ///< eq. 3 on the decoded values
+};
+
+/// Decoded tables of one noise of a bundle. Immutable: any number of threads may evaluate it.
+class TilingEvaluator {
+public:
+  using Value = std::array<float, 4>;
+
+  /// Errors: usage for an index out of range or another method; resources for memory.
+  [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
+
+  [[nodiscard]] std::size_t mapCount() const { return maps_.size(); }
+
+  /// The decoded value of map `map` (light for sRGB; channels it has not are 0, the fourth is 1).
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+                               const TileFootprint& at,
+                               BlendOperator blend = BlendOperator::histogramPreserving) const;
+
+private:
+  struct Mip {
+    int width = 0;
+    int height = 0;
+    std::vector<Value> texels;
+  };
+  struct Map {
+    shader::LichenMap constants{};
+    std::vector<Mip> mips;
+    int tableSide = 0;
+    std::vector<Value> table; ///< slab k, then the cells, first axis fastest
+  };
+
+  [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
+  [[nodiscard]] static Value trilinear(const Map& map, float u, float v, float lod);
+  [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
+  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
+
+  std::vector<Map> maps_;
+};
+
+} // namespace lichen

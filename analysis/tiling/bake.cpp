@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Exemplar maps (width * height * channels values each) -> a noise and its tables.
+#include "borders.h"
+#include "color_space.h"
+#include "gaussianize.h"
+#include "inverse_table.h"
+#include "mip_chain.h"
+#include "prefilter.h"
+
+#include <lichen/image.h>
+#include <lichen/tiling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace lichen {
+namespace {
+
+using namespace tiling;
+
+constexpr int kMaxSide = 16384;
+
+float decoded(float value, ValueEncoding encoding) {
+  switch (encoding) {
+  case ValueEncoding::srgb:
+    return srgbToLinear(value);
+  case ValueEncoding::log2:
+    return std::exp2(value) - 1.0f;
+  case ValueEncoding::linear:
+  case ValueEncoding::slope:
+    return value;
+  }
+  return value;
+}
+
+std::vector<float> decodedValues(const MapExemplar& map) {
+  std::vector<float> values(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), values.begin(),
+                 [&](float v) { return decoded(v, map.encoding); });
+  return values;
+}
+
+Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
+  const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
+  if (options.bits != 8 && options.bits != 16)
+    return usage("precision " + std::to_string(options.bits) + ": 8 or 16 bits are accepted");
+  if (maps.empty())
+    return usage("no map to bake: at least one is needed");
+  for (const MapExemplar& map : maps) {
+    if (map.width < 1 || map.height < 1 || map.width > kMaxSide || map.height > kMaxSide)
+      return usage("a map of " + std::to_string(map.width) + " x " + std::to_string(map.height) +
+                   " pixels: sides from 1 to " + std::to_string(kMaxSide) + " are accepted");
+    if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
+      return usage("a map of " + std::to_string(map.channels.size()) +
+                   " channels: 1 to 3 are accepted");
+  }
+  return {};
+}
+
+/// An image that does not vary: nothing to match, one constant for image and table.
+Gaussianized constantGaussian(const MapExemplar& map) {
+  Gaussianized result;
+  result.width = map.width;
+  result.height = map.height;
+  result.matched.assign(std::size_t(map.width) * std::size_t(map.height),
+                        Point{float(kGaussianMean), 0.0f, 0.0f});
+  result.image = result.matched;
+  return result;
+}
+
+void appendValues(std::vector<double>& to, const auto& matrix) {
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      to.push_back(matrix(row, column));
+}
+
+/// Bakes one map and appends its two tables.
+void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
+             const TilingOptions& options, TilingBake& bake) {
+  const Precision precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
+  const ColorSpace space = colorSpaceOf(map);
+  const std::vector<float> values = decodedValues(map);
+  std::vector<Point> points;
+  Gaussianized gaussian;
+  if (space.dimensions() == 0) {
+    gaussian = constantGaussian(map);
+  } else {
+    points = transportPoints(map, space);
+    gaussian = gaussianize(map, points, space.dimensions(), periodic, precision, options.transport);
+  }
+  Table image = gaussianTable(gaussian, options.bits);
+  const LostVariance lost = lostVariance(image);
+  const InverseTable table =
+      fitInverseTable(gaussian, points, values, int(map.channels.size()), options.transport);
+  Table inverse = inverseTableTexels(prefilteredSlabs(table, lost), map.encoding, options.bits);
+
+  NoiseMap result;
+  result.target = map.target;
+  result.channels = map.channels;
+  result.encoding = map.encoding;
+  appendValues(result.mean, space.moments.mean);
+  appendValues(result.covariance, space.moments.covariance);
+  result.levels = tableLevels();
+  double loss = 0.0;
+  for (const ChannelMatrix& mip : lost.perMip)
+    result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
+  result.bilinearLoss = lost.bilinear;
+  const std::string prefix = name + "." + std::string(nameOf(map.target));
+  image.name = prefix + ".gaussian";
+  inverse.name = prefix + ".inverse";
+  result.gaussian = bake.tables.size();
+  bake.tables.push_back(std::move(image));
+  result.inverseTable = bake.tables.size();
+  bake.tables.push_back(std::move(inverse));
+  bake.noise.maps.push_back(std::move(result));
+}
+
+} // namespace
+
+Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
+                              const TilingOptions& options) {
+  if (Result<void> checked = checkOptions(maps, options); !checked)
+    return checked.error();
+  try {
+    TilingBake bake;
+    bake.noise.name = name;
+    bake.exemplarWasPeriodic =
+        options.periodic == Periodic::yes ||
+        (options.periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+    for (const MapExemplar& map : maps)
+      bakeMap(map, bake.exemplarWasPeriodic, name, options, bake);
+    return bake;
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources, name + ": not enough memory to bake " +
+                                           std::to_string(maps.front().width) + " x " +
+                                           std::to_string(maps.front().height) + " pixels"};
+  }
+}
+
+} // namespace lichen

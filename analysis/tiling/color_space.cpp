@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// From an exemplar's values (width * height * channels) to points for the transport.
+#include "color_space.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+/// One a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
+void blur(std::vector<float>& values, std::vector<float>& scratch, int width, int height,
+          int channels, int stepX, int stepY) {
+  const auto at = [&](int x, int y) {
+    return (std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(channels);
+  };
+  tbb::parallel_for(0, height, [&](int y) {
+    const int above = (y + height - stepY % height) % height;
+    const int below = (y + stepY) % height;
+    for (int x = 0; x < width; ++x) {
+      const int left = (x + width - stepX % width) % width;
+      const int right = (x + stepX) % width;
+      const float* a = &values[at(left, above)];
+      const float* b = &values[at(x, y)];
+      const float* c = &values[at(right, below)];
+      float* out = &scratch[at(x, y)];
+      for (int k = 0; k < channels; ++k)
+        out[k] = 0.25f * (a[k] + 2.0f * b[k] + c[k]);
+    }
+  });
+  values.swap(scratch);
+}
+
+/// Sum over scales s of 2^-s (blurred by 2^s texels), normalised: small scales decide first.
+std::vector<float> surroundings(const MapExemplar& map) {
+  const int channels = int(map.channels.size());
+  std::vector<float> blurred = map.values;
+  std::vector<float> scratch(blurred.size());
+  std::vector<float> sum(blurred.size(), 0.0f);
+  float weight = 0.5f;
+  // Up to a quarter of the shorter side: beyond it the wrapped kernel averages the whole image.
+  for (int step = 1; 4 * step <= std::min(map.width, map.height); step *= 2, weight *= 0.5f) {
+    blur(blurred, scratch, map.width, map.height, channels, step, 0);
+    blur(blurred, scratch, map.width, map.height, channels, 0, step);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += weight * blurred[i];
+  }
+  return sum;
+}
+
+} // namespace
+
+Moments momentsOf(std::span<const float> values, int channels) {
+  const auto n = Eigen::Index(channels);
+  Moments moments{ChannelVector::Zero(n), ChannelMatrix::Zero(n, n)};
+  const std::size_t count = values.size() / std::size_t(channels);
+  for (std::size_t i = 0; i < count; ++i)
+    for (Eigen::Index c = 0; c < n; ++c)
+      moments.mean[c] += double(values[i * std::size_t(channels) + std::size_t(c)]);
+  moments.mean /= double(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ChannelVector d(n);
+    for (Eigen::Index c = 0; c < n; ++c)
+      d[c] = double(values[i * std::size_t(channels) + std::size_t(c)]) - moments.mean[c];
+    moments.covariance.noalias() += d * d.transpose();
+  }
+  moments.covariance /= double(count);
+  return moments;
+}
+
+ColorSpace colorSpaceOf(const MapExemplar& map) {
+  const int channels = int(map.channels.size());
+  ColorSpace space{momentsOf(map.values, channels), {}};
+  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
+  const double roundingVariance = map.quantum * map.quantum / 12.0;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = channels; k-- > 0;) // largest first
+    if (solver.eigenvalues()[k] > roundingVariance)
+      kept.push_back(k);
+  if (int(kept.size()) == channels) {
+    space.basis = ChannelMatrix::Identity(channels, channels);
+    return space;
+  }
+  space.basis.resize(Eigen::Index(kept.size()), channels);
+  for (std::size_t row = 0; row < kept.size(); ++row) {
+    ChannelVector direction = solver.eigenvectors().col(kept[row]);
+    // The sign of an eigenvector is arbitrary: brighter is more.
+    if (direction.sum() < 0.0)
+      direction = -direction;
+    space.basis.row(Eigen::Index(row)) = direction.transpose();
+  }
+  return space;
+}
+
+std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space) {
+  const int channels = int(map.channels.size());
+  const std::vector<float> around = surroundings(map);
+  const auto tieBreak = float(0.5 * map.quantum);
+  std::vector<Point> points(map.values.size() / std::size_t(channels));
+  tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
+    ChannelVector d(channels);
+    for (int c = 0; c < channels; ++c) {
+      const std::size_t k = i * std::size_t(channels) + std::size_t(c);
+      d[c] = double(map.values[k] + tieBreak * (around[k] - map.values[k])) - space.moments.mean[c];
+    }
+    const ChannelVector p = space.basis * d;
+    points[i] = {float(p[0]), p.size() > 1 ? float(p[1]) : 0.0f, p.size() > 2 ? float(p[2]) : 0.0f};
+  });
+  return points;
+}
+
+} // namespace lichen::tiling

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The affine space that an exemplar's values span.
+#pragma once
+
+#include <lichen/tiling.h>
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace lichen::tiling {
+
+/// Vectors and matrices over the channels of one map, on the stack.
+inline constexpr int kMaxChannels = 3;
+using ChannelVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxChannels, 1>;
+using ChannelMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxChannels, kMaxChannels>;
+
+/// Mean and covariance of interleaved values; `values.size()` is a multiple of `channels` (1 to 3).
+struct Moments {
+  ChannelVector mean;
+  ChannelMatrix covariance;
+};
+[[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
+
+/// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the
+/// rows of `basis`: the directions whose deviation exceeds the rounding error of the stored values
+/// (quantum / sqrt(12)). A grey photograph stored as RGB has 1, a constant image 0. With all
+/// channels varying the basis is the identity, so that each Gaussian channel goes with its colour.
+struct ColorSpace {
+  Moments moments;
+  ChannelMatrix basis;
+  [[nodiscard]] int dimensions() const { return int(basis.rows()); }
+};
+[[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
+
+/// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of
+/// equal value are ordered by the average of their surroundings, at most half a quantum, so that
+/// flat regions stay smooth once Gaussianized. The image wraps at its borders.
+[[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space);
+
+} // namespace lichen::tiling

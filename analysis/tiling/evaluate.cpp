@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
+// the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl.
+#include "simplex_lattice.h"
+
+#include <lichen/tiling_evaluate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace lichen {
+namespace {
+
+using Value = TilingEvaluator::Value;
+
+Value mix(const Value& a, const Value& b, float t) {
+  Value result;
+  for (std::size_t c = 0; c < 4; ++c)
+    result[c] = a[c] + t * (b[c] - a[c]);
+  return result;
+}
+
+/// A texture repeats: any integer maps into [0, side).
+std::size_t wrapped(int k, int side) {
+  const int remainder = k % side;
+  return std::size_t(remainder < 0 ? remainder + side : remainder);
+}
+
+/// Abramowitz and Stegun 7.1.28, |error| <= 3e-7.
+float errorFunction(float x) {
+  const float a = std::abs(x);
+  float p = 0.0000430638f;
+  for (const float coefficient :
+       {0.0002765672f, 0.0001520143f, 0.0092705272f, 0.0422820123f, 0.0705230784f, 1.0f})
+    p = p * a + coefficient;
+  p *= p;
+  p *= p;
+  p *= p;
+  p *= p;
+  return std::copysign(1.0f - 1.0f / p, x);
+}
+
+/// [HN18] eq. 22, corrected: the CDF of N(1/2, (1/6)^2).
+float uniformFromGaussian(float value) {
+  constexpr float kThreeRootTwo = 4.2426406871f;
+  return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
+}
+
+float mipLoss(const shader::LichenMap& map, int mip) {
+  const shader::vec4& four = map.mipLoss[mip / 4];
+  const std::array<float, 4> values{four.x, four.y, four.z, four.w};
+  return values[std::size_t(mip % 4)];
+}
+
+/// The footprint's sides in texels of the map: squared lengths, larger first.
+struct Extent {
+  float major = 0.0f;
+  float minor = 0.0f;
+};
+
+Extent extentOf(const shader::LichenMap& map, const TileFootprint& at) {
+  const auto squaredLength = [&](const std::array<float, 2>& d) {
+    const float x = d[0] * map.widthTexels;
+    const float y = d[1] * map.heightTexels;
+    return x * x + y * y;
+  };
+  const float x = squaredLength(at.dx);
+  const float y = squaredLength(at.dy);
+  return {std::max(x, y), std::min(x, y)};
+}
+
+/// log2 of a squared length, halved; a vanishing footprint is far below the first mip.
+float levelOf(float squaredLength) {
+  constexpr float kSmallest = 1e-12f;
+  return 0.5f * std::log2(std::max(squaredLength, kSmallest));
+}
+
+/// The variance that a bilinear fetch at level 0 loses, which depends on the sub-texel position
+/// that all three taps share: their offsets are whole texels of the tile.
+float magnifiedLoss(const shader::LichenMap& map, const shader::LichenNoise& noise,
+                    const TileFootprint& at) {
+  if (map.widthTexels != float(noise.tileWidthTexels) ||
+      map.heightTexels != float(noise.tileHeightTexels))
+    return mipLoss(map, 0);
+  const auto fraction = [](float v) { return v - std::floor(v); };
+  const float f = fraction(at.position[0] * map.widthTexels - 0.5f);
+  const float g = fraction(at.position[1] * map.heightTexels - 0.5f);
+  return 1.0f -
+         (1.0f - map.bilinearLossX * f * (1.0f - f)) * (1.0f - map.bilinearLossY * g * (1.0f - g));
+}
+
+/// The share of the variance that a tap loses. Between two mips a fetch blends a level with its own
+/// average: what is kept falls with the square of the finer one's weight.
+float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
+                   const TileFootprint& at, const Extent& extent) {
+  const float major = levelOf(extent.major);
+  const float stretch =
+      std::clamp(major - levelOf(extent.minor), 0.0f, std::log2(noise.maxAnisotropy));
+  const float lod = std::min(major - 0.5f * stretch, float(map.mipCount - 1));
+  const float finest = magnifiedLoss(map, noise, at);
+  if (lod <= 0.0f)
+    return finest;
+  const int mip = int(lod);
+  const float keep = 1.0f - (lod - float(mip));
+  const float fine = mip == 0 ? finest : mipLoss(map, mip);
+  const float coarse = mipLoss(map, std::min(mip + 1, int(map.mipCount) - 1));
+  return coarse - keep * keep * (coarse - fine);
+}
+
+} // namespace
+
+Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
+  if (noiseIndex >= bundle.noises.size())
+    return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
+                                       std::to_string(bundle.noises.size())};
+  const Noise& noise = bundle.noises[noiseIndex];
+  if (noise.method != "tiling")
+    return Error{ErrorKind::usage,
+                 "noise '" + noise.name + "' has method '" + noise.method + "', not tiling"};
+  try {
+    TilingEvaluator evaluator;
+    const auto texelsOf = [](const Table& table, std::uint32_t level) {
+      const std::vector<float> values = decodeLevel(table, level);
+      const auto channels = std::size_t(channelCount(table.format));
+      std::vector<Value> texels(values.size() / channels, Value{0.0f, 0.0f, 0.0f, 1.0f});
+      for (std::size_t i = 0; i < texels.size(); ++i)
+        std::copy_n(&values[i * channels], std::min<std::size_t>(channels, 3), texels[i].begin());
+      return texels;
+    };
+    for (std::size_t m = 0; m < noise.maps.size(); ++m) {
+      Map map;
+      map.constants = shaderMap(bundle, noise, m);
+      const Table& gaussian = bundle.tables[noise.maps[m].gaussian];
+      for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
+        map.mips.push_back({std::max(1, int(gaussian.width >> level)),
+                            std::max(1, int(gaussian.height >> level)), texelsOf(gaussian, level)});
+      if (noise.maps[m].inverseTable) {
+        const Table& table = bundle.tables[*noise.maps[m].inverseTable];
+        map.tableSide = int(table.width);
+        map.table = texelsOf(table, 0);
+      }
+      evaluator.maps_.push_back(std::move(map));
+    }
+    return evaluator;
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources,
+                 "noise '" + noise.name + "': not enough memory for its tables"};
+  }
+}
+
+Value TilingEvaluator::bilinear(const Mip& mip, float u, float v) {
+  const float x = u * float(mip.width) - 0.5f;
+  const float y = v * float(mip.height) - 0.5f;
+  const float floorX = std::floor(x);
+  const float floorY = std::floor(y);
+  const std::size_t x0 = wrapped(int(floorX), mip.width);
+  const std::size_t y0 = wrapped(int(floorY), mip.height);
+  const std::size_t x1 = x0 + 1 == std::size_t(mip.width) ? 0 : x0 + 1;
+  const std::size_t y1 = y0 + 1 == std::size_t(mip.height) ? 0 : y0 + 1;
+  const auto texel = [&](std::size_t column, std::size_t row) -> const Value& {
+    return mip.texels[row * std::size_t(mip.width) + column];
+  };
+  return mix(mix(texel(x0, y0), texel(x1, y0), x - floorX),
+             mix(texel(x0, y1), texel(x1, y1), x - floorX), y - floorY);
+}
+
+Value TilingEvaluator::trilinear(const Map& map, float u, float v, float lod) {
+  // Keeps the integer part small, so that its product with the side loses no fraction.
+  u -= std::floor(u);
+  v -= std::floor(v);
+  const float level = std::clamp(lod, 0.0f, float(map.mips.size() - 1));
+  const auto fine = std::size_t(level);
+  const Value value = bilinear(map.mips[fine], u, v);
+  const float t = level - float(fine);
+  return t > 0.0f ? mix(value, bilinear(map.mips[fine + 1], u, v), t) : value;
+}
+
+Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::size_t slab) {
+  const auto side = std::size_t(map.tableSide);
+  const std::size_t dimensions = map.constants.dimensions;
+  std::array<std::size_t, 3> step{};
+  std::array<float, 3> fraction{};
+  std::size_t base = slab;
+  std::size_t stride = 1;
+  for (std::size_t axis = 0; axis < dimensions; ++axis)
+    base *= side;
+  for (std::size_t axis = 0; axis < dimensions; ++axis, stride *= side) {
+    const float place = std::clamp(uniform[axis] * float(side) - 0.5f, 0.0f, float(side - 1));
+    const auto cell = std::size_t(place);
+    base += cell * stride;
+    step[axis] = cell + 1 < side ? stride : 0;
+    fraction[axis] = place - float(cell);
+  }
+  const Value* cells = map.table.data() + base;
+  const auto line = [&](std::size_t at) {
+    return mix(cells[at], cells[at + step[0]], fraction[0]);
+  };
+  const auto square = [&](std::size_t at) {
+    return mix(line(at), line(at + step[1]), fraction[1]);
+  };
+  if (dimensions == 1)
+    return line(0);
+  return dimensions == 2 ? square(0) : mix(square(0), square(step[2]), fraction[2]);
+}
+
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
+  if (map.table.empty())
+    return gaussian;
+  Value uniform{};
+  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
+    uniform[axis] = uniformFromGaussian(gaussian[axis]);
+  const float level =
+      float(map.constants.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+  const auto slab = std::size_t(level);
+  const Value value = slabLookup(map, uniform, slab);
+  const float t = level - float(slab);
+  return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
+}
+
+Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const TileFootprint& at, BlendOperator blend) const {
+  const Map& map = maps_[mapIndex];
+  const tiling::Taps taps = tiling::tapsAt(noise, at.position);
+  const Extent extent = extentOf(map.constants, at);
+  const float stretch = std::clamp(levelOf(extent.major) - levelOf(extent.minor), 0.0f,
+                                   std::log2(noise.maxAnisotropy));
+  const float lod = levelOf(extent.major) - stretch;
+  const float lost = lostVariance(map.constants, noise, at, extent);
+  const bool decodeFirst = blend != BlendOperator::histogramPreserving;
+  const Value middle =
+      decodeFirst ? Value{map.constants.mean.x, map.constants.mean.y, map.constants.mean.z, 1.0f}
+                  : Value{0.5f, 0.5f, 0.5f, 1.0f};
+  Value sum{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Value tap = trilinear(map, taps.position[k][0], taps.position[k][1], lod);
+    if (decodeFirst)
+      tap = decode(map, tap, lost);
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += taps.weight[k] * (tap[c] - middle[c]);
+  }
+  const float scale = noise.contrast / (blend == BlendOperator::linear ? 1.0f : taps.norm);
+  Value result = middle;
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] += scale * sum[c];
+  return decodeFirst ? result : decode(map, result, noise.contrast * noise.contrast * lost);
+}
+
+} // namespace lichen

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Stratified samples of the method's Gaussian; count -> count points.
+#include "gaussian_distribution.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lichen::tiling {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Digits of i in `base` mirrored behind the point, plus half a unit of the last place that `count`
+/// points fill, so that no sample is 0.
+double shiftedRadicalInverse(std::size_t i, std::size_t base, std::size_t count) {
+  double inverse = 0.0;
+  double place = 1.0;
+  for (std::size_t range = 1; range < count; range *= base) {
+    place /= double(base);
+    inverse += double(i % base) * place;
+    i /= base;
+  }
+  return inverse + 0.5 * place;
+}
+
+/// Clamping loses variance and the whitening that restores it clamps a little more; each pass
+/// reduces the error about hundredfold, so this many leave nothing that 8 bits could hold.
+constexpr int kWhiteningPasses = 4;
+
+/// Columns are points: mean becomes 1/2 and covariance I / 36, by the inverse square root of the
+/// covariance found (the least change, in the mean square).
+void whiten(MatrixXd& points) {
+  const VectorXd mean = points.rowwise().mean();
+  points.colwise() -= mean;
+  const MatrixXd covariance = points * points.transpose() / double(points.cols());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance);
+  const double variance = kGaussianDeviation * kGaussianDeviation;
+  VectorXd scale(covariance.rows());
+  for (Eigen::Index k = 0; k < scale.size(); ++k) {
+    const double value = solver.eigenvalues()[k];
+    scale[k] = value > variance * 1e-9 ? std::sqrt(variance / value) : 1.0;
+  }
+  points = solver.eigenvectors() * scale.asDiagonal() * solver.eigenvectors().transpose() * points;
+  points.array() += kGaussianMean;
+}
+
+} // namespace
+
+double gaussianCdf(double value) {
+  return 0.5 * std::erfc(-3.0 * std::numbers::sqrt2 * (value - kGaussianMean));
+}
+
+double gaussianQuantile(double u) {
+  // AS 241, PPND7: a rational function around the middle, and two of sqrt(-log tail) outside it.
+  const double q = u - 0.5;
+  double deviate = 0.0;
+  if (std::abs(q) <= 0.425) {
+    const double r = 0.180625 - q * q;
+    deviate = q * (((59.109374720 * r + 159.29113202) * r + 50.434271938) * r + 3.3871327179) /
+              (((67.187563600 * r + 78.757757664) * r + 17.895169469) * r + 1.0);
+  } else {
+    double r = std::sqrt(-std::log(q < 0.0 ? u : 1.0 - u));
+    if (r <= 5.0) {
+      r -= 1.6;
+      deviate = (((0.17023821103 * r + 1.3067284816) * r + 2.7568153900) * r + 1.4234372777) /
+                ((0.12021132975 * r + 0.73700164250) * r + 1.0);
+    } else {
+      r -= 5.0;
+      deviate = (((0.017337203997 * r + 0.42868294337) * r + 3.0812263860) * r + 6.6579051150) /
+                ((0.012258202635 * r + 0.24197894225) * r + 1.0);
+    }
+    deviate = q < 0.0 ? -deviate : deviate;
+  }
+  return kGaussianMean + kGaussianDeviation * deviate;
+}
+
+std::vector<Point> stratifiedGaussian(std::size_t count, int dimensions, Precision precision) {
+  MatrixXd points(dimensions, Eigen::Index(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = Eigen::Index(i);
+    points(0, column) = gaussianQuantile((double(i) + 0.5) / double(count));
+    if (dimensions > 1)
+      points(1, column) = gaussianQuantile(shiftedRadicalInverse(i, 2, count));
+    if (dimensions > 2)
+      points(2, column) = gaussianQuantile(shiftedRadicalInverse(i, 3, count));
+  }
+  whiten(points);
+  if (precision == Precision::bits8) {
+    for (int pass = 0; pass < kWhiteningPasses; ++pass) {
+      points = points.cwiseMax(0.0).cwiseMin(1.0);
+      whiten(points);
+    }
+    constexpr double kSteps = 255.0;
+    points = ((points.cwiseMax(0.0).cwiseMin(1.0) * kSteps).array().round() / kSteps).matrix();
+  }
+  std::vector<Point> result(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = Eigen::Index(i);
+    result[i] = {float(points(0, column)), dimensions > 1 ? float(points(1, column)) : 0.0f,
+                 dimensions > 2 ? float(points(2, column)) : 0.0f};
+  }
+  return result;
+}
+
+} // namespace lichen::tiling

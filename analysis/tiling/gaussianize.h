@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The Gaussianized image of an exemplar: [HN18] section 4.2.
+#pragma once
+
+#include "color_space.h"
+#include "gaussian_distribution.h"
+
+#include <lichen/tiling.h>
+
+#include <vector>
+
+namespace lichen::tiling {
+
+/// A Gaussianized image and how its values go with the exemplar's.
+struct Gaussianized {
+  int width = 0;
+  int height = 0;
+  int dimensions = 1;
+  /// What the shader fetches: periodic, width * height points, a permutation of
+  /// stratifiedGaussian(width * height, dimensions, precision).
+  std::vector<Point> image;
+  /// The Gaussian point matched to each pixel of the exemplar itself, before any blending of
+  /// borders: the pairs from which the inverse table is fitted.
+  std::vector<Point> matched;
+};
+
+/// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
+/// are then cross-faded and the image is matched to the set once more.
+[[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
+                                       int dimensions, bool periodic, Precision precision,
+                                       const TransportOptions& transport);
+
+} // namespace lichen::tiling

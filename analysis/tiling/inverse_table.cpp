@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Pairs of Gaussian point and value (one a pixel) -> table of side^D cells.
+#include "inverse_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lichen::tiling {
+namespace {
+
+std::size_t power(int base, int exponent) {
+  std::size_t result = 1;
+  for (int k = 0; k < exponent; ++k)
+    result *= std::size_t(base);
+  return result;
+}
+
+/// Applies side * M along one axis, M_ij the integral of the products of two cells' interpolation
+/// weights: 2/3 on the diagonal (5/6 at the ends, which are constant beyond their middle) and 1/6
+/// beside it.
+std::vector<double> applyMass(const std::vector<double>& values, int side, std::size_t stride) {
+  std::vector<double> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto place = int(i / stride % std::size_t(side));
+    const double before = place > 0 ? values[i - stride] : values[i];
+    const double after = place + 1 < side ? values[i + stride] : values[i];
+    result[i] = (before + 4.0 * values[i] + after) / 6.0;
+  }
+  return result;
+}
+
+/// The symmetric map that carries covariance `from` to `to` (as far as `from` has variance at all).
+ChannelMatrix covarianceMap(const ChannelMatrix& from, const ChannelMatrix& to) {
+  constexpr double kNoVariance = 1e-9;
+  const auto power = [](const ChannelMatrix& m, double exponent) -> ChannelMatrix {
+    const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(m);
+    const double floor = kNoVariance * std::max(solver.eigenvalues().maxCoeff(), 1e-300);
+    ChannelVector powered = ChannelVector::Zero(m.rows());
+    for (Eigen::Index k = 0; k < m.rows(); ++k)
+      if (solver.eigenvalues()[k] > floor)
+        powered[k] = std::pow(solver.eigenvalues()[k], exponent);
+    return solver.eigenvectors() * powered.asDiagonal() * solver.eigenvectors().transpose();
+  };
+  const ChannelMatrix root = power(from, 0.5);
+  const ChannelMatrix inverseRoot = power(from, -0.5);
+  return inverseRoot * power(root * to * root, 0.5) * inverseRoot;
+}
+
+/// Moves the table so that lookups have the wanted moments, within the range of the values it was
+/// fitted to; clamping disturbs the moments a little, so it is repeated.
+void matchMoments(InverseTable& table, std::span<const float> decoded) {
+  constexpr int kPasses = 4;
+  const auto channels = std::size_t(table.channels);
+  const Moments wanted = momentsOf(decoded, table.channels);
+  std::array<float, kMaxChannels> low{};
+  std::array<float, kMaxChannels> high{};
+  for (std::size_t c = 0; c < channels; ++c) {
+    low[c] = high[c] = decoded[c];
+    for (std::size_t i = c; i < decoded.size(); i += channels) {
+      low[c] = std::min(low[c], decoded[i]);
+      high[c] = std::max(high[c], decoded[i]);
+    }
+  }
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Moments found = interpolatedMoments(table);
+    const ChannelMatrix map = covarianceMap(found.covariance, wanted.covariance);
+    for (std::size_t i = 0; i < table.values.size(); i += channels) {
+      ChannelVector d(table.channels);
+      for (std::size_t c = 0; c < channels; ++c)
+        d[Eigen::Index(c)] = double(table.values[i + c]) - found.mean[Eigen::Index(c)];
+      const ChannelVector moved = wanted.mean + map * d;
+      for (std::size_t c = 0; c < channels; ++c)
+        table.values[i + c] = std::clamp(float(moved[Eigen::Index(c)]), low[c], high[c]);
+    }
+  }
+}
+
+/// Pixel indices in an order in which neighbours have neighbouring Gaussian points: by the Morton
+/// code of U. Taking every k-th of it is a stratified subset of the joint distribution.
+std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int dimensions) {
+  constexpr int kBits = 10; // of each coordinate; 2^30 codes
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> codes(gaussian.size());
+  for (std::size_t i = 0; i < gaussian.size(); ++i) {
+    const std::array<float, 3> g{gaussian[i].x, gaussian[i].y, gaussian[i].z};
+    std::uint32_t code = 0;
+    for (int axis = 0; axis < dimensions; ++axis) {
+      const double u = gaussianCdf(double(g[std::size_t(axis)]));
+      const auto cell = std::min(std::uint32_t(u * (1 << kBits)), (1u << kBits) - 1);
+      for (int bit = 0; bit < kBits; ++bit)
+        code |= ((cell >> bit) & 1u) << (bit * dimensions + axis);
+    }
+    codes[i] = {code, std::uint32_t(i)};
+  }
+  std::sort(codes.begin(), codes.end());
+  std::vector<std::uint32_t> order(codes.size());
+  std::transform(codes.begin(), codes.end(), order.begin(), [](const auto& c) { return c.second; });
+  return order;
+}
+
+/// Samples of the cells, `perCell` (a power of two up to 2^D) in each: cell c has the samples
+/// c * perCell + k, on a sub-grid of U that is split along one more axis for each doubling.
+std::vector<Point> cellSamples(int dimensions, int side, int perCell) {
+  const std::size_t cells = power(side, dimensions);
+  std::vector<Point> samples;
+  samples.reserve(cells * std::size_t(perCell));
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    for (int k = 0; k < perCell; ++k) {
+      std::array<float, 3> g{0.0f, 0.0f, 0.0f};
+      std::size_t rest = cell;
+      std::size_t parity = 0;
+      std::array<std::size_t, 3> place{};
+      for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis) {
+        place[axis] = rest % std::size_t(side);
+        rest /= std::size_t(side);
+        parity += place[axis];
+      }
+      // Which axis is split first turns from cell to cell, so that no direction is favoured.
+      std::array<double, 3> within{0.5, 0.5, 0.5};
+      for (std::size_t bit = 0; (1 << bit) < perCell; ++bit)
+        within[(parity + bit) % std::size_t(dimensions)] = (k >> bit) & 1 ? 0.75 : 0.25;
+      for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis)
+        g[axis] = float(gaussianQuantile((double(place[axis]) + within[axis]) / side));
+      samples.push_back({g[0], g[1], g[2]});
+    }
+  return samples;
+}
+
+/// The quantile function of the projected values, averaged over each cell exactly: D = 1.
+InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> decoded,
+                          int channels) {
+  InverseTable table{1, kTableSide[0], channels, {}};
+  const std::size_t count = gaussian.matched.size();
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return gaussian.matched[a].x < gaussian.matched[b].x;
+  });
+  for (int cell = 0; cell < table.side; ++cell) {
+    const double begin = double(cell) * double(count) / table.side;
+    const double end = double(cell + 1) * double(count) / table.side;
+    std::array<double, kMaxChannels> sum{};
+    for (auto k = std::size_t(begin); k < count && double(k) < end; ++k) {
+      const double overlap = std::min(end, double(k) + 1.0) - std::max(begin, double(k));
+      for (int c = 0; c < channels; ++c)
+        sum[std::size_t(c)] +=
+            overlap * double(decoded[order[k] * std::size_t(channels) + std::size_t(c)]);
+    }
+    for (int c = 0; c < channels; ++c)
+      table.values.push_back(float(sum[std::size_t(c)] / (end - begin)));
+  }
+  return table;
+}
+
+/// Two samples a cell halve the noise of the fit; more gained nothing in histogram or round trip
+/// (docs/decisions/002-inverse-table.md).
+constexpr int kMostSamplesPerCell = 2;
+
+InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point> points,
+                            std::span<const float> decoded, int channels,
+                            const TransportOptions& transport) {
+  InverseTable table{
+      gaussian.dimensions, kTableSide[std::size_t(gaussian.dimensions - 1)], channels, {}};
+  const std::size_t cells = power(table.side, table.dimensions);
+  const std::size_t pixels = points.size();
+  const int perCell = pixels >= cells * kMostSamplesPerCell ? kMostSamplesPerCell : 1;
+  const std::vector<Point> samples = cellSamples(table.dimensions, table.side, perCell);
+
+  // As many pixels as samples, evenly over the joint distribution; repeated when there are fewer.
+  const std::vector<std::uint32_t> order = spatialOrder(gaussian.matched, gaussian.dimensions);
+  std::vector<std::uint32_t> chosen(samples.size());
+  std::vector<Point> chosenPoints(samples.size());
+  std::vector<Point> chosenGaussian(samples.size());
+  for (std::size_t m = 0; m < samples.size(); ++m) {
+    const auto place = std::size_t((double(m) + 0.5) * double(pixels) / double(samples.size()));
+    chosen[m] = order[std::min(place, pixels - 1)];
+    chosenPoints[m] = points[chosen[m]];
+    chosenGaussian[m] = gaussian.matched[chosen[m]];
+  }
+
+  TransportOptions alike = transport; // Gaussian to Gaussian: nearly the identity
+  alike.trees = 2;
+  alike.exactRounds = 0;
+  const std::vector<std::uint32_t> sampleOf =
+      improveAssignment(chosenPoints, samples, assign(chosenGaussian, samples, alike), transport);
+
+  std::vector<double> sums(cells * std::size_t(channels), 0.0);
+  for (std::size_t m = 0; m < samples.size(); ++m) {
+    const std::size_t cell = sampleOf[m] / std::size_t(perCell);
+    for (int c = 0; c < channels; ++c)
+      sums[cell * std::size_t(channels) + std::size_t(c)] +=
+          double(decoded[chosen[m] * std::size_t(channels) + std::size_t(c)]) / perCell;
+  }
+  table.values.assign(sums.begin(), sums.end());
+  return table;
+}
+
+} // namespace
+
+Moments interpolatedMoments(const InverseTable& table) {
+  const auto n = Eigen::Index(table.channels);
+  const auto cells = double(table.cellCount());
+  std::vector<std::vector<double>> planes(std::size_t(table.channels));
+  for (std::size_t c = 0; c < planes.size(); ++c)
+    for (std::size_t i = c; i < table.values.size(); i += planes.size())
+      planes[c].push_back(double(table.values[i]));
+  Moments moments{ChannelVector::Zero(n), ChannelMatrix::Zero(n, n)};
+  for (Eigen::Index c = 0; c < n; ++c)
+    moments.mean[c] =
+        std::accumulate(planes[std::size_t(c)].begin(), planes[std::size_t(c)].end(), 0.0) / cells;
+  for (Eigen::Index c = 0; c < n; ++c) {
+    std::vector<double> smoothed = planes[std::size_t(c)];
+    std::size_t stride = 1;
+    for (int axis = 0; axis < table.dimensions; ++axis, stride *= std::size_t(table.side))
+      smoothed = applyMass(smoothed, table.side, stride);
+    for (Eigen::Index d = 0; d < n; ++d)
+      moments.covariance(c, d) = std::inner_product(smoothed.begin(), smoothed.end(),
+                                                    planes[std::size_t(d)].begin(), 0.0) /
+                                     cells -
+                                 moments.mean[c] * moments.mean[d];
+  }
+  return moments;
+}
+
+InverseTable fitInverseTable(const Gaussianized& gaussian, std::span<const Point> points,
+                             std::span<const float> decoded, int channels,
+                             const TransportOptions& transport) {
+  InverseTable table = gaussian.dimensions == 1
+                           ? fitQuantiles(gaussian, decoded, channels)
+                           : fitByTransport(gaussian, points, decoded, channels, transport);
+  matchMoments(table, decoded);
+  return table;
+}
+
+} // namespace lichen::tiling

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The inverse transformation T^-1 as a table over U in [0, 1]^D: [HN18] section 4.3.
+#pragma once
+
+#include "color_space.h"
+#include "gaussianize.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace lichen::tiling {
+
+/// Cells on each axis of a table of D = 1, 2, 3 dimensions.
+inline constexpr std::array<int, 3> kTableSide{256, 64, 32};
+
+/// Values (channels of them a cell) over side^dimensions cells, first axis fastest. Cell i of an
+/// axis covers U in [i, i + 1) / side and its value stands at the middle: a lookup interpolates
+/// linearly between middles and is constant beyond the outermost.
+struct InverseTable {
+  int dimensions = 1;
+  int side = kTableSide[0];
+  int channels = 3;
+  std::vector<float> values;
+
+  [[nodiscard]] std::size_t cellCount() const { return values.size() / std::size_t(channels); }
+};
+
+/// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.
+[[nodiscard]] Moments interpolatedMoments(const InverseTable& table);
+
+/// Fits a table to the pairs (gaussian.matched[i], decoded[i]): `decoded` holds the exemplar's
+/// values after decoding (light for sRGB), `points` the same in the transport's space. One
+/// dimension: the mean of each quantile interval. More: a second transport, from the pixels to
+/// samples of the cells, started from the first one. The looked-up values then have the exemplar's
+/// mean and covariance, as far as its range of values allows.
+[[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
+                                           std::span<const Point> points,
+                                           std::span<const float> decoded, int channels,
+                                           const TransportOptions& transport);
+
+} // namespace lichen::tiling

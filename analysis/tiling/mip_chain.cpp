@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Gaussian image (width * height points) -> mip chain -> lost covariance of each level.
+#include "mip_chain.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+struct Plane {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<float> values;
+};
+
+/// Share of each source texel in the average over destination texel i: area overlap on a side of
+/// `source` texels reduced to `destination`.
+struct Footprint {
+  int first = 0;
+  std::array<double, 4> weight{}; ///< sums to 1; a ratio of at most 3 touches at most 4 texels
+  int count = 0;
+};
+
+Footprint footprintOf(int i, int source, int destination) {
+  const double ratio = double(source) / destination;
+  const double begin = i * ratio;
+  const double end = (i + 1) * ratio;
+  Footprint footprint;
+  footprint.first = int(begin);
+  for (int k = footprint.first; k < source && double(k) < end - 1e-9; ++k) {
+    const double overlap = std::min(end, k + 1.0) - std::max(begin, double(k));
+    footprint.weight[std::size_t(footprint.count++)] = overlap / ratio;
+  }
+  return footprint;
+}
+
+Plane halved(const Plane& source) {
+  Plane result{std::max(1, source.width / 2), std::max(1, source.height / 2), source.channels, {}};
+  result.values.resize(std::size_t(result.width) * std::size_t(result.height) *
+                       std::size_t(result.channels));
+  tbb::parallel_for(0, result.height, [&](int y) {
+    const Footprint rows = footprintOf(y, source.height, result.height);
+    for (int x = 0; x < result.width; ++x) {
+      const Footprint columns = footprintOf(x, source.width, result.width);
+      float* out = &result.values[(std::size_t(y) * std::size_t(result.width) + std::size_t(x)) *
+                                  std::size_t(result.channels)];
+      for (int c = 0; c < result.channels; ++c) {
+        double sum = 0.0;
+        for (int r = 0; r < rows.count; ++r)
+          for (int k = 0; k < columns.count; ++k)
+            sum += rows.weight[std::size_t(r)] * columns.weight[std::size_t(k)] *
+                   double(source.values[(std::size_t(rows.first + r) * std::size_t(source.width) +
+                                         std::size_t(columns.first + k)) *
+                                            std::size_t(source.channels) +
+                                        std::size_t(c)]);
+        out[c] = float(sum);
+      }
+    }
+  });
+  return result;
+}
+
+/// Covariance between the level and itself shifted by (dx, dy), wrapping, symmetrised.
+ChannelMatrix autocovariance(const std::vector<float>& values, int width, int height, int stride,
+                             int channels, int dx, int dy) {
+  const auto n = Eigen::Index(channels);
+  ChannelVector mean = ChannelVector::Zero(n);
+  ChannelMatrix sum = ChannelMatrix::Zero(n, n);
+  const auto texel = [&](int x, int y) {
+    return &values[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(stride)];
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float* a = texel(x, y);
+      const float* b = texel((x + dx + width) % width, (y + dy + height) % height);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        mean[i] += double(a[i]);
+        for (Eigen::Index j = 0; j < n; ++j)
+          sum(i, j) += double(a[i]) * double(b[j]);
+      }
+    }
+  const double count = double(width) * double(height);
+  mean /= count;
+  sum /= count;
+  const ChannelMatrix covariance = sum - mean * mean.transpose();
+  return 0.5 * (covariance + covariance.transpose());
+}
+
+/// A bilinear fetch at a uniform sub-texel position averages neighbours with E[w^2] = 1/3 each and
+/// E[w (1 - w)] = 1/6: its covariance is sum b(k) R(k) with b = (1/6, 2/3, 1/6) on each axis.
+constexpr std::array<double, 3> kBilinearAutocorrelation{1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
+
+ChannelMatrix bilinearCovariance(const std::vector<float>& values, int width, int height,
+                                 int stride, int channels) {
+  ChannelMatrix sum = ChannelMatrix::Zero(channels, channels);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      sum += kBilinearAutocorrelation[std::size_t(dx + 1)] *
+             kBilinearAutocorrelation[std::size_t(dy + 1)] *
+             autocovariance(values, width, height, stride, channels, dx, dy);
+  return sum;
+}
+
+TexelFormat formatOf(int dimensions, int bits) {
+  constexpr std::array<TexelFormat, 3> k8{TexelFormat::r8Unorm, TexelFormat::rg8Unorm,
+                                          TexelFormat::rgba8Unorm};
+  constexpr std::array<TexelFormat, 3> k16{TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
+                                           TexelFormat::rgba16Sfloat};
+  return (bits == 8 ? k8 : k16)[std::size_t(dimensions - 1)];
+}
+
+} // namespace
+
+Table gaussianTable(const Gaussianized& gaussianized, int bits) {
+  Table table;
+  table.format = formatOf(gaussianized.dimensions, bits);
+  table.width = std::uint32_t(gaussianized.width);
+  table.height = std::uint32_t(gaussianized.height);
+  const int channels = channelCount(table.format);
+  Plane level{gaussianized.width, gaussianized.height, channels, {}};
+  level.values.reserve(gaussianized.image.size() * std::size_t(channels));
+  for (const Point& p : gaussianized.image) {
+    const std::array<float, 4> texel{p.x, p.y, p.z, 1.0f};
+    level.values.insert(level.values.end(), texel.begin(), texel.begin() + channels);
+  }
+  appendTexels(table.texels, table.format, level.values);
+  while (level.width > 1 || level.height > 1) {
+    level = halved(level);
+    appendTexels(table.texels, table.format, level.values);
+    ++table.mipLevels;
+  }
+  return table;
+}
+
+LostVariance lostVariance(const Table& gaussian) {
+  const int stride = channelCount(gaussian.format);
+  const int channels = std::min(stride, kMaxChannels);
+  const auto n = Eigen::Index(channels);
+  LostVariance lost;
+  ChannelMatrix full;
+  for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip) {
+    const std::vector<float> values = decodeLevel(gaussian, mip);
+    const int width = std::max(1, int(gaussian.width >> mip));
+    const int height = std::max(1, int(gaussian.height >> mip));
+    const auto covarianceAt = [&](int dx, int dy) {
+      return autocovariance(values, width, height, stride, channels, dx, dy);
+    };
+    if (mip == 0) {
+      full = covarianceAt(0, 0);
+      const double variance = full.trace();
+      if (variance > 0.0)
+        lost.bilinear = {2.0 * (1.0 - covarianceAt(1, 0).trace() / variance),
+                         2.0 * (1.0 - covarianceAt(0, 1).trace() / variance)};
+    }
+    const double variance = full.trace() / double(n);
+    const ChannelMatrix kept = bilinearCovariance(values, width, height, stride, channels);
+    lost.perMip.push_back(variance > 0.0 ? ChannelMatrix((full - kept) / variance)
+                                         : ChannelMatrix(ChannelMatrix::Zero(n, n)));
+  }
+  return lost;
+}
+
+double scalarLoss(const ChannelMatrix& loss) {
+  return std::clamp(loss.trace() / double(loss.rows()), 0.0, 1.0);
+}
+
+} // namespace lichen::tiling

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The Gaussian image as the shader fetches it: a table with mips, and what those fetches lose.
+#pragma once
+
+#include "color_space.h"
+#include "gaussianize.h"
+
+#include <lichen/bundle.h>
+
+#include <array>
+#include <vector>
+
+namespace lichen::tiling {
+
+/// The image as an R8, RG8, RGBA8 (bits 8) or R16F, RG16F, RGBA16F (bits 16) table with all mips
+/// down to 1 x 1. Each texel of a level is the area average of level 0 over it, so odd sides lose
+/// no row; D = 3 is stored with alpha 1.
+[[nodiscard]] Table gaussianTable(const Gaussianized& gaussianized, int bits);
+
+/// What fetches of the stored table lose of its level 0's covariance.
+struct LostVariance {
+  /// For each mip level, Cov(G) - Cov(bilinear fetch), averaged over sub-texel positions, in units
+  /// of the variance of a channel: 0 for nothing lost, the identity for everything.
+  std::vector<ChannelMatrix> perMip;
+  /// NoiseMap::bilinearLoss.
+  std::array<double, 2> bilinear{0.0, 0.0};
+};
+[[nodiscard]] LostVariance lostVariance(const Table& gaussian);
+
+/// The mean over the channels of a loss matrix: the scalar that mipLoss and levels state.
+[[nodiscard]] double scalarLoss(const ChannelMatrix& loss);
+
+} // namespace lichen::tiling

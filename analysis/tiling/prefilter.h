@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Prefiltered slabs of the inverse table, so that a filtered Gaussian value decodes to the average.
+#pragma once
+
+#include "inverse_table.h"
+#include "mip_chain.h"
+
+#include <vector>
+
+namespace lichen::tiling {
+
+/// Slabs of a table: steps of 1/7 in kept amplitude. Doubling them changes no view's mean colour by
+/// more than a quarter of the target (docs/decisions/002-inverse-table.md).
+inline constexpr int kTableLevels = 8;
+
+/// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k.
+[[nodiscard]] std::vector<double> tableLevels();
+
+/// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36) and S the covariance that fetches
+/// have lost when the mean loss is levels[k]: interpolated between the mips' in `lost`. Slab 0 is
+/// the table itself, the last the constant mean. Each slab's mean over the Gaussian values that
+/// remain is the table's mean.
+[[nodiscard]] std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
+                                                         const LostVariance& lost);
+
+/// The slabs as one KTX2-ready table: D = 1 2-D (256 x L), D = 2 2-D (64 x 64 L), D = 3 3-D
+/// (32 x 32 x 32 L). Format by encoding and bits: RGBA8 SRGB for light, RGBA8 UNORM for other data
+/// in [0, 1], RGBA16F otherwise; one- and two-channel data as R and RG.
+[[nodiscard]] Table inverseTableTexels(const std::vector<InverseTable>& slabs,
+                                       ValueEncoding encoding, int bits);
+
+} // namespace lichen::tiling

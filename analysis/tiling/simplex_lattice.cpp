@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Point in tile space -> three taps. docs/gltf_extension/README.md specifies each step.
+#include "simplex_lattice.h"
+
+#include <lichen/lattice.h>
+
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+std::int32_t wrappingSum(std::int32_t a, std::int32_t b) {
+  return std::int32_t(std::uint32_t(a) + std::uint32_t(b));
+}
+
+std::int32_t floorDivide(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+
+/// Where the vertex (i, j) has its tile fetched for a point: whole texels away from it, less the
+/// whole periods that separate the vertex from its representative in a periodic lattice.
+std::array<float, 2> tapOf(const shader::LichenNoise& noise, const std::array<float, 2>& position,
+                           std::int32_t i, std::int32_t j) {
+  std::array<float, 2> tap = position;
+  if (noise.periodRows > 0) {
+    const std::int32_t rowPeriods = floorDivide(j, noise.periodRows);
+    j -= rowPeriods * noise.periodRows;
+    i += rowPeriods * (noise.periodRows / 2);
+    const std::int32_t columnPeriods = floorDivide(i, noise.periodColumns);
+    i -= columnPeriods * noise.periodColumns;
+    tap[0] -= float(columnPeriods) * noise.periodTilesX;
+    tap[1] -= float(rowPeriods) * noise.periodTilesY;
+  }
+  const std::array<std::uint32_t, 2> offset =
+      tileOffsetTexels(std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.tileWidthTexels,
+                       noise.tileHeightTexels);
+  tap[0] += float(offset[0]) / float(noise.tileWidthTexels);
+  tap[1] += float(offset[1]) / float(noise.tileHeightTexels);
+  return tap;
+}
+
+void sharpen(Taps& taps, float exponent) {
+  float sum = 0.0f;
+  for (float& weight : taps.weight) {
+    weight = exponent == 1.0f ? weight : std::pow(weight, exponent);
+    sum += weight;
+  }
+  float squares = 0.0f;
+  for (float& weight : taps.weight) {
+    weight /= sum;
+    squares += weight * weight;
+  }
+  taps.norm = std::sqrt(squares);
+}
+
+} // namespace
+
+Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position) {
+  const float b = position[1] * noise.rowsPerTile + noise.fractionJ;
+  const float a =
+      position[0] * noise.columnsPerTile - 0.5f * position[1] * noise.rowsPerTile + noise.fractionI;
+  const float floorA = std::floor(a);
+  const float floorB = std::floor(b);
+  const std::int32_t i = wrappingSum(std::int32_t(floorA), noise.cellI);
+  const std::int32_t j = wrappingSum(std::int32_t(floorB), noise.cellJ);
+  const float f = a - floorA;
+  const float g = b - floorB;
+
+  Taps taps;
+  const bool lower = f + g < 1.0f;
+  const std::int32_t corner = lower ? 0 : 1;
+  taps.weight = lower ? std::array<float, 3>{1.0f - f - g, f, g}
+                      : std::array<float, 3>{f + g - 1.0f, 1.0f - g, 1.0f - f};
+  taps.position[0] = tapOf(noise, position, wrappingSum(i, corner), wrappingSum(j, corner));
+  taps.position[1] = tapOf(noise, position, wrappingSum(i, 1), j);
+  taps.position[2] = tapOf(noise, position, i, wrappingSum(j, 1));
+  sharpen(taps, noise.blendSharpness);
+  return taps;
+}
+
+} // namespace lichen::tiling

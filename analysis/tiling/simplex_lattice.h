@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The triangle around a point and the tiles of its vertices: the CPU twin of
+// shaders_glsl/noise/simplex_lattice.glsl.
+#pragma once
+
+#include <lichen/shader_parameters.h>
+
+#include <array>
+
+namespace lichen::tiling {
+
+/// The three vertices around a point: where their tiles are fetched, in tile space, and their
+/// blend weights, which sum to 1.
+struct Taps {
+  std::array<std::array<float, 2>, 3> position{};
+  std::array<float, 3> weight{};
+  float norm = 1.0f; ///< sqrt of the sum of the squared weights, [HN18] eq. 6
+};
+
+[[nodiscard]] Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position);
+
+} // namespace lichen::tiling

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Bundle and options -> image, pixel by pixel through the CPU twin.
+#include <lichen/synthesize.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <new>
+
+namespace lichen {
+namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr double kMaxOrigin = 0x1p40;
+constexpr int kMaxPreviewSide = 1024;
+
+Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
+
+Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
+  if (options.width < 1 || options.height < 1 || options.width > kMaxSide ||
+      options.height > kMaxSide)
+    return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+                 ": sides from 1 to " + std::to_string(kMaxSide) + " pixels are accepted");
+  if (options.noise >= bundle.noises.size())
+    return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
+                 std::to_string(bundle.noises.size()));
+  if (!(options.texelsPerTile >= 0.0) || !(options.texelsPerTile <= 0x1p24))
+    return usage("texels per tile " + std::to_string(options.texelsPerTile) +
+                 ": a number above 0 and at most 2^24 is accepted");
+  for (const double coordinate : options.origin)
+    if (!(std::abs(coordinate) <= kMaxOrigin))
+      return usage("origin " + std::to_string(coordinate) +
+                   ": coordinates up to 2^40 tiles are accepted");
+  return {};
+}
+
+std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
+  for (std::size_t m = 0; m < noise.maps.size(); ++m)
+    if (noise.maps[m].target == target)
+      return m;
+  return std::nullopt;
+}
+
+/// The texels of the map's Gaussian image.
+const Table& gaussianOf(const Bundle& bundle, std::size_t noise, std::size_t map) {
+  return bundle.tables[bundle.noises[noise].maps[map].gaussian];
+}
+
+/// As synthesize(), with pixels per tile along each axis; the options are in range.
+Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions& options,
+                                   const std::array<double, 2>& pixelsPerTile, std::size_t map) {
+  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, options.noise);
+  if (!evaluator)
+    return evaluator.error();
+
+  Placement placement;
+  placement.periodic = options.tileable;
+  placement.periodTilesX = options.width / pixelsPerTile[0];
+  placement.periodTilesY = options.height / pixelsPerTile[1];
+  const std::array<double, 2> whole{std::floor(options.origin[0]), std::floor(options.origin[1])};
+  placement.tileOriginX = std::int64_t(whole[0]);
+  placement.tileOriginY = std::int64_t(whole[1]);
+  const std::array<double, 2> start =
+      options.tileable
+          ? std::array<double, 2>{0.0, 0.0}
+          : std::array<double, 2>{options.origin[0] - whole[0], options.origin[1] - whole[1]};
+  MaterialNoise material;
+  material.noise = options.noise;
+  material.seed = options.seed;
+  material.blendSharpness = options.blendSharpness;
+  material.contrast = options.contrast;
+  const shader::LichenNoise parameters = shaderNoise(bundle, material, placement);
+
+  LinearImage image(options.width, options.height,
+                    int(bundle.noises[options.noise].maps[map].channels.size()));
+  tbb::parallel_for(0, image.height, [&](int y) {
+    TileFootprint at;
+    at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
+    at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
+    at.position[1] = float(start[1] + (y + 0.5) / pixelsPerTile[1]);
+    for (int x = 0; x < image.width; ++x) {
+      at.position[0] = float(start[0] + (x + 0.5) / pixelsPerTile[0]);
+      const TilingEvaluator::Value value =
+          evaluator.value().evaluate(map, parameters, at, options.blend);
+      std::copy_n(value.begin(), image.channels, image.pixel(x, y));
+    }
+  });
+  return image;
+}
+
+Result<LinearImage> evaluateInMemory(const Bundle& bundle, const SynthesisOptions& options,
+                                     const std::array<double, 2>& pixelsPerTile, std::size_t map) {
+  try {
+    return evaluatePixels(bundle, options, pixelsPerTile, map);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources, "not enough memory for an image of " +
+                                           std::to_string(options.width) + "x" +
+                                           std::to_string(options.height)};
+  }
+}
+
+} // namespace
+
+Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
+  if (Result<void> checked = check(bundle, options); !checked)
+    return checked.error();
+  const std::optional<std::size_t> map = findMap(bundle.noises[options.noise], options.map);
+  if (!map)
+    return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
+                 std::string(nameOf(options.map)));
+  const Table& gaussian = gaussianOf(bundle, options.noise, *map);
+  const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
+  return evaluateInMemory(bundle, options, {pixels, pixels * gaussian.height / gaussian.width},
+                          *map);
+}
+
+Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, MapTarget target,
+                                      std::uint32_t seed, int tiles) {
+  const std::optional<std::size_t> map = findMap(bundle.noises[noise], target);
+  if (!map)
+    return usage("noise '" + bundle.noises[noise].name + "' has no map " +
+                 std::string(nameOf(target)));
+  const Table& gaussian = gaussianOf(bundle, noise, *map);
+  const auto side = [tiles](std::uint32_t texels) {
+    const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));
+    return int(std::min<std::uint64_t>(wanted, std::uint64_t(kMaxPreviewSide)));
+  };
+  SynthesisOptions options;
+  options.noise = noise;
+  options.map = target;
+  options.seed = seed;
+  options.tileable = true;
+  options.width = side(gaussian.width);
+  options.height = side(gaussian.height);
+  return evaluateInMemory(bundle, options,
+                          {double(options.width) / tiles, double(options.height) / tiles}, *map);
+}
+
+} // namespace lichen

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Negative-cycle cancelling on the complete exchange graph of n points.
+// Edge i -> j, source i taking the target of j, costs <s_i, t_i> - <s_i, t_j>.
+#include "cycle_canceling.h"
+
+#include <algorithm>
+
+namespace lichen::transport {
+namespace {
+
+/// Rows are padded to whole vectors of 16 floats (AVX-512), so the sweep has no remainder loop.
+constexpr std::size_t kLanes = 16;
+
+/// An improvement below this share of the largest exchange cost is rounding of float products.
+constexpr float kRelativeTolerance = 1e-5f;
+
+/// One Bellman-Ford sweep: distance[j] <- min(distance[j], distance[i] + exchange[i][j]) for every
+/// i in turn, with the i that gave the value in parent[j]. Returns whether anything changed.
+__attribute__((target_clones("avx512f", "avx2", "default"))) bool
+sweep(const float* exchange, float* distance, std::int32_t* parent, std::size_t count,
+      std::size_t stride, float tolerance) {
+  std::int32_t changed = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float* row = exchange + i * stride;
+    const float base = distance[i] + tolerance;
+    const float through = distance[i];
+    for (std::size_t j = 0; j < stride; ++j) {
+      const bool better = base + row[j] < distance[j];
+      distance[j] = better ? through + row[j] : distance[j];
+      parent[j] = better ? std::int32_t(i) : parent[j];
+      changed |= better ? 1 : 0;
+    }
+  }
+  return changed != 0;
+}
+
+} // namespace
+
+void CycleCanceling::fillExchangeCosts(std::span<const Point> source,
+                                       std::span<const Point> target) {
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const float kept = dot(source[i], target[i]);
+    float* row = &exchange_[i * stride_];
+    for (std::size_t j = 0; j < source.size(); ++j)
+      row[j] = kept - dot(source[i], target[j]);
+  }
+}
+
+bool CycleCanceling::findCycle() {
+  const std::size_t count = mark_.size();
+  std::fill(mark_.begin(), mark_.end(), 0u);
+  for (std::size_t start = 0; start < count; ++start) {
+    const auto visit = std::uint32_t(start + 1);
+    std::int32_t node = std::int32_t(start);
+    while (node >= 0 && mark_[std::size_t(node)] == 0) {
+      mark_[std::size_t(node)] = visit;
+      node = parent_[std::size_t(node)];
+    }
+    if (node < 0 || mark_[std::size_t(node)] != visit)
+      continue;
+    cycle_.clear();
+    for (std::int32_t k = node; cycle_.empty() || k != node; k = parent_[std::size_t(k)])
+      cycle_.push_back(std::uint32_t(k));
+    return true;
+  }
+  return false;
+}
+
+float CycleCanceling::cycleCost() const {
+  float sum = 0.0f;
+  for (std::size_t k = 0; k < cycle_.size(); ++k)
+    sum += exchange_[cycle_[(k + 1) % cycle_.size()] * stride_ + cycle_[k]];
+  return sum;
+}
+
+void CycleCanceling::solve(std::span<const Point> source, std::span<Point> target,
+                           std::span<std::uint32_t> targetIndex) {
+  const std::size_t count = source.size();
+  stride_ = (count + kLanes - 1) / kLanes * kLanes;
+  exchange_.assign(count * stride_, 0.0f);
+  distance_.resize(stride_);
+  parent_.resize(stride_);
+  mark_.resize(count);
+  fillExchangeCosts(source, target);
+  const float largest = *std::max_element(exchange_.begin(), exchange_.end());
+  for (;;) {
+    std::fill(distance_.begin(), distance_.end(), 0.0f);
+    std::fill(parent_.begin(), parent_.end(), -1);
+    bool found = false;
+    // Without a negative cycle count - 1 sweeps reach the fixed point.
+    for (std::size_t round = 0; round < count && !found; ++round) {
+      if (!sweep(exchange_.data(), distance_.data(), parent_.data(), count, stride_,
+                 kRelativeTolerance * largest))
+        return;
+      found = findCycle();
+    }
+    if (!found || !(cycleCost() < 0.0f))
+      return;
+    // cycle[k + 1] is the parent of cycle[k]: it takes the target of cycle[k].
+    for (std::size_t k = cycle_.size() - 1; k > 0; --k) {
+      std::swap(target[cycle_[k - 1]], target[cycle_[k]]);
+      std::swap(targetIndex[cycle_[k - 1]], targetIndex[cycle_[k]]);
+    }
+    fillExchangeCosts(source, target);
+  }
+}
+
+} // namespace lichen::transport

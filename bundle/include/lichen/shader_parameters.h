@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The uniform structs of the shader library, filled from a bundle: what the engine plugin uploads
+// and what the CPU twin evaluates.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/lattice.h>
+
+#include <cstdint>
+#include <lichen_interface.h>
+
+namespace lichen {
+
+/// The constants of one map. `map` indexes `noise.maps`, whose table indices must be valid.
+[[nodiscard]] shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise,
+                                          std::size_t map);
+
+/// Where and how a material's noise is evaluated.
+struct Placement {
+  /// Whole tiles added to every coordinate; |.| up to 2^40. Ignored when periodic.
+  std::int64_t tileOriginX = 0;
+  std::int64_t tileOriginY = 0;
+  bool periodic = false;     ///< repeat after periodTilesX x periodTilesY tiles
+  double periodTilesX = 0.0; ///< at least about half a tile; whole texels, for an exact seam
+  double periodTilesY = 0.0;
+  double maxAnisotropy = 1.0; ///< of the sampler that fetches the Gaussian images
+};
+
+/// The parameters of `material`, whose noise index must be valid.
+[[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,
+                                              const Placement& placement);
+
+} // namespace lichen
