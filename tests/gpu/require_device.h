@@ -14,7 +14,8 @@ namespace lichen::test {
 /// SKIP_RETURN_CODE of the GPU tests.
 inline constexpr int kSkipped = 77;
 
-inline std::unique_ptr<HeadlessDevice> requireDevice(HeadlessDeviceOptions options = {}) {
+inline std::unique_ptr<HeadlessDevice> requireDevice() {
+  HeadlessDeviceOptions options;
   options.validation = true;
   if (const char* choice = std::getenv("LICHEN_TEST_DEVICE"))
     options.choice = choice;

@@ -1,0 +1,28 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Three maps of one noise at a list of points: points[k] -> values[3 k ... 3 k + 2].
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 3
+#include "lichen.glsl"
+
+struct Point {
+  vec4 uvAndGradientX;
+  vec4 gradientY; // zw unused
+};
+
+layout(local_size_x = 64) in;
+layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
+layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= uint(points.length()))
+    return;
+  Point point = points[index];
+  LichenTaps taps = lichenTilingUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
+                                       point.gradientY.xy, lichenUniforms.noise);
+  values[3u * index] = LICHEN_TILING(0, taps);
+  values[3u * index + 1u] = LICHEN_TILING(1, taps);
+  values[3u * index + 2u] = LICHEN_TILING(2, taps);
+}

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// The engine plugin's plan layer and its boundary: what it describes, what it refuses, and that
+// memory exhausted anywhere inside becomes a result.
+#include "bundle_example.h"
+
+#include <lichen/lattice.h>
+#include <lichen/lichen.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <lichen_interface.h>
+#include <limits>
+#include <new>
+#include <string>
+
+using namespace lichen;
+
+namespace {
+
+/// Counts down while positive; the allocation that reaches 0 fails. Only those of at least
+/// kCountedBytes count: nlohmann::json's destructor, which must not throw, allocates a few words of
+/// its own for each object that it takes apart.
+thread_local int allocationsUntilFailure = 0;
+constexpr std::size_t kCountedBytes = 1024;
+
+} // namespace
+
+// NOLINTBEGIN: replacing the global operators is what this test is about.
+void* operator new(std::size_t size) {
+  if (size >= kCountedBytes && allocationsUntilFailure > 0 && --allocationsUntilFailure == 0)
+    throw std::bad_alloc();
+  if (void* memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+// NOLINTEND
+
+namespace {
+
+struct Parsed {
+  LichenResult result = LICHEN_SUCCESS;
+  LichenBundle bundle = nullptr;
+  std::string message;
+};
+
+LichenParseInfo parseInfo(const std::vector<std::byte>& bytes) {
+  LichenParseInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_PARSE_INFO);
+  info.headerVersion = LICHEN_HEADER_VERSION;
+  info.bytes = bytes.data();
+  info.byteCount = bytes.size();
+  return info;
+}
+
+Parsed parse(const LichenParseInfo& info) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  Parsed parsed;
+  parsed.result = lichenParseBundle(&info, &parsed.bundle, &diagnostic);
+  parsed.message = diagnostic.text;
+  return parsed;
+}
+
+/// A bundle that is destroyed with its test.
+struct OwnedBundle {
+  explicit OwnedBundle(const BundleFile& file) {
+    const std::vector<std::byte> glb = encodeGlb(file).value();
+    const Parsed parsed = parse(parseInfo(glb));
+    INFO(parsed.message);
+    REQUIRE(parsed.result == LICHEN_SUCCESS);
+    handle = parsed.bundle;
+  }
+  OwnedBundle(const OwnedBundle&) = delete;
+  OwnedBundle& operator=(const OwnedBundle&) = delete;
+  ~OwnedBundle() { lichenDestroyBundle(handle); }
+
+  LichenBundle handle = nullptr;
+};
+
+LichenUniformInfo uniformInfo() {
+  LichenUniformInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+  return info;
+}
+
+struct Filled {
+  LichenResult result = LICHEN_SUCCESS;
+  shader::LichenUniforms uniforms{};
+  std::string message;
+};
+
+Filled fill(LichenBundle bundle, const LichenUniformInfo& info) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  Filled filled;
+  filled.result = lichenFillUniforms(bundle, &info, &filled.uniforms, &diagnostic);
+  filled.message = diagnostic.text;
+  return filled;
+}
+
+} // namespace
+
+TEST_CASE("an inverse table of one channel is described as a 3-D image with a slab a level") {
+  const OwnedBundle bundle(example::smallest());
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &map) == LICHEN_SUCCESS);
+  CHECK(map.target == LICHEN_TARGET_HEIGHT);
+  CHECK(map.channelCount == 1);
+  CHECK(map.channels[0] == LICHEN_CHANNEL_HEIGHT);
+  LichenImageProperties image;
+  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  CHECK(image.dimensionality == 3);
+  CHECK(image.width == 256);
+  CHECK(image.height == 1);
+  CHECK(image.depth == 2);
+  CHECK(image.vkFormat == 9); // VK_FORMAT_R8_UNORM
+  REQUIRE(lichenGetImageProperties(bundle.handle, map.gaussianImage, &image) == LICHEN_SUCCESS);
+  CHECK(image.dimensionality == 2);
+  CHECK(image.mipLevels == 3);
+}
+
+TEST_CASE("the copies of an image cover its bytes without a gap") {
+  const OwnedBundle bundle(example::smallest());
+  LichenBundleProperties properties;
+  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+  REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+  REQUIRE(properties.imageCount == 2);
+  for (std::uint32_t i = 0; i < properties.imageCount; ++i) {
+    LichenImageProperties image;
+    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+    REQUIRE(lichenGetImageProperties(bundle.handle, i, &image) == LICHEN_SUCCESS);
+    std::size_t end = 0;
+    for (std::uint32_t level = 0; level < image.mipLevels; ++level) {
+      LichenCopy copy{};
+      REQUIRE(lichenGetCopy(bundle.handle, i, level, &copy) == LICHEN_SUCCESS);
+      CHECK(copy.offset == end);
+      CHECK(copy.byteCount ==
+            std::size_t(copy.width) * copy.height * copy.depth * image.texelBytes);
+      end = copy.offset + copy.byteCount;
+    }
+    CHECK(end == image.byteCount);
+    LichenCopy copy{};
+    CHECK(lichenGetCopy(bundle.handle, i, image.mipLevels, &copy) == LICHEN_ERROR_USAGE);
+  }
+}
+
+TEST_CASE("bindings are consecutive: the uniform block, then two for each map") {
+  const OwnedBundle bundle(example::smallest());
+  LichenBinding binding{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    REQUIRE(lichenGetBinding(bundle.handle, 0, i, &binding) == LICHEN_SUCCESS);
+    CHECK(binding.binding == i);
+    CHECK((binding.kind == LICHEN_BINDING_UNIFORM_BUFFER) == (i == 0));
+    CHECK((binding.sampler == LICHEN_SAMPLER_TABLE) == (i == 2));
+  }
+  CHECK(lichenGetBinding(bundle.handle, 0, 3, &binding) == LICHEN_ERROR_USAGE);
+}
+
+TEST_CASE("uniforms hold the bundle's constants and the material's parameters") {
+  BundleFile file = example::smallest();
+  file.bundle.materials[0]->scale = 0.5;
+  file.bundle.materials[0]->rotation = 0.25;
+  file.bundle.materials[0]->offset = {3.0, -2.0};
+  file.bundle.materials[0]->seed = 9;
+  const OwnedBundle bundle(file);
+  const Filled filled = fill(bundle.handle, uniformInfo());
+  REQUIRE(filled.result == LICHEN_SUCCESS);
+  const shader::LichenNoise& noise = filled.uniforms.noise;
+  CHECK(noise.uvToTileXX == Approx(2.0 * std::cos(0.25)));
+  CHECK(noise.uvToTileXY == Approx(2.0 * std::sin(0.25)));
+  CHECK(noise.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
+  CHECK(noise.offsetX == 3.0f);
+  CHECK(noise.seedWord == latticeSeed(9, 0));
+  CHECK(noise.maxAnisotropy == 1.0f);
+  CHECK(noise.tileWidthTexels == 4);
+  CHECK(noise.tileHeightTexels == 2);
+  const shader::LichenMap& map = filled.uniforms.maps[0];
+  CHECK(map.widthTexels == 4.0f);
+  CHECK(map.dimensions == 1);
+  CHECK(map.tableLevels == 2);
+  CHECK(map.mipLoss[0].x == Approx(1.0 / 3.0));
+  CHECK(map.mipLoss[3].w == 1.0f); // the last value repeats
+  const Table& table = file.bundle.tables[1];
+  CHECK(map.mean.x == Approx(std::to_integer<int>(table.texels.back()) / 255.0));
+  CHECK(map.mean.w == 1.0f);
+}
+
+TEST_CASE("an override replaces the material's value, and a tile origin moves the lattice") {
+  const OwnedBundle bundle(example::smallest());
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_SCALE;
+  info.seed = 77;
+  info.scale = 4.0;
+  info.contrast = 3.0; // not in `overrides`: ignored
+  info.tileOrigin[0] = 10000000;
+  info.tileOrigin[1] = -3;
+  const Filled filled = fill(bundle.handle, info);
+  REQUIRE(filled.result == LICHEN_SUCCESS);
+  const LatticeOrigin origin = latticeOrigin(10000000, -3);
+  CHECK(filled.uniforms.noise.seed == 77);
+  CHECK(filled.uniforms.noise.uvToTileXX == 0.25f);
+  CHECK(filled.uniforms.noise.contrast == 1.0f);
+  CHECK(filled.uniforms.noise.cellI == origin.cell[0]);
+  CHECK(filled.uniforms.noise.cellJ == origin.cell[1]);
+  CHECK(filled.uniforms.noise.fractionI == origin.fraction[0]);
+}
+
+TEST_CASE("each parameter outside its range is refused by name") {
+  const OwnedBundle bundle(example::smallest());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  struct Case {
+    const char* name;
+    void (*set)(LichenUniformInfo&, double);
+    std::vector<double> bad;
+  };
+  const Case cases[] = {
+      {"scale", [](LichenUniformInfo& i, double v) { i.scale = v; }, {0.0, -1.0, nan, infinity}},
+      {"offset", [](LichenUniformInfo& i, double v) { i.offset[1] = v; }, {nan, infinity}},
+      {"rotation", [](LichenUniformInfo& i, double v) { i.rotation = v; }, {nan, infinity}},
+      {"blendSharpness",
+       [](LichenUniformInfo& i, double v) { i.blendSharpness = v; },
+       {0.2, 17.0, nan}},
+      {"contrast", [](LichenUniformInfo& i, double v) { i.contrast = v; }, {-0.1, 4.1, nan}},
+      {"maxAnisotropy",
+       [](LichenUniformInfo& i, double v) { i.maxAnisotropy = float(v); },
+       {-1.0, 65.0, nan}},
+      {"tileOrigin",
+       [](LichenUniformInfo& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
+       {1e13, -1e13}},
+      {"periodTiles", [](LichenUniformInfo& i, double v) { i.periodTiles[0] = v; }, {1.0, nan}},
+  };
+  for (const Case& one : cases)
+    for (const double value : one.bad) {
+      LichenUniformInfo info = uniformInfo();
+      info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
+                       LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST;
+      info.scale = info.blendSharpness = info.contrast = 1.0;
+      one.set(info, value);
+      const Filled filled = fill(bundle.handle, info);
+      INFO(one.name << " = " << value);
+      CHECK(filled.result == LICHEN_ERROR_USAGE);
+      CHECK(filled.message.find(one.name) != std::string::npos);
+    }
+  LichenUniformInfo info = uniformInfo();
+  info.material = 1;
+  CHECK(fill(bundle.handle, info).message.find("material 1") != std::string::npos);
+}
+
+TEST_CASE("a bundle's period with a fraction needs the tile origin 0") {
+  const OwnedBundle bundle(example::smallest());
+  LichenUniformInfo info = uniformInfo();
+  info.periodTiles[0] = info.periodTiles[1] = 1.5;
+  CHECK(fill(bundle.handle, info).result == LICHEN_SUCCESS);
+  info.tileOrigin[0] = 1;
+  CHECK(fill(bundle.handle, info).result == LICHEN_ERROR_USAGE);
+}
+
+TEST_CASE("what the library does not evaluate is refused by name") {
+  const std::vector<std::byte> glb = encodeGlb(example::everyMap()).value();
+  const Parsed parsed = parse(parseInfo(glb)); // one map has no inverse table
+  CHECK(parsed.result == LICHEN_ERROR_UNSUPPORTED);
+  CHECK(parsed.message.find("inverse table") != std::string::npos);
+  CHECK(parsed.bundle == nullptr);
+  const std::vector<std::byte> noise(100, std::byte(7));
+  CHECK(parse(parseInfo(noise)).result == LICHEN_ERROR_BAD_BUNDLE);
+}
+
+TEST_CASE("structs of other sizes and versions are read or refused as documented") {
+  const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
+  SECTION("an older, smaller struct lacks the name") {
+    LichenParseInfo info = parseInfo(glb);
+    info.size = offsetof(LichenParseInfo, name);
+    info.name = reinterpret_cast<const char*>(1); // must not be read
+    const Parsed parsed = parse(info);
+    CHECK(parsed.result == LICHEN_SUCCESS);
+    lichenDestroyBundle(parsed.bundle);
+  }
+  SECTION("a newer, larger struct is read when its new members are zero") {
+    struct Newer {
+      LichenParseInfo known;
+      std::uint64_t added;
+    } newer{parseInfo(glb), 0};
+    newer.known.size = sizeof newer;
+    Parsed parsed = parse(newer.known);
+    CHECK(parsed.result == LICHEN_SUCCESS);
+    lichenDestroyBundle(parsed.bundle);
+    newer.added = 1;
+    CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
+  }
+  SECTION("a wrong type, a chain, or another major version is refused") {
+    LichenParseInfo info = parseInfo(glb);
+    info.type = LICHEN_STRUCTURE_DIAGNOSTIC;
+    CHECK(parse(info).result == LICHEN_ERROR_USAGE);
+    info = parseInfo(glb);
+    info.next = &info;
+    CHECK(parse(info).result == LICHEN_ERROR_VERSION);
+    info = parseInfo(glb);
+    info.headerVersion += 0x10000u;
+    CHECK(parse(info).result == LICHEN_ERROR_VERSION);
+    info.headerVersion = 0;
+    CHECK(parse(info).result == LICHEN_ERROR_VERSION);
+  }
+  SECTION("an older properties struct is filled as far as it goes") {
+    const OwnedBundle bundle(example::smallest());
+    LichenBundleProperties properties;
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.size = offsetof(LichenBundleProperties, imageCount);
+    properties.imageCount = 12345;
+    REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+    CHECK(properties.noiseCount == 1);
+    CHECK(properties.imageCount == 12345);
+  }
+}
+
+TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  diagnostic.size = offsetof(LichenDiagnostic, text) + 8;
+  std::memset(diagnostic.text, 'x', sizeof diagnostic.text);
+  LichenBundle bundle = nullptr;
+  CHECK(lichenParseBundle(nullptr, &bundle, &diagnostic) == LICHEN_ERROR_USAGE);
+  CHECK(std::strlen(diagnostic.text) == 7);
+  CHECK(diagnostic.text[8] == 'x');
+}
+
+TEST_CASE("memory exhausted at any of a parse's larger allocations is a result") {
+  BundleFile file = example::smallest();
+  file.bundle.tables[0] = example::patternTable("", TexelFormat::r8Unorm, 64, 64, 0, 7);
+  file.bundle.noises[0].maps[0].mipLoss.assign(7, 0.5);
+  const std::vector<std::byte> glb = encodeGlb(file).value();
+  const LichenParseInfo info = parseInfo(glb);
+  int failures = 0;
+  for (int n = 1;; ++n) {
+    LichenBundle bundle = nullptr;
+    allocationsUntilFailure = n;
+    const LichenResult result = lichenParseBundle(&info, &bundle, nullptr);
+    const bool reached = allocationsUntilFailure == 0;
+    allocationsUntilFailure = 0;
+    if (!reached) {
+      CHECK(result == LICHEN_SUCCESS);
+      lichenDestroyBundle(bundle);
+      break;
+    }
+    ++failures;
+    INFO("allocation " << n);
+    CHECK(result == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+    CHECK(bundle == nullptr);
+  }
+  CHECK(failures > 0);
+}
