@@ -21,6 +21,40 @@ const nlohmann::json& vectors() {
 
 } // namespace
 
+TEST_CASE("the specification's page shows the values that the code computes") {
+  std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
+  const std::string page((std::istreambuf_iterator<char>(stream)), {});
+  const auto shows = [&page](const std::string& what, std::initializer_list<std::uint32_t> values) {
+    std::string list;
+    for (const std::uint32_t value : values)
+      list += (list.empty() ? "" : ", ") + std::to_string(value);
+    INFO(what << " " << list);
+    const std::size_t row = page.find("| " + what + " |");
+    REQUIRE(row != std::string::npos);
+    CHECK(page.substr(row, page.find('\n', row) - row).find(list) != std::string::npos);
+  };
+  const auto triple = pcg3d({0, 1, 2});
+  const auto offset = tileOffsetTexels(~0u, ~0u, latticeSeed(1, 0), 256, 256);
+  shows("`pcg(0)`, `pcg(1)`, `pcg(0xffffffff)`", {pcg(0), pcg(1), pcg(~0u)});
+  shows("`pcg3d(0, 1, 2)`", {triple[0], triple[1], triple[2]});
+  shows("`latticeSeed(1, 0)`", {latticeSeed(1, 0)});
+  shows("`tileOffset(-1, -1, latticeSeed(1, 0), 256, 256)`", {offset[0], offset[1]});
+}
+
+TEST_CASE("the specification's page describes every property of the schemas") {
+  std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
+  const std::string page((std::istreambuf_iterator<char>(stream)), {});
+  const std::string folder = LICHEN_SOURCE_DIR "/docs/gltf_extension/schema/";
+  for (const char* kind : {"glTF", "table", "noise", "map", "material"}) {
+    std::ifstream schema(folder + kind + ".LICHEN_materials_exemplar_noise.schema.json");
+    for (const auto& [name, property] : nlohmann::json::parse(schema)["properties"].items())
+      if (name != "extensions" && name != "extras") {
+        INFO(kind << " " << name);
+        CHECK(page.find("| **" + name + "** |") != std::string::npos);
+      }
+  }
+}
+
 TEST_CASE("the hashes and seeds are those of the published test vectors") {
   for (const nlohmann::json& v : vectors()["pcg"])
     CHECK(pcg(v["value"]) == v["hash"].get<std::uint32_t>());

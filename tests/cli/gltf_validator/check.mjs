@@ -148,4 +148,7 @@ for (const file of files) {
   check(schemasAccept(readAsset(file).json), `${path.basename(file)}: the schemas accept it`);
 }
 checkSchemaCases();
+const page = fs.readFileSync(path.join(extensionFolder, 'README.md'), 'utf8');
+check(schemasAccept(JSON.parse(page.match(/```json\n(.*?)```/s)[1])),
+  "README.md: the schemas accept the page's own example");
 process.exit(failures === 0 ? 0 : 1);
