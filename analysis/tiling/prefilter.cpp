@@ -12,7 +12,7 @@ namespace {
 
 /// Gaussian samples for each cell's average, and for the mean of a whole slab. The stratified sets
 /// are whitened, so a linear table is averaged exactly whatever their number.
-constexpr std::size_t kSamplesPerCell = 128;
+constexpr std::size_t kSamplesPerCell = 64;
 constexpr std::size_t kSamplesPerMean = 4096;
 
 /// Cell coordinate of a Gaussian value, side * U - 1/2, tabulated: evaluated some 10^7 times.
@@ -37,11 +37,11 @@ private:
 };
 
 /// The table with its cells padded to four channels, for lookups at Gaussian values.
+template <std::size_t kDimensions>
 class Lookup {
 public:
   explicit Lookup(const InverseTable& table)
-      : dimensions_(table.dimensions), side_(table.side), coordinate_(table.side),
-        cells_(table.cellCount()) {
+      : side_(std::size_t(table.side)), coordinate_(table.side), cells_(table.cellCount()) {
     for (std::size_t i = 0; i < cells_.size(); ++i)
       for (std::size_t c = 0; c < std::size_t(table.channels); ++c)
         cells_[i][c] = table.values[i * std::size_t(table.channels) + c];
@@ -50,36 +50,37 @@ public:
   using Value = std::array<float, 4>;
 
   [[nodiscard]] Value operator()(const std::array<float, 3>& gaussian) const {
-    std::array<std::size_t, 3> low{};
-    std::array<std::size_t, 3> step{};
-    std::array<float, 3> fraction{};
+    std::size_t base = 0;
+    std::array<std::size_t, kDimensions> step{};
+    std::array<float, kDimensions> fraction{};
     std::size_t stride = 1;
-    for (std::size_t axis = 0; axis < std::size_t(dimensions_); ++axis) {
+    for (std::size_t axis = 0; axis < kDimensions; ++axis, stride *= side_) {
       const float place = std::clamp(coordinate_(gaussian[axis]), 0.0f, float(side_ - 1));
       const auto cell = std::size_t(place);
-      low[axis] = cell * stride;
-      step[axis] = int(cell) + 1 < side_ ? stride : 0;
+      base += cell * stride;
+      step[axis] = cell + 1 < side_ ? stride : 0;
       fraction[axis] = place - float(cell);
-      stride *= std::size_t(side_);
     }
-    Value sum{};
-    for (unsigned corner = 0; corner < (1u << dimensions_); ++corner) {
-      float weight = 1.0f;
-      std::size_t index = 0;
-      for (std::size_t axis = 0; axis < std::size_t(dimensions_); ++axis) {
-        const bool upper = (corner >> axis) & 1u;
-        weight *= upper ? fraction[axis] : 1.0f - fraction[axis];
-        index += low[axis] + (upper ? step[axis] : 0);
-      }
-      for (std::size_t c = 0; c < 4; ++c)
-        sum[c] += weight * cells_[index][c];
-    }
-    return sum;
+    return interpolated<kDimensions>(&cells_[base], step, fraction);
   }
 
 private:
-  int dimensions_;
-  int side_;
+  template <std::size_t kAxes>
+  static Value interpolated(const Value* cell, const std::array<std::size_t, kDimensions>& step,
+                            const std::array<float, kDimensions>& fraction) {
+    if constexpr (kAxes == 0) {
+      return *cell;
+    } else {
+      const Value low = interpolated<kAxes - 1>(cell, step, fraction);
+      const Value high = interpolated<kAxes - 1>(cell + step[kAxes - 1], step, fraction);
+      Value result;
+      for (std::size_t c = 0; c < 4; ++c)
+        result[c] = low[c] + fraction[kAxes - 1] * (high[c] - low[c]);
+      return result;
+    }
+  }
+
+  std::size_t side_;
   CellCoordinate coordinate_;
   std::vector<Value> cells_;
 };
@@ -135,7 +136,9 @@ std::array<float, 3> sum(const std::array<float, 3>& a, const std::array<float, 
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-InverseTable averaged(const InverseTable& table, const Lookup& lookup, const ChannelMatrix& loss) {
+template <std::size_t kDimensions>
+InverseTable averaged(const InverseTable& table, const Lookup<kDimensions>& lookup,
+                      const ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = displacements(loss, kSamplesPerCell);
   InverseTable result = table;
   const auto side = std::size_t(table.side);
@@ -145,9 +148,9 @@ InverseTable averaged(const InverseTable& table, const Lookup& lookup, const Cha
     std::size_t rest = cell;
     for (std::size_t axis = 0; axis < std::size_t(table.dimensions); ++axis, rest /= side)
       middle[axis] = float(gaussianQuantile((double(rest % side) + 0.5) / double(side)));
-    Lookup::Value total{};
+    std::array<float, 4> total{};
     for (const std::array<float, 3>& offset : offsets) {
-      const Lookup::Value value = lookup(sum(middle, offset));
+      const std::array<float, 4> value = lookup(sum(middle, offset));
       for (std::size_t c = 0; c < 4; ++c)
         total[c] += value[c];
     }
@@ -159,16 +162,17 @@ InverseTable averaged(const InverseTable& table, const Lookup& lookup, const Cha
 
 /// Shifts the slab so that its lookups average to `mean` over the Gaussian values that remain
 /// after `loss`; interpolating a curved table errs a little. Stays in the range of `table`.
+template <std::size_t kDimensions>
 void restoreMean(InverseTable& slab, const InverseTable& table, const ChannelMatrix& loss,
                  const ChannelVector& mean) {
   const auto n = loss.rows();
-  const Lookup lookup(slab);
+  const Lookup<kDimensions> lookup(slab);
   const std::array<float, 3> middle{float(kGaussianMean), float(kGaussianMean),
                                     float(kGaussianMean)};
   std::array<double, 4> total{};
   for (const std::array<float, 3>& offset :
        displacements(ChannelMatrix::Identity(n, n) - loss, kSamplesPerMean)) {
-    const Lookup::Value value = lookup(sum(middle, offset));
+    const std::array<float, 4> value = lookup(sum(middle, offset));
     for (std::size_t c = 0; c < 4; ++c)
       total[c] += double(value[c]);
   }
@@ -184,6 +188,24 @@ void restoreMean(InverseTable& slab, const InverseTable& table, const ChannelMat
     for (std::size_t i = c; i < slab.values.size(); i += channels)
       slab.values[i] = std::clamp(slab.values[i] + shift, low, high);
   }
+}
+
+template <std::size_t kDimensions>
+std::vector<InverseTable> slabsOf(const InverseTable& table, const LostVariance& lost) {
+  const Moments moments = interpolatedMoments(table);
+  const Lookup<kDimensions> lookup(table);
+  std::vector<InverseTable> slabs{table};
+  const std::vector<double> levels = tableLevels();
+  for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
+    const ChannelMatrix loss = lossAt(levels[k], lost);
+    slabs.push_back(averaged(table, lookup, loss));
+    restoreMean<kDimensions>(slabs.back(), table, loss, moments.mean);
+  }
+  slabs.push_back(table);
+  const auto channels = std::size_t(table.channels);
+  for (std::size_t i = 0; i < table.values.size(); ++i)
+    slabs.back().values[i] = float(moments.mean[Eigen::Index(i % channels)]);
+  return slabs;
 }
 
 TexelFormat tableFormat(std::size_t channels, ValueEncoding encoding, int bits) {
@@ -210,20 +232,14 @@ std::vector<double> tableLevels() {
 }
 
 std::vector<InverseTable> prefilteredSlabs(const InverseTable& table, const LostVariance& lost) {
-  const Moments moments = interpolatedMoments(table);
-  const Lookup lookup(table);
-  std::vector<InverseTable> slabs{table};
-  const std::vector<double> levels = tableLevels();
-  for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
-    const ChannelMatrix loss = lossAt(levels[k], lost);
-    slabs.push_back(averaged(table, lookup, loss));
-    restoreMean(slabs.back(), table, loss, moments.mean);
+  switch (table.dimensions) {
+  case 1:
+    return slabsOf<1>(table, lost);
+  case 2:
+    return slabsOf<2>(table, lost);
+  default:
+    return slabsOf<3>(table, lost);
   }
-  slabs.push_back(table);
-  const auto channels = std::size_t(table.channels);
-  for (std::size_t i = 0; i < table.values.size(); ++i)
-    slabs.back().values[i] = float(moments.mean[Eigen::Index(i % channels)]);
-  return slabs;
 }
 
 Table inverseTableTexels(const std::vector<InverseTable>& slabs, ValueEncoding encoding, int bits) {

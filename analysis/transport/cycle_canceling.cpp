@@ -36,20 +36,18 @@ sweep(const float* exchange, float* distance, std::int32_t* parent, std::size_t 
 
 } // namespace
 
-void CycleCanceling::fillExchangeCosts(std::span<const Point> source,
-                                       std::span<const Point> target) {
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const float kept = dot(source[i], target[i]);
-    float* row = &exchange_[i * stride_];
-    for (std::size_t j = 0; j < source.size(); ++j)
-      row[j] = kept - dot(source[i], target[j]);
-  }
+void CycleCanceling::fillRow(std::span<const Point> source, std::span<const Point> target,
+                             std::size_t i) {
+  const float kept = dot(source[i], target[i]);
+  float* row = &exchange_[i * stride_];
+  for (std::size_t j = 0; j < source.size(); ++j)
+    row[j] = kept - dot(source[i], target[j]);
 }
 
-bool CycleCanceling::findCycle() {
-  const std::size_t count = mark_.size();
+void CycleCanceling::findCycles() {
+  cycles_.clear();
   std::fill(mark_.begin(), mark_.end(), 0u);
-  for (std::size_t start = 0; start < count; ++start) {
+  for (std::size_t start = 0; start < mark_.size(); ++start) {
     const auto visit = std::uint32_t(start + 1);
     std::int32_t node = std::int32_t(start);
     while (node >= 0 && mark_[std::size_t(node)] == 0) {
@@ -58,19 +56,44 @@ bool CycleCanceling::findCycle() {
     }
     if (node < 0 || mark_[std::size_t(node)] != visit)
       continue;
-    cycle_.clear();
-    for (std::int32_t k = node; cycle_.empty() || k != node; k = parent_[std::size_t(k)])
-      cycle_.push_back(std::uint32_t(k));
-    return true;
+    const std::size_t first = cycles_.size();
+    for (std::int32_t k = node; cycles_.size() == first || k != node; k = parent_[std::size_t(k)])
+      cycles_.push_back(std::uint32_t(k));
+    cycles_.push_back(kEndOfCycle);
   }
-  return false;
 }
 
-float CycleCanceling::cycleCost() const {
-  float sum = 0.0f;
-  for (std::size_t k = 0; k < cycle_.size(); ++k)
-    sum += exchange_[cycle_[(k + 1) % cycle_.size()] * stride_ + cycle_[k]];
-  return sum;
+bool CycleCanceling::cancelCycles(std::span<const Point> source, std::span<Point> target,
+                                  std::span<std::uint32_t> targetIndex) {
+  bool canceled = false;
+  changed_.clear();
+  for (std::size_t first = 0; first < cycles_.size();) {
+    std::size_t end = first;
+    float cost = 0.0f;
+    for (; cycles_[end] != kEndOfCycle; ++end) {
+      const std::size_t taker = cycles_[end + 1] != kEndOfCycle ? cycles_[end + 1] : cycles_[first];
+      cost += exchange_[taker * stride_ + cycles_[end]];
+    }
+    if (cost < 0.0f) {
+      // cycles_[k] is the parent of cycles_[k - 1]: it takes that one's target.
+      for (std::size_t k = end - 1; k > first; --k) {
+        std::swap(target[cycles_[k - 1]], target[cycles_[k]]);
+        std::swap(targetIndex[cycles_[k - 1]], targetIndex[cycles_[k]]);
+      }
+      changed_.insert(changed_.end(), cycles_.begin() + std::ptrdiff_t(first),
+                      cycles_.begin() + std::ptrdiff_t(end));
+      canceled = true;
+    }
+    first = end + 1;
+  }
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const float kept = dot(source[i], target[i]);
+    for (const std::uint32_t j : changed_)
+      exchange_[i * stride_ + j] = kept - dot(source[i], target[j]);
+  }
+  for (const std::uint32_t i : changed_)
+    fillRow(source, target, i);
+  return canceled;
 }
 
 void CycleCanceling::solve(std::span<const Point> source, std::span<Point> target,
@@ -81,27 +104,22 @@ void CycleCanceling::solve(std::span<const Point> source, std::span<Point> targe
   distance_.resize(stride_);
   parent_.resize(stride_);
   mark_.resize(count);
-  fillExchangeCosts(source, target);
-  const float largest = *std::max_element(exchange_.begin(), exchange_.end());
+  for (std::size_t i = 0; i < count; ++i)
+    fillRow(source, target, i);
+  const float tolerance =
+      kRelativeTolerance * *std::max_element(exchange_.begin(), exchange_.end());
   for (;;) {
     std::fill(distance_.begin(), distance_.end(), 0.0f);
     std::fill(parent_.begin(), parent_.end(), -1);
-    bool found = false;
+    cycles_.clear();
     // Without a negative cycle count - 1 sweeps reach the fixed point.
-    for (std::size_t round = 0; round < count && !found; ++round) {
-      if (!sweep(exchange_.data(), distance_.data(), parent_.data(), count, stride_,
-                 kRelativeTolerance * largest))
+    for (std::size_t round = 0; round < count && cycles_.empty(); ++round) {
+      if (!sweep(exchange_.data(), distance_.data(), parent_.data(), count, stride_, tolerance))
         return;
-      found = findCycle();
+      findCycles();
     }
-    if (!found || !(cycleCost() < 0.0f))
+    if (!cancelCycles(source, target, targetIndex))
       return;
-    // cycle[k + 1] is the parent of cycle[k]: it takes the target of cycle[k].
-    for (std::size_t k = cycle_.size() - 1; k > 0; --k) {
-      std::swap(target[cycle_[k - 1]], target[cycle_[k]]);
-      std::swap(targetIndex[cycle_[k - 1]], targetIndex[cycle_[k]]);
-    }
-    fillExchangeCosts(source, target);
   }
 }
 

@@ -21,16 +21,21 @@ public:
              std::span<std::uint32_t> targetIndex);
 
 private:
-  void fillExchangeCosts(std::span<const Point> source, std::span<const Point> target);
-  [[nodiscard]] bool findCycle();
-  [[nodiscard]] float cycleCost() const;
+  static constexpr std::uint32_t kEndOfCycle = 0xFFFFFFFFu;
+
+  void fillRow(std::span<const Point> source, std::span<const Point> target, std::size_t i);
+  /// The disjoint cycles of the parent graph, each negative, one after another in cycles_.
+  void findCycles();
+  [[nodiscard]] bool cancelCycles(std::span<const Point> source, std::span<Point> target,
+                                  std::span<std::uint32_t> targetIndex);
 
   std::size_t stride_ = 0;
   std::vector<float> exchange_;
   std::vector<float> distance_;
   std::vector<std::int32_t> parent_;
   std::vector<std::uint32_t> mark_;
-  std::vector<std::uint32_t> cycle_;
+  std::vector<std::uint32_t> cycles_;
+  std::vector<std::uint32_t> changed_;
 };
 
 } // namespace lichen::transport
