@@ -114,8 +114,26 @@ void describeChannels(const ExrHeader& header, const std::vector<std::string>& c
     notes.emplace_back("the data window is taken, not the display window");
 }
 
-void readPixels(std::span<const std::byte> file, const std::vector<std::string>& chosen,
-                LinearImage& image) {
+/// Throws std::bad_alloc where OpenEXR 3.1 would crash: its DWA decoder allocates some copies of a
+/// chunk while it decodes, and does not look whether it got them.
+void requireScratch(const ExrHeader& header) {
+  constexpr unsigned kFirstDwa = 8;
+  constexpr std::int64_t kMostLinesPerChunk = 256;
+  constexpr std::size_t kCopies = 4;
+  if (header.compression < kFirstDwa)
+    return;
+  const std::int64_t pixels =
+      header.tiled
+          ? header.tileWidth * header.tileHeight
+          : header.dataWindow.width() * std::min(header.dataWindow.height(), kMostLinesPerChunk);
+  std::size_t bytesPerPixel = 0;
+  for (const ExrChannel& channel : header.channels)
+    bytesPerPixel += channel.bytesPerSample;
+  const std::vector<char> scratch(kCopies * bytesPerPixel * std::size_t(pixels));
+}
+
+void readPixels(std::span<const std::byte> file, const ExrHeader& header,
+                const std::vector<std::string>& chosen, LinearImage& image) {
   MemoryStream stream(file);
   Imf::InputFile input(stream, 0);
   const Imath::Box2i window = input.header().dataWindow();
@@ -126,6 +144,7 @@ void readPixels(std::span<const std::byte> file, const std::vector<std::string>&
                                   chosen.size() * sizeof(float),
                                   chosen.size() * sizeof(float) * std::size_t(image.width)));
   input.setFrameBuffer(frame);
+  requireScratch(header);
   input.readPixels(window.min.y, window.max.y);
 }
 
@@ -175,7 +194,7 @@ Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& 
   LinearImage image(int(header.dataWindow.width()), int(header.dataWindow.height()),
                     int(chosen.size()));
   try {
-    readPixels(file, chosen, image);
+    readPixels(file, header, chosen, image);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& problem) {
