@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Whole files in and out; a failed write leaves the old file whole and no partial one.
+#include "temporary_folder.h"
+
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>
 
 #include <csignal>
-#include <cstdlib>
 #include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,25 +18,6 @@ using namespace lichen;
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-/// A folder of the test's own, removed at its end.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lichen-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
-  [[nodiscard]] std::size_t entryCount() const {
-    return std::size_t(std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
-
-private:
-  std::filesystem::path path_;
-};
 
 Bytes patternOf(std::size_t size) {
   Bytes bytes(size);

@@ -250,6 +250,20 @@ TEST_CASE("an EXR whose writer was interrupted is refused") {
   CHECK(refusal(exr) == "file: incomplete EXR: not every chunk was written");
 }
 
+TEST_CASE("an EXR chunk of more or fewer bytes than its pixels need is refused") {
+  // The last chunk of an uncompressed file: 4 bytes y, 4 bytes size, 8 pixels of 3 halves.
+  Bytes exr = makeExr({.compression = 0});
+  const std::size_t sizeOffset = exr.size() - 8 * 3 * 2 - 4;
+  exr[sizeOffset] = std::byte(49);
+  exr.push_back(std::byte(0));
+  CHECK(refusal(exr) == "file: damaged EXR: 49 bytes for a chunk of 48");
+  exr[sizeOffset] = std::byte(0);
+  CHECK(refusal(exr) == "file: damaged EXR: 0 bytes for a chunk of 48");
+  exr[sizeOffset] = std::byte(47);
+  CHECK(refusal(exr) == "file: claims 48 bytes of pixels in a file of 47; uncompressed EXR expands "
+                        "at most 1 times");
+}
+
 TEST_CASE("damaged EXR pixels are refused") {
   Bytes exr = makeExr({.width = 64, .height = 64});
   for (std::size_t i = exr.size() - 40; i < exr.size(); ++i)

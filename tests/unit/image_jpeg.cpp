@@ -94,6 +94,18 @@ TEST_CASE("a JPEG whose scan stops early is refused, though it has an end marker
   CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its pixels or its end marker");
 }
 
+TEST_CASE("a JPEG that lacks only its end marker is refused, though its pixels are there") {
+  // Whether the decoder of pixels runs into the end depends on how the last bits fall.
+  for (int code = 0; code < 256; ++code) {
+    Bytes jpeg = makeJpeg({.width = 8,
+                           .height = 8 + code % 64,
+                           .colour = JpegColour::grey,
+                           .codes = {static_cast<unsigned char>(code)}});
+    jpeg.resize(jpeg.size() - 2);
+    CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its pixels or its end marker");
+  }
+}
+
 TEST_CASE("arithmetic-coded, 2-component and 12-bit JPEG are refused by name") {
   CHECK(refusal(makeJpeg({.arithmetic = true})) ==
         "file: arithmetic-coded JPEG; Huffman-coded files are accepted");
