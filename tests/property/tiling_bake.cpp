@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// What a bake promises: the Gaussian image, the inverse table and its slabs.
+#include "example_exemplar.h"
+
+#include <lichen/image.h>
+#include <lichen/tiling.h>
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tiling/borders.h>
+#include <tiling/gaussianize.h>
+#include <tiling/inverse_table.h>
+#include <tiling/mip_chain.h>
+#include <tiling/prefilter.h>
+#include <transport/random.h>
+
+using namespace lichen;
+using namespace lichen::tiling;
+
+namespace {
+
+std::vector<std::array<float, 3>> sorted(const std::vector<Point>& points) {
+  std::vector<std::array<float, 3>> result;
+  for (const Point& p : points)
+    result.push_back({p.x, p.y, p.z});
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<float> light(const MapExemplar& map) {
+  std::vector<float> values(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), values.begin(), srgbToLinear);
+  return values;
+}
+
+/// A normal deviate from counted uniform numbers [Box and Muller 1958].
+double deviate(std::uint64_t seed, std::uint64_t counter) {
+  const double u = transport::randomUniform(seed, 2 * counter);
+  const double v = transport::randomUniform(seed, 2 * counter + 1);
+  return std::sqrt(-2.0 * std::log(1.0 - u)) * std::cos(6.283185307179586 * v);
+}
+
+/// An independent, slow lookup: interpolates between cell middles by their hat functions.
+double slowLookup(const InverseTable& table, const std::array<double, 3>& gaussian, int channel) {
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
+    double weight = 1.0;
+    std::size_t rest = cell;
+    for (int axis = 0; axis < table.dimensions; ++axis) {
+      const auto place = double(rest % std::size_t(table.side));
+      rest /= std::size_t(table.side);
+      const double u = std::clamp(table.side * gaussianCdf(gaussian[std::size_t(axis)]) - 0.5, 0.0,
+                                  table.side - 1.0);
+      weight *= std::max(0.0, 1.0 - std::abs(u - place));
+    }
+    if (weight > 0.0)
+      sum +=
+          weight * double(table.values[cell * std::size_t(table.channels) + std::size_t(channel)]);
+  }
+  return sum;
+}
+
+struct Baked {
+  MapExemplar map;
+  std::vector<Point> points;
+  Gaussianized gaussian;
+};
+
+Baked baked(MapExemplar map, bool periodic = true, Precision precision = Precision::bits16) {
+  const ColorSpace space = colorSpaceOf(map);
+  std::vector<Point> points = transportPoints(map, space);
+  Gaussianized gaussian =
+      gaussianize(map, points, space.dimensions(), periodic, precision, TransportOptions{});
+  return {std::move(map), std::move(points), std::move(gaussian)};
+}
+
+} // namespace
+
+TEST_CASE("the quantile inverts the distribution function") {
+  for (const double u : {1e-9, 1e-4, 0.01, 0.2, 0.5, 0.77, 0.999, 1.0 - 1e-7})
+    CHECK(gaussianCdf(gaussianQuantile(u)) == Approx(u).epsilon(1e-5));
+}
+
+TEST_CASE("stratified Gaussian sets have mean 1/2 and covariance I / 36 exactly") {
+  for (const int dimensions : {1, 2, 3})
+    for (const std::size_t count : {std::size_t(64), std::size_t(1000), std::size_t(4096)}) {
+      std::vector<float> values;
+      for (const Point& p : stratifiedGaussian(count, dimensions, Precision::bits16))
+        values.insert(values.end(), &p.x, &p.x + dimensions);
+      const Moments moments = momentsOf(values, dimensions);
+      // Float rounding of the stored coordinates.
+      CHECK((moments.mean.array() - 0.5).abs().maxCoeff() < 1e-7);
+      const ChannelMatrix unit = ChannelMatrix::Identity(dimensions, dimensions) / 36.0;
+      CHECK((moments.covariance - unit).cwiseAbs().maxCoeff() < 1e-8);
+    }
+}
+
+TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at three deviations") {
+  std::vector<float> values;
+  for (const Point& p : stratifiedGaussian(65536, 3, Precision::bits8)) {
+    values.insert(values.end(), {p.x, p.y, p.z});
+    REQUIRE(std::min({p.x, p.y, p.z}) >= 0.0f);
+    REQUIRE(std::max({p.x, p.y, p.z}) <= 1.0f);
+  }
+  const Moments moments = momentsOf(values, 3);
+  // Rounding to 1/255 adds (1/255)^2 / 12 to the variance, 4.6e-5 of it; clamping would
+  // lose 5.6e-3.
+  const ChannelMatrix unit = ChannelMatrix::Identity(3, 3) / 36.0;
+  CHECK((moments.covariance - unit).cwiseAbs().maxCoeff() * 36.0 < 3e-4);
+}
+
+TEST_CASE("the Gaussianized image is a permutation of the stratified set") {
+  for (const Precision precision : {Precision::bits8, Precision::bits16})
+    for (const bool periodic : {true, false}) {
+      const Baked b = baked(test::threeMaterials(48, 40, 7), periodic, precision);
+      const auto stratified = sorted(stratifiedGaussian(48 * 40, 3, precision));
+      CHECK(sorted(b.gaussian.image) == stratified);
+      CHECK(sorted(b.gaussian.matched) == stratified);
+    }
+}
+
+TEST_CASE("lookups in the table have the exemplar's mean and covariance") {
+  const Baked b = baked(test::threeMaterials(160, 160, 3));
+  const std::vector<float> values = light(b.map);
+  const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+  const Moments found = interpolatedMoments(table);
+  const Moments wanted = momentsOf(values, 3);
+  // Clamping to the exemplar's range leaves at most a thousandth.
+  CHECK((found.mean - wanted.mean).cwiseAbs().maxCoeff() < 1e-4);
+  CHECK((found.covariance - wanted.covariance).norm() < 1e-3 * wanted.covariance.norm());
+
+  // The closed form of the moments, against lookups at stratified points.
+  std::vector<float> looked;
+  for (const Point& p : stratifiedGaussian(2000, 3, Precision::bits16))
+    for (int c = 0; c < 3; ++c)
+      looked.push_back(float(slowLookup(table, {p.x, p.y, p.z}, c)));
+  const Moments sampled = momentsOf(looked, 3);
+  // Standard error of a mean of 2000 is 2.2 % of a deviation; stratification makes it smaller.
+  const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
+  CHECK((sampled.mean - found.mean).cwiseAbs().maxCoeff() < 0.02 * deviation);
+}
+
+TEST_CASE("the table stays within the exemplar's range of colours") {
+  const Baked b = baked(test::threeMaterials(128, 128, 5));
+  const std::vector<float> values = light(b.map);
+  const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+  for (std::size_t c = 0; c < 3; ++c) {
+    float low = values[c];
+    float high = low;
+    for (std::size_t i = c; i < values.size(); i += 3) {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+    for (std::size_t i = c; i < table.values.size(); i += 3) {
+      REQUIRE(table.values[i] >= low);
+      REQUIRE(table.values[i] <= high);
+    }
+  }
+}
+
+TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
+  const Baked b = baked(test::threeMaterials(128, 128, 9));
+  const std::vector<float> values = light(b.map);
+  const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+  double squares = 0.0;
+  constexpr std::size_t kStep = 61; // a sample of the pixels: slowLookup visits every cell
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < b.gaussian.matched.size(); i += kStep, ++count) {
+    const Point& g = b.gaussian.matched[i];
+    for (int c = 0; c < 3; ++c) {
+      const double error =
+          slowLookup(table, {g.x, g.y, g.z}, c) - double(values[3 * i + std::size_t(c)]);
+      squares += error * error;
+    }
+  }
+  const double variance = momentsOf(values, 3).covariance.trace();
+  // The table has one cell for half a pixel here; a wrong inverse would leave twice the variance.
+  CHECK(squares / double(count) < 0.1 * variance);
+}
+
+TEST_CASE("white noise loses what bilinear fetching and averaging of white noise must lose") {
+  // R(k) = 0 for k != 0: a bilinear fetch keeps (2/3)^2, each mip a quarter of the one before.
+  Gaussianized white{256, 256, 3, stratifiedGaussian(256 * 256, 3, Precision::bits16), {}};
+  for (std::size_t i = white.image.size(); i-- > 1;)
+    std::swap(white.image[i], white.image[transport::randomBits(5, i) % (i + 1)]);
+  const LostVariance lost = lostVariance(gaussianTable(white, 16));
+  REQUIRE(lost.perMip.size() == 9);
+  for (std::size_t mip = 0; mip < 4; ++mip) {
+    const double kept = 4.0 / 9.0 * std::pow(0.25, double(mip));
+    // Sampling error of a sample autocovariance over n texels: about 4 / sqrt(3 n) here.
+    const double texels = 65536.0 * std::pow(0.25, double(mip));
+    CHECK(1.0 - scalarLoss(lost.perMip[mip]) ==
+          Approx(kept).margin(4.0 * kept / std::sqrt(texels)));
+  }
+  CHECK(lost.bilinear[0] == Approx(2.0).margin(0.02));
+  CHECK(lost.bilinear[1] == Approx(2.0).margin(0.02));
+}
+
+TEST_CASE("each mip texel is the average of the area it covers, for any size") {
+  const Baked b = baked(test::threeMaterials(45, 23, 2));
+  const Table table = gaussianTable(b.gaussian, 16);
+  CHECK(table.mipLevels == 6);
+  const std::vector<float> last = decodeLevel(table, 5);
+  // The whole image's mean is 1/2; half floats round each level.
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(last[c] == Approx(0.5).margin(1e-3));
+}
+
+TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
+  const Baked b = baked(test::threeMaterials(96, 96, 4));
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, light(b.map), 3, TransportOptions{});
+  LostVariance lost; // half of everything, with channels that lose differently and together
+  ChannelMatrix half(3, 3);
+  half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
+  lost.perMip = {half};
+  const std::vector<double> levels = tableLevels();
+  const std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  REQUIRE(slabs.size() == levels.size());
+  CHECK(slabs.front().values == table.values);
+
+  constexpr std::size_t kSlab = 2;
+  const ChannelMatrix loss = half * (levels[kSlab] / scalarLoss(half));
+  const Eigen::LLT<ChannelMatrix> factor(loss);
+  const ChannelMatrix lower = factor.matrixL();
+  constexpr int kSamples = 1500;
+  for (const std::size_t cell : {std::size_t(16912), std::size_t(9000), std::size_t(23456)}) {
+    std::array<double, 3> middle{};
+    std::size_t rest = cell;
+    for (double& coordinate : middle) {
+      coordinate = gaussianQuantile((double(rest % 32) + 0.5) / 32.0);
+      rest /= 32;
+    }
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int s = 0; s < kSamples; ++s) {
+      ChannelVector z(3);
+      for (int c = 0; c < 3; ++c)
+        z[c] = deviate(17, std::uint64_t(3 * s + c)) / 6.0;
+      const ChannelVector e = lower * z;
+      const double value =
+          slowLookup(table, {middle[0] + e[0], middle[1] + e[1], middle[2] + e[2]}, 0);
+      sum += value;
+      squares += value * value;
+    }
+    const double mean = sum / kSamples;
+    const double deviationOfValue = std::sqrt(std::max(0.0, squares / kSamples - mean * mean));
+    // Five standard errors of the Monte Carlo mean, and of the slab's own 64 stratified samples,
+    // whose error is below a third of independent samples'.
+    const double tolerance =
+        5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 1.0 / 24.0);
+    CHECK(double(slabs[kSlab].values[3 * cell]) == Approx(mean).margin(tolerance));
+  }
+  const Moments moments = interpolatedMoments(table);
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(double(slabs.back().values[c]) == Approx(moments.mean[Eigen::Index(c)]).epsilon(1e-5));
+}
+
+TEST_CASE("an exemplar that tiles is told from a crop that does not") {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const MapExemplar whole = test::threeMaterials(128, 128, seed);
+    CHECK(isPeriodic(whole));
+    CHECK_FALSE(isPeriodic(test::cropped(whole, 10, 0, 90, 128)));
+    CHECK_FALSE(isPeriodic(test::cropped(whole, 0, 20, 128, 77)));
+  }
+}
+
+TEST_CASE("blended borders continue each other as neighbours inside do") {
+  const Baked b = baked(test::cropped(test::threeMaterials(128, 128, 6, 5), 5, 5, 96, 80));
+  const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, 96, 80);
+  const auto meanStep = [&](const std::vector<Point>& image, int from, int to) {
+    double sum = 0.0;
+    for (int y = 0; y < 80; ++y) {
+      const Point& p = image[std::size_t(y * 96 + from)];
+      const Point& q = image[std::size_t(y * 96 + to)];
+      sum += std::abs(double(p.x) - double(q.x)) + std::abs(double(p.y) - double(q.y));
+    }
+    return sum;
+  };
+  double inside = 0.0;
+  for (int x = 0; x < 95; ++x)
+    inside += meanStep(faded, x, x + 1) / 95.0;
+  // Grain hides part of the seam: unrelated borders differ by a quarter more here.
+  CHECK(meanStep(b.gaussian.matched, 95, 0) > 1.2 * inside);
+  CHECK(meanStep(faded, 95, 0) < 1.1 * inside);
+}
+
+TEST_CASE("inputs that span fewer dimensions are baked in those") {
+  const auto bake = [](const MapExemplar& map) {
+    Result<TilingBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
+    REQUIRE(result);
+    return std::move(result).value();
+  };
+  MapExemplar map = test::threeMaterials(64, 64, 8);
+  SECTION("grey stored as RGB has one Gaussian channel and a table of 256 colours") {
+    for (std::size_t i = 0; i < map.values.size(); ++i)
+      map.values[i] = map.values[i - i % 3];
+    const TilingBake b = bake(map);
+    CHECK(b.tables[0].format == TexelFormat::r8Unorm);
+    CHECK(b.tables[1].width == 256);
+    const std::vector<float> texels = decodeLevel(b.tables[1], 0);
+    for (std::size_t i = 0; i < texels.size(); i += 4) { // no rainbow
+      REQUIRE(texels[i] == texels[i + 1]);
+      REQUIRE(texels[i] == texels[i + 2]);
+    }
+  }
+  SECTION("two colours lie on a line") {
+    for (std::size_t i = 0; i < map.values.size(); i += 3) {
+      const bool first = map.values[i] > 0.5f;
+      map.values[i] = first ? 0.8f : 0.1f;
+      map.values[i + 1] = first ? 0.4f : 0.3f;
+      map.values[i + 2] = first ? 0.2f : 0.9f;
+    }
+    CHECK(bake(map).tables[0].format == TexelFormat::r8Unorm);
+  }
+  SECTION("colours in a plane have two Gaussian channels") {
+    for (std::size_t i = 0; i < map.values.size(); i += 3)
+      map.values[i + 2] = 0.5f * map.values[i] + 0.25f * map.values[i + 1];
+    const TilingBake b = bake(map);
+    CHECK(b.tables[0].format == TexelFormat::rg8Unorm);
+    CHECK(b.tables[1].height == 64 * std::uint32_t(kTableLevels));
+  }
+  SECTION("one colour gives one colour") {
+    std::fill(map.values.begin(), map.values.end(), 0.5f);
+    const TilingBake b = bake(map);
+    const std::vector<float> texels = decodeLevel(b.tables[1], 0);
+    for (std::size_t i = 0; i < texels.size(); i += 4)
+      REQUIRE(texels[i] == Approx(srgbToLinear(0.5f)).margin(0.003));
+  }
+  SECTION("a single pixel and a single row are accepted") {
+    CHECK(bake(test::cropped(map, 3, 3, 1, 1)).noise.maps.size() == 1);
+    CHECK(bake(test::cropped(map, 0, 3, 64, 1)).noise.maps.size() == 1);
+  }
+}
+
+TEST_CASE("flat regions stay smooth once Gaussianized") {
+  // Half of the pixels share one colour: their order is free, and follows the surroundings.
+  MapExemplar map = test::threeMaterials(96, 96, 12, 6);
+  for (std::size_t i = 0; i < map.values.size(); i += 3)
+    if (map.values[i] > 0.6f)
+      map.values[i] = map.values[i + 1] = map.values[i + 2] = 0.7f;
+  const Baked b = baked(map);
+  double steps = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < b.points.size(); ++i)
+    if (map.values[3 * i] == 0.7f && map.values[3 * i + 3] == 0.7f && (i + 1) % 96 != 0) {
+      const Point& p = b.gaussian.matched[i];
+      const Point& q = b.gaussian.matched[i + 1];
+      steps += double(dot({p.x - q.x, p.y - q.y, p.z - q.z}, {p.x - q.x, p.y - q.y, p.z - q.z}));
+      ++count;
+    }
+  // Arbitrary order would make neighbours independent: a mean square of about 2 x 3 / 36 within
+  // the half of the Gaussian that the colour takes, at least 0.08.
+  CHECK(steps / double(count) < 0.04);
+}
+
+TEST_CASE("a bake does not depend on the number of threads") {
+  const MapExemplar map = test::threeMaterials(160, 120, 21);
+  const auto bakeWith = [&](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    Result<TilingBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
+    REQUIRE(result);
+    return std::move(result).value();
+  };
+  const TilingBake one = bakeWith(1);
+  const TilingBake many = bakeWith(4);
+  REQUIRE(one.tables.size() == many.tables.size());
+  for (std::size_t t = 0; t < one.tables.size(); ++t)
+    CHECK(one.tables[t].texels == many.tables[t].texels);
+  CHECK(one.noise.maps[0].mipLoss == many.noise.maps[0].mipLoss);
+}
+
+TEST_CASE("options and maps out of range are refused") {
+  const MapExemplar map = test::threeMaterials(8, 8, 1, 1);
+  TilingOptions options;
+  options.bits = 9;
+  const Result<TilingBake> result = bakeTiling("x", {&map, 1}, options);
+  REQUIRE_FALSE(result);
+  CHECK(result.error().kind == ErrorKind::usage);
+  CHECK_FALSE(bakeTiling("x", {}, TilingOptions{}));
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// What the evaluated noise promises, seen through the CPU twin.
+#include "example_exemplar.h"
+
+#include <lichen/image.h>
+#include <lichen/synthesize.h>
+#include <lichen/tiling.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tiling/color_space.h>
+#include <tiling/gaussian_distribution.h>
+#include <tiling/simplex_lattice.h>
+#include <transport/random.h>
+
+using namespace lichen;
+using namespace lichen::tiling;
+
+namespace {
+
+Bundle bakedBundle(const MapExemplar& map, int bits = 16) {
+  TilingOptions options;
+  options.bits = bits;
+  Result<TilingBake> bake = bakeTiling("example", {&map, 1}, options);
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  return bundle;
+}
+
+/// One bundle for the tests that only evaluate.
+const Bundle& exampleBundle() {
+  static const Bundle bundle = bakedBundle(test::threeMaterials(128, 128, 11));
+  return bundle;
+}
+
+LinearImage synthesized(const SynthesisOptions& options) {
+  Result<LinearImage> image = synthesize(exampleBundle(), options);
+  REQUIRE(image);
+  return std::move(image).value();
+}
+
+SynthesisOptions sized(int width, int height) {
+  SynthesisOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
+} // namespace
+
+TEST_CASE("the blend weights sum to 1 and the three vertices surround the point") {
+  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  for (std::uint64_t k = 0; k < 20000; ++k) {
+    const std::array<float, 2> p{float(40.0 * (transport::randomUniform(1, 2 * k) - 0.5)),
+                                 float(40.0 * (transport::randomUniform(1, 2 * k + 1) - 0.5))};
+    const Taps taps = tapsAt(noise, p);
+    float sum = 0.0f;
+    float squares = 0.0f;
+    for (const float weight : taps.weight) {
+      REQUIRE(weight >= 0.0f);
+      sum += weight;
+      squares += weight * weight;
+    }
+    REQUIRE(sum == Approx(1.0f).epsilon(1e-6));
+    REQUIRE(taps.norm == Approx(std::sqrt(squares)).epsilon(1e-6));
+    REQUIRE(taps.norm >= 0.577f);
+  }
+}
+
+TEST_CASE("taps lie whole texels away from the point, so that a texel grid stays aligned") {
+  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  for (int k = 0; k < 500; ++k) {
+    const std::array<float, 2> p{(float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f};
+    for (const std::array<float, 2>& tap : tapsAt(noise, p).position)
+      for (const float coordinate : tap) {
+        const float texel = coordinate * 128.0f - 0.5f;
+        REQUIRE(texel == std::round(texel));
+      }
+  }
+}
+
+TEST_CASE("the noise is continuous across the edges of the lattice") {
+  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
+  REQUIRE(evaluator);
+  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  // Steps of a thousandth of a texel: texels differ by up to 1, so neighbours by 3 taps x 1e-3,
+  // amplified by 1 / W <= sqrt(3) and the table's slope; a wrong vertex would jump by a texel.
+  constexpr float kStep = 1.0f / 128000.0f;
+  float largest = 0.0f;
+  TileFootprint at;
+  at.position[1] = 0.2303f;
+  at.position[0] = 0.0f;
+  TilingEvaluator::Value before = evaluator.value().evaluate(0, noise, at);
+  for (int k = 1; k < 60000; ++k) {
+    at.position[0] = float(k) * kStep;
+    const TilingEvaluator::Value now = evaluator.value().evaluate(0, noise, at);
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(now[c] - before[c]));
+    before = now;
+  }
+  CHECK(largest < 0.02f);
+}
+
+TEST_CASE("a synthesized image has the exemplar's mean and covariance") {
+  // 144 exemplars' worth of independent triangles: the standard error of the mean is about
+  // deviation / sqrt(cells x texture patches per cell), far below a percent.
+  const LinearImage image = synthesized(sized(1536, 1536));
+  const Moments found = momentsOf(image.values, 3);
+  std::vector<float> light = test::threeMaterials(128, 128, 11).values;
+  std::transform(light.begin(), light.end(), light.begin(), srgbToLinear);
+  const Moments wanted = momentsOf(light, 3);
+  const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
+  CHECK((found.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.02 * deviation);
+  CHECK((found.covariance - wanted.covariance).norm() < 0.03 * wanted.covariance.norm());
+}
+
+TEST_CASE("variance does not depend on where in a triangle a point lies") {
+  // At vertices one tap has all the weight, at centres three share it. Linear blending keeps a
+  // third of the variance there; the method keeps it all.
+  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
+  REQUIRE(evaluator);
+  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  const auto varianceAt = [&](double f, double g, BlendOperator blend) {
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int kSide = 90;
+    for (int j = 0; j < kSide; ++j)
+      for (int i = 0; i < kSide; ++i) {
+        TileFootprint at;
+        at.position[1] = float((j + g) / kLatticeRowsPerTile);
+        at.position[0] = float((i + f + 0.5 * (j + g)) / kLatticeColumnsPerTile);
+        // Texel centres, where a fetch loses nothing.
+        for (float& coordinate : at.position)
+          coordinate = (std::floor(coordinate * 128.0f) + 0.5f) / 128.0f;
+        const double value = double(evaluator.value().evaluate(0, noise, at, blend)[0]);
+        sum += value;
+        squares += value * value;
+      }
+    constexpr double kCount = double(kSide) * kSide;
+    return squares / kCount - sum / kCount * (sum / kCount);
+  };
+  using enum BlendOperator;
+  const double vertex = varianceAt(0.001, 0.001, histogramPreserving);
+  // 8100 samples: a variance's standard error is below 2 %; 4 of them.
+  CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, histogramPreserving) == Approx(vertex).epsilon(0.08));
+  CHECK(varianceAt(0.5, 0.25, histogramPreserving) == Approx(vertex).epsilon(0.08));
+  CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, linear) < 0.5 * vertex);
+}
+
+TEST_CASE("minified views keep the mean colour of a supersampled reference") {
+  SynthesisOptions fine = sized(1024, 1024);
+  const Moments reference = momentsOf(synthesized(fine).values, 3);
+  for (const double texelsPerTile : {64.0, 16.0, 4.0, 1.0, 0.01}) {
+    SynthesisOptions coarse = sized(64, 64);
+    coarse.texelsPerTile = texelsPerTile;
+    // As much of the plane as the image needs for its own mean to settle.
+    if (texelsPerTile >= 16.0)
+      coarse.width = coarse.height = int(8 * texelsPerTile);
+    const Moments found = momentsOf(synthesized(coarse).values, 3);
+    // TARGETS.md: 0.004 a channel.
+    CHECK((found.mean - reference.mean).cwiseAbs().maxCoeff() < 0.004);
+  }
+}
+
+TEST_CASE("far beyond the tile only the mean colour is left") {
+  SynthesisOptions options = sized(32, 32);
+  options.texelsPerTile = 0.01;
+  const LinearImage image = synthesized(options);
+  for (std::size_t i = 3; i < image.values.size(); ++i)
+    REQUIRE(image.values[i] == Approx(image.values[i % 3]).margin(0.004));
+}
+
+TEST_CASE("a window far from the origin shows exactly what an overlapping window shows") {
+  SynthesisOptions options = sized(96, 64);
+  options.origin = {1e7, -3e6};
+  const LinearImage first = synthesized(options);
+  options.origin = {1e7 + 0.25, -3e6 + 0.125};
+  const LinearImage second = synthesized(options);
+  for (int y = 16; y < 64; ++y)
+    for (int x = 32; x < 96; ++x)
+      for (int c = 0; c < 3; ++c)
+        REQUIRE(first.pixel(x, y)[c] == Approx(second.pixel(x - 32, y - 16)[c]).margin(2e-4));
+}
+
+TEST_CASE("crossing an integer tile origin changes nothing") {
+  // The same place given as fraction and as integer: origins 3 and 4 differ by one whole tile.
+  SynthesisOptions options = sized(160, 8);
+  options.origin = {3.0, 2.0};
+  const LinearImage first = synthesized(options);
+  options.origin = {4.0, 2.0};
+  const LinearImage second = synthesized(options);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 128; x < 160; ++x)
+      REQUIRE(first.pixel(x, y)[0] == Approx(second.pixel(x - 128, y)[0]).margin(2e-4));
+}
+
+TEST_CASE("a tileable image continues across its borders as it does inside") {
+  for (const auto& [width, height] : {std::pair{128, 128}, {300, 212}, {96, 64}}) {
+    const auto columnStep = [](const LinearImage& image, int x0, int x1) {
+      double sum = 0.0;
+      for (int y = 0; y < image.height; ++y)
+        sum += std::abs(double(image.pixel(x0, y)[0]) - double(image.pixel(x1, y)[0]));
+      return sum;
+    };
+    double seam = 0.0;
+    double openSeam = 0.0;
+    double inside = 0.0;
+    for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+      SynthesisOptions options = sized(width, height);
+      options.seed = seed;
+      openSeam += columnStep(synthesized(options), width - 1, 0);
+      options.tileable = true;
+      const LinearImage image = synthesized(options);
+      seam += columnStep(image, width - 1, 0);
+      for (int x = 0; x + 1 < width; ++x)
+        inside += columnStep(image, x, x + 1) / (width - 1);
+    }
+    // At least 12 x 64 pairs of pixels, whose steps spread about as wide as their mean: 4 %; 2.5
+    // of them. Unrelated borders differ by 30 % and more.
+    CHECK(seam < 1.1 * inside);
+    CHECK(openSeam > 1.2 * inside);
+  }
+}
+
+TEST_CASE("seeds give different patterns of one material, and no pattern repeats the exemplar") {
+  const LinearImage one = synthesized(sized(256, 256));
+  SynthesisOptions options = sized(256, 256);
+  options.seed = 2;
+  const LinearImage two = synthesized(options);
+  const Moments a = momentsOf(one.values, 3);
+  const Moments b = momentsOf(two.values, 3);
+  double product = 0.0;
+  double shifted = 0.0;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) {
+      product +=
+          (double(one.pixel(x, y)[0]) - a.mean[0]) * (double(two.pixel(x, y)[0]) - b.mean[0]);
+      shifted +=
+          (double(one.pixel(x, y)[0]) - a.mean[0]) * (double(one.pixel(x + 128, y)[0]) - a.mean[0]);
+    }
+  const double variance = a.covariance(0, 0) * 128.0 * 128.0;
+  // Patches of about 7 texels: some 340 independent values, standard error 0.054; 4 of them.
+  CHECK(std::abs(product / variance) < 0.22);
+  CHECK(std::abs(shifted / variance) < 0.22);
+}
+
+TEST_CASE("a synthesized image does not depend on the number of threads") {
+  const auto withThreads = [](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return synthesized(sized(200, 150)).values;
+  };
+  CHECK(withThreads(1) == withThreads(4));
+}
+
+TEST_CASE("sizes, origins and maps out of range are refused") {
+  const auto refused = [](const SynthesisOptions& options) {
+    const Result<LinearImage> image = synthesize(exampleBundle(), options);
+    return !image && image.error().kind == ErrorKind::usage;
+  };
+  CHECK(refused(sized(0, 10)));
+  CHECK(refused(sized(10, 16385)));
+  SynthesisOptions options = sized(8, 8);
+  options.origin = {1e20, 0.0};
+  CHECK(refused(options));
+  options = sized(8, 8);
+  options.map = MapTarget::height;
+  CHECK(refused(options));
+  options = sized(8, 8);
+  options.noise = 3;
+  CHECK(refused(options));
+}
