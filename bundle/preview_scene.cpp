@@ -87,7 +87,8 @@ Mesh makeBall(const std::array<double, 3>& toCamera) {
     mesh.positions.push_back(toFloat(position));
     mesh.normals.push_back(toFloat(position));
     mesh.tangents.push_back({tangent[0], tangent[1], tangent[2], 1.0f});
-    mesh.uvs.push_back({float(radius * std::cos(phi)), float(-radius * std::sin(phi))});
+    // The middle of an exemplar faces the camera.
+    mesh.uvs.push_back({float(0.5 + radius * std::cos(phi)), float(0.5 - radius * std::sin(phi))});
   };
   addVertex(0.0, 0.0);
   for (int r = 1; r <= kRings; ++r)

@@ -77,6 +77,17 @@ float floatFromHalf(std::uint16_t half) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) | sign);
 }
 
+/// The light of each 8-bit sRGB code.
+const std::array<float, 256>& lightOfCode() {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> light{};
+    for (std::size_t code = 0; code < light.size(); ++code)
+      light[code] = srgbToLight(float(code) / kUnorm8Max);
+    return light;
+  }();
+  return table;
+}
+
 /// Whether channel c of an interleaved format holds an sRGB code; alpha never does.
 bool isSrgbChannel(TexelFormat format, std::size_t channel) {
   return format == TexelFormat::rgba8Srgb && channel < 3;
@@ -125,9 +136,9 @@ std::vector<float> decodeLevel(const Table& table, std::uint32_t level) {
     const std::byte* source = table.texels.data() + range.offset + i * bytes;
     switch (componentOf(table.format)) {
     case Component::unorm8:
-      values[i] = float(std::to_integer<int>(*source)) / kUnorm8Max;
-      if (isSrgbChannel(table.format, i % channels))
-        values[i] = srgbToLight(values[i]);
+      values[i] = isSrgbChannel(table.format, i % channels)
+                      ? lightOfCode()[std::to_integer<std::size_t>(*source)]
+                      : float(std::to_integer<int>(*source)) / kUnorm8Max;
       break;
     case Component::half: {
       std::uint16_t half = 0;

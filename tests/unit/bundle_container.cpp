@@ -50,6 +50,17 @@ TEST_CASE("every truncated length of a GLB is refused") {
     REQUIRE_FALSE(parseBundle(std::span(file).first(length), "x").ok());
 }
 
+TEST_CASE("every truncated length of a .gltf with its buffer inside is refused") {
+  GlbParts parts(smallFile());
+  parts.json["buffers"][0] = {
+      {"byteLength", parts.binary.size()},
+      {"uri", "data:application/gltf-buffer;base64," + base64(parts.binary)}};
+  const std::string text = parts.json.dump();
+  REQUIRE(parseBundle(std::as_bytes(std::span(text)), "x").ok());
+  for (std::size_t length = 0; length < text.size(); ++length)
+    REQUIRE_FALSE(parseBundle(std::as_bytes(std::span(text)).first(length), "x").ok());
+}
+
 TEST_CASE("every truncated length of a KTX2 file is refused") {
   const std::vector<std::byte> file =
       encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));

@@ -8,8 +8,8 @@
 namespace lichen {
 
 enum class PreviewShape {
-  sphere, ///< a sphere resting on a ground that reaches to the horizon, both with the material
-  plane,  ///< the ground alone, seen at a grazing angle
+  sphere, ///< a sphere for each material, on a ground with the first that reaches to the horizon
+  plane,  ///< the ground alone, divided between the materials, seen at a grazing angle
   none,   ///< no nodes and no meshes: a material library
 };
 
@@ -32,7 +32,8 @@ struct BundleFile {
   std::string generator; ///< asset.generator, such as "lichen 0.1.0"
 };
 
-/// Deterministic bytes of a GLB.
+/// Deterministic bytes of a GLB. Errors: usage when the parts do not fit one another or
+/// readBundle() would refuse the result, for its reason; resources when memory does not suffice.
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
 /// Writes .glb, or .gltf with one .bin of the same stem beside it. Errors as replaceFile; usage for
