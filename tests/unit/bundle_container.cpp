@@ -2,7 +2,7 @@
 // The container under a bundle: GLB framing, JSON bounds, data URIs, files beside a .gltf.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
-#include "bundle_temporary_folder.h"
+#include "temporary_folder.h"
 
 #include <lichen/files.h>
 

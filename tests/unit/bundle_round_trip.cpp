@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written is read back, bit for bit.
 #include "bundle_example.h"
-#include "bundle_temporary_folder.h"
+#include "temporary_folder.h"
 
 #include <catch2/catch.hpp>
 

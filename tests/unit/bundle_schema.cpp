@@ -2,7 +2,7 @@
 // The checker and the JSON schemas agree: tests/cli/gltf_validator/schema_cases.json holds patches
 // (RFC 6902) of the extension's example with the verdict that both must reach. The script beside
 // that file puts the same cases to the schemas.
-#include "bundle_temporary_folder.h"
+#include "temporary_folder.h"
 
 #include <lichen/bundle.h>
 
