@@ -5,8 +5,10 @@
 // std::bad_alloc passes through them. Same bytes for any number of threads.
 #pragma once
 
+#include <lichen/fft.h>
 #include <lichen/image.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,5 +32,11 @@ namespace lichen {
 /// sizes can be compared. support in [1, min(width, height)]. Computed by zero-padded FFT.
 [[nodiscard]] std::vector<double> autocovariance(std::span<const float> plane, int width,
                                                  int height, int support);
+
+/// A periodic plane of the same mean and power spectrum with random phases, the same phase at the
+/// same frequency for the same seed, so that planes of several channels keep their cross-spectra.
+/// Source: Galerne, Gousseau, Morel, "Random phase textures", 2011.
+[[nodiscard]] std::vector<float> phaseRandomizedPlane(const HalfSpectrum& spectrum,
+                                                      std::uint32_t seed);
 
 } // namespace lichen

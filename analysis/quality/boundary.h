@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What every measure does at its boundary: refuse images it cannot use, let no exception out.
+#pragma once
+
+#include <lichen/image.h>
+#include <lichen/result.h>
+
+#include <algorithm>
+#include <new>
+#include <optional>
+#include <string>
+
+namespace lichen {
+
+/// Channels without alpha: 1 or 3.
+inline int colorChannels(const SrgbImage& image) { return image.channels >= 3 ? 3 : 1; }
+
+inline int shorterSide(const SrgbImage& image) { return std::min(image.width, image.height); }
+
+inline std::string describe(const SrgbImage& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height) + " with " +
+         std::to_string(image.channels) + " channels";
+}
+
+/// Why a measure cannot use this image, if so.
+inline std::optional<Error> refusal(const SrgbImage& image, const char* role, int shortestSide) {
+  const bool hasPixels = image.width >= 1 && image.height >= 1 && image.channels >= 1 &&
+                         image.channels <= 4 &&
+                         image.values.size() == image.pixelCount() * std::size_t(image.channels);
+  if (hasPixels && shorterSide(image) >= shortestSide)
+    return std::nullopt;
+  return Error{ErrorKind::badInput,
+               std::string(role) + " is " + describe(image) +
+                   "; this measure takes 1 to 4 channels and sides of at least " +
+                   std::to_string(shortestSide) + " pixels"};
+}
+
+/// The same for an exemplar and its result.
+inline std::optional<Error> refusal(const SrgbImage& exemplar, const SrgbImage& result,
+                                    int shortestSide) {
+  if (auto error = refusal(exemplar, "the exemplar", shortestSide))
+    return error;
+  if (auto error = refusal(result, "the result", shortestSide))
+    return error;
+  if (colorChannels(exemplar) == colorChannels(result))
+    return std::nullopt;
+  return Error{ErrorKind::badInput, "the exemplar is " + describe(exemplar) + " and the result " +
+                                        describe(result) + "; both must be grey or both in colour"};
+}
+
+/// Runs `measure`, which returns a T, with std::bad_alloc turned into an error.
+template <class Measure>
+auto withinMemory(Measure measure) -> Result<decltype(measure())> {
+  try {
+    return measure();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources, "memory exhausted while measuring; try a smaller result"};
+  }
+}
+
+} // namespace lichen
