@@ -48,14 +48,27 @@ TEST_CASE("the radial power of white noise is its variance at every frequency") 
 
 TEST_CASE("a cosine's power stands in its own ring and, by the window, the next ones") {
   constexpr int kWidth = 256, kHeight = 192, kCrop = 64, kCycles = 10;
-  std::vector<float> plane;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      plane.push_back(float(0.5 + 0.1 * std::cos(2.0 * std::numbers::pi * kCycles * x / kCrop)));
-  const std::vector<double> power = radialPowerSpectrum(plane, kWidth, kHeight, kCrop);
-  for (std::size_t ring = 0; ring < power.size(); ++ring) {
-    if (ring < kCycles - 1 || ring > kCycles + 1)
-      CHECK(power[ring] < 1e-6 * power[kCycles]);
+  constexpr double kAmplitude = 0.1;
+  int ringSize = 0;
+  for (int v = 1 - kCrop / 2; v <= kCrop / 2; ++v)
+    for (int u = 1 - kCrop / 2; u <= kCrop / 2; ++u)
+      ringSize += std::lround(std::hypot(u, v)) == kCycles ? 1 : 0;
+  // Two lines of (amplitude / 2)^2 (sum w)^2, and beside each, in the same ring, two of a quarter
+  // of it, for the Hann window has 1/2 at 0 and 1/4 at +-1 cycles; sum w^2 is 3/8 a pixel.
+  const double line = std::pow(0.5 * kAmplitude * kCrop * kCrop / 4.0, 2.0);
+  const double expected = 2.0 * 1.5 * line / std::pow(3.0 / 8.0 * kCrop, 2.0) / ringSize;
+  for (const bool alongX : {true, false}) {
+    std::vector<float> plane;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        plane.push_back(float(0.5 + kAmplitude * std::cos(2.0 * std::numbers::pi * kCycles *
+                                                          (alongX ? x : y) / kCrop)));
+    const std::vector<double> power = radialPowerSpectrum(plane, kWidth, kHeight, kCrop);
+    CHECK(power[kCycles] == Approx(expected).epsilon(1e-3));
+    for (std::size_t ring = 0; ring < power.size(); ++ring) {
+      if (ring < kCycles - 1 || ring > kCycles + 1)
+        CHECK(power[ring] < 1e-6 * power[kCycles]);
+    }
   }
 }
 
