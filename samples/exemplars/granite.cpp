@@ -89,9 +89,12 @@ SrgbImage granite(int side) {
       fractalNoise(side, {10.0f, 1.2f, 0.65f}, 11), fractalNoise(side, {10.0f, 1.2f, 0.65f}, 12),
       fractalNoise(side, {14.0f, 1.7f, 0.65f}, 13), fractalNoise(side, {3.0f, 1.0f, 0.8f}, 14),
       fractalNoise(side, {7.0f, 1.5f, 0.7f}, 15)};
-  const Mosaic large(side, {22.0f, 0.6f, 1.6f, 1.8f, 1.0f}, 20);
-  const Mosaic small(side, {8.5f, 0.5f, 1.7f, 1.7f, 1.0f}, 21);
-  const Mosaic flakes(side, {7.0f, 0.5f, 1.8f, 2.6f, 1.0f}, 22);
+  const Mosaic large(side, {.spacing = 22.0f, .smallest = 0.6f, .largest = 1.6f, .longest = 1.8f},
+                     20);
+  const Mosaic small(side, {.spacing = 8.5f, .smallest = 0.5f, .largest = 1.7f, .longest = 1.7f},
+                     21);
+  const Mosaic flakes(side, {.spacing = 7.0f, .smallest = 0.5f, .largest = 1.8f, .longest = 2.6f},
+                      22);
   const Field clusters = fractalNoise(side, {40.0f, 9.0f, 0.8f}, 23);
   Canvas canvas(side);
   for (int sy = 0; sy < canvas.side(); ++sy) {

@@ -87,10 +87,16 @@ SrgbImage lichenOnStone(int side) {
       fractalNoise(side, {7.0f, 1.5f, 0.7f}, 93), fractalNoise(side, {40.0f, 1.0f, 0.8f}, 94),
       fractalNoise(side, {2.5f, 1.0f, 0.8f}, 95), fractalNoise(side, {3.0f, 1.5f, 0.8f}, 96),
       fractalNoise(side, {12.0f, 3.0f, 0.6f}, 97)};
-  const Mosaic grains(side, {3.2f, 0.6f, 1.6f, 1.5f, 1.0f}, 98);
-  const Mosaic thalli(side, {22.0f, 0.7f, 1.5f, 1.3f, 1.0f}, 99);
-  const Mosaic young(side, {11.0f, 0.7f, 1.5f, 1.3f, 1.0f}, 101);
-  const Mosaic areoles(side, {2.9f, 0.8f, 1.3f, 1.4f, 0.9f}, 102);
+  const Mosaic grains(side, {.spacing = 3.2f, .smallest = 0.6f, .largest = 1.6f, .longest = 1.5f},
+                      98);
+  const Mosaic thalli(side, {.spacing = 22.0f, .smallest = 0.7f, .largest = 1.5f, .longest = 1.3f},
+                      99);
+  const Mosaic young(side, {.spacing = 11.0f, .smallest = 0.7f, .largest = 1.5f, .longest = 1.3f},
+                     101);
+  const Mosaic areoles(
+      side,
+      {.spacing = 2.9f, .smallest = 0.8f, .largest = 1.3f, .longest = 1.4f, .irregularity = 0.9f},
+      102);
   Relief surface(side);
   for (int y = 0; y < surface.canvas.side(); ++y) {
     for (int x = 0; x < surface.canvas.side(); ++x) {

@@ -7,7 +7,6 @@
 #include "periodic.h"
 
 #include <cmath>
-#include <vector>
 
 namespace lichen::exemplars {
 namespace {

@@ -74,8 +74,10 @@ SrgbImage rust(int side) {
       fractalNoise(side, {56.0f, 3.0f, 0.68f}, 54), fractalNoise(side, {48.0f, 3.0f, 0.7f}, 55),
       fractalNoise(side, {52.0f, 1.0f, 0.76f}, 56), fractalNoise(side, {4.0f, 1.0f, 0.85f}, 57),
       fractalNoise(side, {3.0f, 1.5f, 0.8f}, 58),   fractalNoise(side, {9.0f, 2.0f, 0.55f}, 59)};
-  const Mosaic flakes(side, {10.0f, 0.5f, 1.7f, 2.0f, 1.0f}, 61);
-  const Mosaic chips(side, {7.0f, 0.5f, 1.7f, 1.8f, 1.0f}, 62);
+  const Mosaic flakes(side, {.spacing = 10.0f, .smallest = 0.5f, .largest = 1.7f, .longest = 2.0f},
+                      61);
+  const Mosaic chips(side, {.spacing = 7.0f, .smallest = 0.5f, .largest = 1.7f, .longest = 1.8f},
+                     62);
   Relief sheet(side);
   for (int y = 0; y < sheet.canvas.side(); ++y)
     for (int x = 0; x < sheet.canvas.side(); ++x)

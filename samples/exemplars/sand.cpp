@@ -5,6 +5,7 @@
 #include "periodic.h"
 
 #include <array>
+#include <cstdint>
 
 namespace lichen::exemplars {
 namespace {
@@ -39,11 +40,17 @@ SrgbImage sand(int side) {
     Mosaic mosaic;
     float share; ///< of the mosaic's cells that hold a grain
   };
-  const std::array<GrainSize, 3> sizes{{
-      {Mosaic(side, {9.0f, 0.7f, 1.4f, 1.6f, 0.9f}, 121), 0.16f},
-      {Mosaic(side, {5.6f, 0.7f, 1.4f, 1.6f, 0.9f}, 122), 0.40f},
-      {Mosaic(side, {3.4f, 0.7f, 1.5f, 1.6f, 0.9f}, 123), 1.0f},
-  }};
+  const auto grains = [side](float spacing, std::uint32_t seed) {
+    return Mosaic(side,
+                  {.spacing = spacing,
+                   .smallest = 0.7f,
+                   .largest = 1.4f,
+                   .longest = 1.6f,
+                   .irregularity = 0.9f},
+                  seed);
+  };
+  const std::array<GrainSize, 3> sizes{
+      {{grains(9.0f, 121), 0.16f}, {grains(5.6f, 122), 0.40f}, {grains(3.4f, 123), 1.0f}}};
   Relief sheet(side);
   for (int sy = 0; sy < sheet.canvas.side(); ++sy) {
     for (int sx = 0; sx < sheet.canvas.side(); ++sx) {

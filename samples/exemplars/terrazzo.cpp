@@ -4,6 +4,7 @@
 #include "periodic.h"
 
 #include <array>
+#include <cstdint>
 
 namespace lichen::exemplars {
 namespace {
@@ -53,11 +54,18 @@ SrgbImage terrazzo(int side) {
     float share; ///< of the grains that are chips
     float gap;   ///< half the cement between neighbours, pixels
   };
-  const std::array<ChipSize, 3> sizes{{
-      {Mosaic(side, {23.0f, 0.95f, 1.05f, 1.3f, 0.9f}, 81), 0.44f, 1.5f},
-      {Mosaic(side, {11.5f, 0.95f, 1.05f, 1.4f, 0.95f}, 82), 0.62f, 0.9f},
-      {Mosaic(side, {5.5f, 0.95f, 1.05f, 1.4f, 1.0f}, 83), 0.5f, 0.55f},
-  }};
+  const auto chips = [side](float spacing, std::uint32_t seed) {
+    return Mosaic(side,
+                  {.spacing = spacing,
+                   .smallest = 0.95f,
+                   .largest = 1.05f,
+                   .longest = 1.4f,
+                   .irregularity = 0.93f},
+                  seed);
+  };
+  const std::array<ChipSize, 3> sizes{{{chips(23.0f, 81), 0.44f, 1.5f},
+                                       {chips(11.5f, 82), 0.62f, 0.9f},
+                                       {chips(5.5f, 83), 0.5f, 0.55f}}};
   Canvas canvas(side);
   for (int sy = 0; sy < canvas.side(); ++sy) {
     for (int sx = 0; sx < canvas.side(); ++sx) {
