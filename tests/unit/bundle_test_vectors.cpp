@@ -42,12 +42,13 @@ TEST_CASE("the specification's page shows the values that the code computes") {
 }
 
 TEST_CASE("the specification's page describes every property of the schemas") {
-  std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
-  const std::string page((std::istreambuf_iterator<char>(stream)), {});
+  std::ifstream pageStream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
+  const std::string page((std::istreambuf_iterator<char>(pageStream)), {});
   const std::string folder = LICHEN_SOURCE_DIR "/docs/gltf_extension/schema/";
   for (const char* kind : {"glTF", "table", "noise", "map", "material"}) {
-    std::ifstream schema(folder + kind + ".LICHEN_materials_exemplar_noise.schema.json");
-    for (const auto& [name, property] : nlohmann::json::parse(schema)["properties"].items())
+    std::ifstream stream(folder + kind + ".LICHEN_materials_exemplar_noise.schema.json");
+    const nlohmann::json properties = nlohmann::json::parse(stream).at("properties");
+    for (const auto& [name, property] : properties.items())
       if (name != "extensions" && name != "extras") {
         INFO(kind << " " << name);
         CHECK(page.find("| **" + name + "** |") != std::string::npos);
