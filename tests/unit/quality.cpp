@@ -65,7 +65,7 @@ SrgbImage powerLawNoise(int side, double exponent, std::uint32_t seed) {
 }
 
 constexpr int kTiles = 4; // a side, in the lattice tests
-constexpr int kSide = 256;
+constexpr int kSide = 160;
 
 LatticeView latticeView() {
   LatticeView view;
