@@ -98,32 +98,17 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
   return order;
 }
 
-/// Samples of the cells, `perCell` (a power of two up to 2^D) in each: cell c has the samples
-/// c * perCell + k, on a sub-grid of U that is split along one more axis for each doubling.
-std::vector<Point> cellSamples(int dimensions, int side, int perCell) {
-  const std::size_t cells = power(side, dimensions);
-  std::vector<Point> samples;
-  samples.reserve(cells * std::size_t(perCell));
-  for (std::size_t cell = 0; cell < cells; ++cell)
-    for (int k = 0; k < perCell; ++k) {
-      std::array<float, 3> g{0.0f, 0.0f, 0.0f};
-      std::size_t rest = cell;
-      std::size_t parity = 0;
-      std::array<std::size_t, 3> place{};
-      for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis) {
-        place[axis] = rest % std::size_t(side);
-        rest /= std::size_t(side);
-        parity += place[axis];
-      }
-      // Which axis is split first turns from cell to cell, so that no direction is favoured.
-      std::array<double, 3> within{0.5, 0.5, 0.5};
-      for (std::size_t bit = 0; (1 << bit) < perCell; ++bit)
-        within[(parity + bit) % std::size_t(dimensions)] = (k >> bit) & 1 ? 0.75 : 0.25;
-      for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis)
-        g[axis] = float(gaussianQuantile((double(place[axis]) + within[axis]) / side));
-      samples.push_back({g[0], g[1], g[2]});
-    }
-  return samples;
+/// The Gaussian values at the middles of the cells.
+std::vector<Point> cellMiddles(int dimensions, int side) {
+  std::vector<Point> middles(power(side, dimensions));
+  for (std::size_t cell = 0; cell < middles.size(); ++cell) {
+    std::array<float, 3> g{0.0f, 0.0f, 0.0f};
+    std::size_t rest = cell;
+    for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis, rest /= std::size_t(side))
+      g[axis] = float(gaussianQuantile((double(rest % std::size_t(side)) + 0.5) / side));
+    middles[cell] = {g[0], g[1], g[2]};
+  }
+  return middles;
 }
 
 /// The quantile function of the projected values, averaged over each cell exactly: D = 1.
@@ -152,28 +137,24 @@ InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> d
   return table;
 }
 
-/// Two samples a cell halve the noise of the fit; more gained nothing in histogram or round trip
-/// (docs/decisions/002-inverse-table.md).
-constexpr int kMostSamplesPerCell = 2;
-
+/// One pixel's value a cell, by a second transport. Averaging two pixels a cell brings the round
+/// trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-table.md).
 InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point> points,
                             std::span<const float> decoded, int channels,
                             const TransportOptions& transport) {
   InverseTable table{
       gaussian.dimensions, kTableSide[std::size_t(gaussian.dimensions - 1)], channels, {}};
-  const std::size_t cells = power(table.side, table.dimensions);
-  const std::size_t pixels = points.size();
-  const int perCell = pixels >= cells * kMostSamplesPerCell ? kMostSamplesPerCell : 1;
-  const std::vector<Point> samples = cellSamples(table.dimensions, table.side, perCell);
+  const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
 
-  // As many pixels as samples, evenly over the joint distribution; repeated when there are fewer.
+  // As many pixels as cells, evenly over the joint distribution; repeated when there are fewer.
   const std::vector<std::uint32_t> order = spatialOrder(gaussian.matched, gaussian.dimensions);
-  std::vector<std::uint32_t> chosen(samples.size());
-  std::vector<Point> chosenPoints(samples.size());
-  std::vector<Point> chosenGaussian(samples.size());
-  for (std::size_t m = 0; m < samples.size(); ++m) {
-    const auto place = std::size_t((double(m) + 0.5) * double(pixels) / double(samples.size()));
-    chosen[m] = order[std::min(place, pixels - 1)];
+  std::vector<std::uint32_t> chosen(middles.size());
+  std::vector<Point> chosenPoints(middles.size());
+  std::vector<Point> chosenGaussian(middles.size());
+  for (std::size_t m = 0; m < middles.size(); ++m) {
+    const auto place =
+        std::size_t((double(m) + 0.5) * double(points.size()) / double(middles.size()));
+    chosen[m] = order[std::min(place, points.size() - 1)];
     chosenPoints[m] = points[chosen[m]];
     chosenGaussian[m] = gaussian.matched[chosen[m]];
   }
@@ -181,17 +162,13 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
   TransportOptions alike = transport; // Gaussian to Gaussian: nearly the identity
   alike.trees = 2;
   alike.exactRounds = 0;
-  const std::vector<std::uint32_t> sampleOf =
-      improveAssignment(chosenPoints, samples, assign(chosenGaussian, samples, alike), transport);
+  const std::vector<std::uint32_t> cellOf =
+      improveAssignment(chosenPoints, middles, assign(chosenGaussian, middles, alike), transport);
 
-  std::vector<double> sums(cells * std::size_t(channels), 0.0);
-  for (std::size_t m = 0; m < samples.size(); ++m) {
-    const std::size_t cell = sampleOf[m] / std::size_t(perCell);
-    for (int c = 0; c < channels; ++c)
-      sums[cell * std::size_t(channels) + std::size_t(c)] +=
-          double(decoded[chosen[m] * std::size_t(channels) + std::size_t(c)]) / perCell;
-  }
-  table.values.assign(sums.begin(), sums.end());
+  table.values.resize(middles.size() * std::size_t(channels));
+  for (std::size_t m = 0; m < middles.size(); ++m)
+    std::copy_n(&decoded[chosen[m] * std::size_t(channels)], channels,
+                &table.values[cellOf[m] * std::size_t(channels)]);
   return table;
 }
 

@@ -32,7 +32,7 @@ struct InverseTable {
 /// Fits a table to the pairs (gaussian.matched[i], decoded[i]): `decoded` holds the exemplar's
 /// values after decoding (light for sRGB), `points` the same in the transport's space. One
 /// dimension: the mean of each quantile interval. More: a second transport, from the pixels to
-/// samples of the cells, started from the first one. The looked-up values then have the exemplar's
+/// the cells' middles, started from the first one. The looked-up values then have the exemplar's
 /// mean and covariance, as far as its range of values allows.
 [[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
                                            std::span<const Point> points,

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Contact sheets: plain repetition (upper row) and noise (lower row) at three distances.
+#   samples/gallery.sh OUTPUT_FOLDER EXEMPLAR.png...
+# Needs a release build and ImageMagick (Debian package imagemagick).
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")/.." && pwd)
+lichen=${LICHEN:-$here/build/release/bin/lichen}
+panel=480
+distances="256 64 16" # pixels across one exemplar
+
+if [ $# -lt 2 ]; then
+  echo "usage: samples/gallery.sh OUTPUT_FOLDER EXEMPLAR.png..." >&2
+  exit 2
+fi
+command -v montage >/dev/null || { echo "gallery: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
+[ -x "$lichen" ] || { echo "gallery: $lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+
+output=$1
+shift
+mkdir -p "$output"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+for exemplar in "$@"; do
+  name=$(basename "${exemplar%.*}")
+  [ "$name" = base_color ] && name=$(basename "$(dirname "$exemplar")")
+  "$lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --preview none
+  panels=()
+  for texels in $distances; do
+    # Light is averaged, not its code: -colorspace RGB around the resize.
+    convert "$exemplar" -colorspace RGB -filter Box -resize "${texels}x${texels}!" -colorspace sRGB \
+      "$work/tile.png"
+    convert -size "${panel}x${panel}" "tile:$work/tile.png" "$work/repeated-$texels.png"
+    panels+=("$work/repeated-$texels.png")
+  done
+  for texels in $distances; do
+    "$lichen" synth "$work/$name.glb" -o "$work/noise-$texels.png" --size "${panel}x${panel}" \
+      --texels-per-tile "$texels" --quiet
+    panels+=("$work/noise-$texels.png")
+  done
+  montage "${panels[@]}" -tile 3x2 -geometry +4+4 -background white -quality 88 "$output/$name.jpg"
+  echo "$output/$name.jpg"
+done
