@@ -32,19 +32,16 @@ LichenTriangle lichenTriangleAt(vec2 position, LichenNoise noise) {
   return triangle;
 }
 
-/// floor(value / period) per component, for any value and 0 < period < 2^24. Integer division is
-/// slow on many devices: the quotient of floats is off by at most 384 / period + 1 for |value| up to
-/// 2^31, the second quotient, of what is left, by at most 1.
+/// floor(value / period) per component, for |value| < 2^22 and period > 0. Integer division is slow
+/// on many devices. (value + 1/2) / period is at least 1 / (2 period) away from any integer, more
+/// than the rounding of its product with the reciprocal.
 ivec3 lichenFloorDivide(ivec3 value, int period) {
-  float inverse = 1.0 / float(period);
-  ivec3 quotient = ivec3(floor(vec3(value) * inverse));
-  quotient += ivec3(floor(vec3(value - quotient * period) * inverse));
-  ivec3 rest = value - quotient * period;
-  return quotient + ivec3(greaterThanEqual(rest, ivec3(period))) - ivec3(lessThan(rest, ivec3(0)));
+  return ivec3(floor((vec3(value) + 0.5) * (1.0 / float(period))));
 }
 
 /// Reduces the vertices to one period of a periodic lattice. `shiftX`, `shiftY`: the whole periods
-/// taken away, in tiles. An infinite lattice is left alone.
+/// taken away, in tiles. An infinite lattice is left alone. The cells of a periodic one are near the
+/// origin, which the host reduces to one period: |i|, |j| < 2^22.
 void lichenReduceToPeriod(inout LichenTriangle triangle, LichenNoise noise, out vec3 shiftX,
                           out vec3 shiftY) {
   shiftX = vec3(0.0);

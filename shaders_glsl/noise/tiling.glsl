@@ -31,6 +31,14 @@ struct LichenTaps {
   float gain;            // contrast / sqrt(sum of squared weights)
 };
 
+/// The offset of vertex (i, j)'s tile. [tiles]
+vec2 lichenTileOffset(int i, int j, LichenNoise noise) {
+  // Through int, below 2^16: float of uint is slower on devices with only signed conversions.
+  uvec2 sizeTexels = uvec2(noise.tileWidthTexels, noise.tileHeightTexels);
+  return vec2(ivec2(lichenTileOffsetTexels(i, j, noise.seedWord, sizeTexels))) /
+         vec2(ivec2(sizeTexels));
+}
+
 /// Lattice, weights and tap positions of a noise at one point. The gradients are those of
 /// `position`, which is continuous; those of the taps are not.
 LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise) {
@@ -43,20 +51,16 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   }
   vec3 shiftX, shiftY;
   lichenReduceToPeriod(triangle, noise, shiftX, shiftY);
-  uvec2 sizeTexels = uvec2(noise.tileWidthTexels, noise.tileHeightTexels);
-  vec2 offset0 =
-      vec2(lichenTileOffsetTexels(triangle.i.x, triangle.j.x, noise.seedWord, sizeTexels));
-  vec2 offset1 =
-      vec2(lichenTileOffsetTexels(triangle.i.y, triangle.j.y, noise.seedWord, sizeTexels));
-  vec2 offset2 =
-      vec2(lichenTileOffsetTexels(triangle.i.z, triangle.j.z, noise.seedWord, sizeTexels));
+  vec2 offset0 = lichenTileOffset(triangle.i.x, triangle.j.x, noise);
+  vec2 offset1 = lichenTileOffset(triangle.i.y, triangle.j.y, noise);
+  vec2 offset2 = lichenTileOffset(triangle.i.z, triangle.j.z, noise);
   LichenTaps taps;
   taps.position = position;
   taps.gradientX = gradientX;
   taps.gradientY = gradientY;
-  taps.tap0 = position - vec2(shiftX.x, shiftY.x) + offset0 / vec2(sizeTexels);
-  taps.tap1 = position - vec2(shiftX.y, shiftY.y) + offset1 / vec2(sizeTexels);
-  taps.tap2 = position - vec2(shiftX.z, shiftY.z) + offset2 / vec2(sizeTexels);
+  taps.tap0 = position - vec2(shiftX.x, shiftY.x) + offset0;
+  taps.tap1 = position - vec2(shiftX.y, shiftY.y) + offset1;
+  taps.tap2 = position - vec2(shiftX.z, shiftY.z) + offset2;
   taps.weights = weights;
   taps.gain = noise.contrast * inversesqrt(dot(weights, weights));
   return taps;
@@ -97,6 +101,15 @@ vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
   return 0.5 + taps.gain * (blend - 0.5);
 }
 
+/// Lost variance of one mip level, < LICHEN_MAX_MIPS. Chosen, not indexed: a copied array that is
+/// indexed lives in memory on most devices.
+float lichenMipLoss(int mip, LichenMap map) {
+  vec4 four = mip < 8 ? (mip < 4 ? map.mipLoss[0] : map.mipLoss[1])
+                      : (mip < 12 ? map.mipLoss[2] : map.mipLoss[3]);
+  vec2 two = (mip & 2) == 0 ? four.xy : four.zw;
+  return (mip & 1) == 0 ? two.x : two.y;
+}
+
 /// The variance of the Gaussian value that fetching loses, [0, 1] of its full variance.
 float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, LichenMap map) {
   // Magnified: bilinear interpolation loses most midway between texels. All three taps share the
@@ -104,15 +117,15 @@ float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, 
   vec2 size = vec2(map.widthTexels, map.heightTexels);
   vec2 inside = fract(taps.position * size - 0.5);
   vec2 kept = 1.0 - vec2(map.bilinearLossX, map.bilinearLossY) * inside * (1.0 - inside);
-  bool sameSize = map.widthTexels == float(noise.tileWidthTexels) &&
-                  map.heightTexels == float(noise.tileHeightTexels);
+  bool sameSize = map.widthTexels == float(int(noise.tileWidthTexels)) &&
+                  map.heightTexels == float(int(noise.tileHeightTexels));
   float lost0 = sameSize ? 1.0 - kept.x * kept.y : map.mipLoss[0].x;
   // Minified: a trilinear blend of a level and its own average.
-  float clamped = clamp(level, 0.0, float(map.mipCount - 1u));
-  uint below = uint(clamped);
-  uint above = min(below + 1u, uint(LICHEN_MAX_MIPS - 1));
-  float lostBelow = below == 0u ? lost0 : map.mipLoss[below >> 2u][below & 3u];
-  float lostAbove = map.mipLoss[above >> 2u][above & 3u];
+  float clamped = clamp(level, 0.0, float(int(map.mipCount) - 1));
+  int below = int(clamped);
+  int above = min(below + 1, LICHEN_MAX_MIPS - 1);
+  float lostBelow = below == 0 ? lost0 : lichenMipLoss(below, map);
+  float lostAbove = lichenMipLoss(above, map);
   float rest = 1.0 - (clamped - float(below));
   return lostBelow + (1.0 - rest * rest) * (lostAbove - lostBelow);
 }
@@ -121,18 +134,18 @@ float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, 
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
   // [HN18] eq. 20: T^-1 after the Gaussian's distribution function.
   vec3 uniformValue = lichenGaussianCdf(gaussian);
-  float levels = float(map.tableLevels);
+  float levels = float(int(map.tableLevels));
   // The table's levels are equidistant in kept amplitude.
   float level = (levels - 1.0) * (1.0 - sqrt(max(0.0, 1.0 - lostVariance)));
-  if (map.dimensions < 3u)
-    return textureLod(table, vec3(uniformValue.xy, (level + 0.5) / levels), 0.0);
-  // A volume for each level, one behind the other: interpolation stays half a cell inside each.
+  // One and two channels: the third coordinate is the level, and one fetch filters it too. Three: a
+  // volume for each level, one behind the other; interpolation stays half a cell inside each.
+  bool isVolume = map.dimensions == 3u;
   float slab = floor(level);
   float depth = clamp(LICHEN_TABLE_CELLS * uniformValue.z, 0.5, LICHEN_TABLE_CELLS - 0.5);
-  vec3 place =
-      vec3(uniformValue.xy, (slab * LICHEN_TABLE_CELLS + depth) / (levels * LICHEN_TABLE_CELLS));
+  vec3 place = vec3(uniformValue.xy,
+                    (isVolume ? slab + depth / LICHEN_TABLE_CELLS : level + 0.5) / levels);
   vec4 value = textureLod(table, place, 0.0);
-  if (level > slab) {
+  if (isVolume && level > slab) {
     place.z += 1.0 / levels;
     value = mix(value, textureLod(table, place, 0.0), level - slab);
   }
