@@ -5,6 +5,8 @@
 
 #include "abi.h"
 
+#include <lichen/shader_parameters.h>
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -97,56 +99,6 @@ LichenMapping mappingOf(Mapping mapping) {
   return LICHEN_MAPPING_UV;
 }
 
-std::uint32_t encodingOf(ValueEncoding encoding) {
-  switch (encoding) {
-  case ValueEncoding::srgb:
-    return LICHEN_ENCODING_SRGB;
-  case ValueEncoding::linear:
-    return LICHEN_ENCODING_LINEAR;
-  case ValueEncoding::slope:
-    return LICHEN_ENCODING_SLOPE;
-  case ValueEncoding::log2:
-    return LICHEN_ENCODING_LOG2;
-  }
-  return LICHEN_ENCODING_LINEAR;
-}
-
-/// Channels of a Gaussian image that carry a value: the alpha of RGBA is unused.
-std::uint32_t gaussianDimensions(const Table& table) {
-  return std::uint32_t(std::min(3, channelCount(table.format)));
-}
-
-/// The decoded mean: the inverse table's last level is constant, so any of its texels is it.
-shader::vec4 decodedMean(const Table& inverseTable) {
-  Table texel;
-  texel.format = inverseTable.format;
-  texel.texels.assign(inverseTable.texels.end() - std::ptrdiff_t(texelBytes(texel.format)),
-                      inverseTable.texels.end());
-  std::vector<float> values = decodeLevel(texel, 0);
-  values.resize(3, 0.0f);
-  return {values[0], values[1], values[2], 1.0f};
-}
-
-shader::LichenMap mapUniforms(const NoiseMap& map, const Table& gaussian, const Table& table) {
-  shader::LichenMap result{};
-  result.widthTexels = float(gaussian.width);
-  result.heightTexels = float(gaussian.height);
-  result.dimensions = gaussianDimensions(gaussian);
-  result.mipCount = gaussian.mipLevels;
-  result.bilinearLossX = float(map.bilinearLoss[0]);
-  result.bilinearLossY = float(map.bilinearLoss[1]);
-  result.tableLevels = std::uint32_t(map.levels.size());
-  result.encoding = encodingOf(map.encoding);
-  result.mean = decodedMean(table);
-  for (std::size_t level = 0; level < LICHEN_MAX_MIPS; ++level) {
-    shader::vec4& four = result.mipLoss[level / 4];
-    float* const members[] = {&four.x, &four.y, &four.z, &four.w};
-    if (!map.mipLoss.empty())
-      *members[level % 4] = float(map.mipLoss[std::min(level, map.mipLoss.size() - 1)]);
-  }
-  return result;
-}
-
 LichenResult checkNoise(const Noise& noise, const Bundle& bundle, LichenDiagnostic* diagnostic) {
   const char* name = noise.name.c_str();
   if (noise.method != "tiling") {
@@ -181,23 +133,16 @@ LichenResult checkNoise(const Noise& noise, const Bundle& bundle, LichenDiagnost
 }
 
 void planNoise(LichenBundle_T& plan, const Noise& noise) {
-  shader::LichenUniforms uniforms{};
+  std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
-    const NoiseMap& map = noise.maps[i];
-    const Table& gaussian = plan.bundle.tables[map.gaussian];
-    const Table& table = plan.bundle.tables[*map.inverseTable];
-    uniforms.maps[i] = mapUniforms(map, gaussian, table);
-    if (gaussian.width > uniforms.noise.tileWidthTexels) {
-      uniforms.noise.tileWidthTexels = gaussian.width;
-      uniforms.noise.tileHeightTexels = gaussian.height;
-    }
-    if (table.depth == 0) { // 1 and 2 channels: the levels one above the other
-      const auto levels = std::uint32_t(map.levels.size());
-      plan.extents[*map.inverseTable] = {table.width, table.height / levels, levels, 3};
-    }
+    maps.push_back(shaderMap(plan.bundle, noise, i));
+    const std::size_t index = *noise.maps[i].inverseTable;
+    const Table& table = plan.bundle.tables[index];
+    const auto levels = std::uint32_t(noise.maps[i].levels.size());
+    if (table.depth == 0) // 1 and 2 channels: the levels one above the other
+      plan.extents[index] = {table.width, table.height / levels, levels, 3};
   }
-  uniforms.noise.tileSizeMetres = float(noise.tileSizeMetres);
-  plan.uniforms.push_back(uniforms);
+  plan.maps.push_back(std::move(maps));
 }
 
 LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {

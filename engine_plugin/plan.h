@@ -5,7 +5,6 @@
 #include <lichen/bundle.h>
 #include <lichen/lichen.h>
 
-#include <array>
 #include <cstdint>
 #include <lichen_interface.h>
 #include <vector>
@@ -18,6 +17,6 @@ struct LichenBundle_T {
     std::uint32_t dimensionality = 2;
   };
   std::vector<Extent> extents;
-  /// Of noise n: the part of its uniforms that the bundle alone decides.
-  std::vector<lichen::shader::LichenUniforms> uniforms;
+  /// maps[n][k]: the constants of map k of noise n.
+  std::vector<std::vector<lichen::shader::LichenMap>> maps;
 };

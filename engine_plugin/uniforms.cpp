@@ -4,6 +4,7 @@
 #include "plan.h"
 
 #include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
 
 #include <cmath>
 
@@ -94,18 +95,7 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
   return LICHEN_SUCCESS;
 }
 
-/// The infinite lattice at the host's tile origin.
-void placeInfinite(const LichenUniformInfo& info, shader::LichenNoise& noise) {
-  const LatticeOrigin origin = latticeOrigin(info.tileOrigin[0], info.tileOrigin[1]);
-  noise.columnsPerTile = float(kLatticeColumnsPerTile);
-  noise.rowsPerTile = float(kLatticeRowsPerTile);
-  noise.cellI = origin.cell[0];
-  noise.cellJ = origin.cell[1];
-  noise.fractionI = origin.fraction[0];
-  noise.fractionJ = origin.fraction[1];
-}
-
-/// The remainder in [0, period), of a whole period where the origin is not 0.
+/// The remainder of a tile origin in [0, period), a whole period where the origin is not 0.
 double reduced(std::int64_t origin, double period) {
   if (origin == 0)
     return 0.0;
@@ -113,44 +103,17 @@ double reduced(std::int64_t origin, double period) {
   return double(((origin % whole) + whole) % whole);
 }
 
-/// The periodic lattice: an origin is first reduced to one period.
-void placePeriodic(const LichenUniformInfo& info, shader::LichenNoise& noise) {
+/// Moves a periodic lattice by the host's tile origin.
+void movePeriodic(const LichenUniformInfo& info, shader::LichenNoise& noise) {
   const Lattice lattice = periodicLattice(info.periodTiles[0], info.periodTiles[1]);
   const double row = reduced(info.tileOrigin[1], info.periodTiles[1]) * lattice.rowsPerTile;
   const double column =
       reduced(info.tileOrigin[0], info.periodTiles[0]) * lattice.columnsPerTile - 0.5 * row;
-  const float belowOne = std::nextafter(1.0f, 0.0f);
-  noise.columnsPerTile = float(lattice.columnsPerTile);
-  noise.rowsPerTile = float(lattice.rowsPerTile);
+  const float belowOne = std::nextafter(1.0f, 0.0f); // cells are half-open
   noise.cellI = int(std::floor(column));
   noise.cellJ = int(std::floor(row));
   noise.fractionI = std::min(float(column - std::floor(column)), belowOne);
   noise.fractionJ = std::min(float(row - std::floor(row)), belowOne);
-  noise.periodColumns = lattice.periodColumns;
-  noise.periodRows = lattice.periodRows;
-  noise.periodTilesX = float(info.periodTiles[0]);
-  noise.periodTilesY = float(info.periodTiles[1]);
-}
-
-void fillNoise(const MaterialNoise& parameters, const LichenUniformInfo& info,
-               shader::LichenNoise& noise) {
-  const double cosine = std::cos(parameters.rotation) / parameters.scale;
-  const double sine = std::sin(parameters.rotation) / parameters.scale;
-  noise.uvToTileXX = float(cosine);
-  noise.uvToTileXY = float(sine);
-  noise.uvToTileYX = float(-sine);
-  noise.uvToTileYY = float(cosine);
-  noise.offsetX = float(parameters.offset[0]);
-  noise.offsetY = float(parameters.offset[1]);
-  noise.blendSharpness = float(parameters.blendSharpness);
-  noise.contrast = float(parameters.contrast);
-  noise.maxAnisotropy = std::max(1.0f, info.maxAnisotropy);
-  noise.seed = parameters.seed;
-  noise.seedWord = latticeSeed(parameters.seed, 0);
-  if (info.periodTiles[0] > 0.0)
-    placePeriodic(info, noise);
-  else
-    placeInfinite(info, noise);
 }
 
 } // namespace
@@ -171,8 +134,19 @@ LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* gi
     result = checkParameters(parameters, info, diagnostic);
   if (result != LICHEN_SUCCESS)
     return result;
-  shader::LichenUniforms uniforms = bundle->uniforms[parameters.noise];
-  fillNoise(parameters, info, uniforms.noise);
+  Placement placement;
+  placement.tileOriginX = info.tileOrigin[0];
+  placement.tileOriginY = info.tileOrigin[1];
+  placement.periodic = info.periodTiles[0] > 0.0;
+  placement.periodTilesX = info.periodTiles[0];
+  placement.periodTilesY = info.periodTiles[1];
+  placement.maxAnisotropy = double(info.maxAnisotropy);
+  shader::LichenUniforms uniforms{};
+  uniforms.noise = shaderNoise(bundle->bundle, parameters, placement);
+  if (placement.periodic)
+    movePeriodic(info, uniforms.noise);
+  std::copy(bundle->maps[parameters.noise].begin(), bundle->maps[parameters.noise].end(),
+            uniforms.maps);
   std::memcpy(destination, &uniforms, sizeof uniforms);
   return LICHEN_SUCCESS;
 }

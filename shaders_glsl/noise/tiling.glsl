@@ -94,7 +94,7 @@ vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, LichenTaps taps, float leve
 
 /// The blended Gaussian value of a map: mean 1/2, standard deviation 1/6 where nothing is minified.
 vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
-  // [HN18] eq. 4, about the mean 1/2.
+  // [HN18] eq. 8 on Gaussian values, about their mean 1/2.
   vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps, level) +
                taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps, level) +
                taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps, level);
@@ -162,26 +162,31 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   return lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost, map);
 }
 
-/// For comparison: the three tiles decoded, then blended linearly. [HN18] eq. 2, fig. 4: contrast is
-/// lost between vertices.
-vec4 lichenTilingLinear(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
-                        LichenMap map) {
+/// The three tiles decoded one by one and blended, `gain` times as far from the mean.
+vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTaps taps, float gain,
+                              LichenNoise noise, LichenMap map) {
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, noise, map);
   vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps, level);
   vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps, level);
   vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps, level);
-  return taps.weights.x * lichenTilingDecode(table, tile0, lost, map) +
-         taps.weights.y * lichenTilingDecode(table, tile1, lost, map) +
-         taps.weights.z * lichenTilingDecode(table, tile2, lost, map);
+  vec4 blend = taps.weights.x * lichenTilingDecode(table, tile0, lost, map) +
+               taps.weights.y * lichenTilingDecode(table, tile1, lost, map) +
+               taps.weights.z * lichenTilingDecode(table, tile2, lost, map);
+  return map.mean + gain * (blend - map.mean);
 }
 
-/// For comparison: as above, blended about the mean so that variance, but not the histogram, is
-/// kept. [HN18] eq. 4, fig. 5: values leave the exemplar's range.
+/// For comparison, [HN18] eq. 3, fig. 4: linear blending. Contrast is lost between vertices.
+vec4 lichenTilingLinear(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
+                        LichenMap map) {
+  return lichenTilingBlendDecoded(gaussian, table, taps, noise.contrast, noise, map);
+}
+
+/// For comparison, [HN18] eq. 8, fig. 5: variance, but not the histogram, is kept. Values leave the
+/// exemplar's range.
 vec4 lichenTilingVariance(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
                           LichenMap map) {
-  vec4 linear = lichenTilingLinear(gaussian, table, taps, noise, map);
-  return map.mean + taps.gain * (linear - map.mean);
+  return lichenTilingBlendDecoded(gaussian, table, taps, taps.gain, noise, map);
 }
 
 #endif

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The whole tiling in the shader against the double-precision oracle, through the plugin.
+// The whole tiling in the shader, through the plugin, against the double-precision oracle and
+// against the CPU twin.
 #include "plugin_host.h"
 #include "require_device.h"
 #include "synthetic_noise.h"
+
+#include <lichen/tiling_evaluate.h>
 
 #include <catch2/catch.hpp>
 
@@ -167,6 +170,47 @@ TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains
       CHECK(parity.gaussian.largest <= kGaussian);
     }
   }
+}
+
+TEST_CASE("the shader and its CPU twin agree in every operator") {
+  const std::pair<Operator, BlendOperator> operators[] = {
+      {kHistogram, BlendOperator::histogramPreserving},
+      {kLinear, BlendOperator::linear},
+      {kVariance, BlendOperator::variancePreserving}};
+  const auto device = requireDevice();
+  const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
+  for (const SyntheticMap& map : {SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, false, 3},
+                                  SyntheticMap{1, 48, 80, false, 6}}) {
+    const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
+    const Bundle bundle = parseBundle(glb, "synthetic").value();
+    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+    PluginHost host(*device, glb);
+    const std::vector<Point> points = samplePoints(float(map.width), 2000);
+    for (const LichenUniformInfo& info : manyUniforms())
+      for (const auto& [constant, blend] : operators) {
+        const auto values = host.evaluate(committed, constant, info, points);
+        const shader::LichenNoise& n = host.uniforms().noise;
+        const auto toTile = [&](const std::array<float, 2>& v) {
+          return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
+                            n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+        };
+        Difference difference;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          TileFootprint at{toTile(points[k].uv), toTile(points[k].gradientX),
+                           toTile(points[k].gradientY)};
+          at.position[0] += n.offsetX;
+          at.position[1] += n.offsetY;
+          const TilingEvaluator::Value expected = twin.evaluate(0, n, at, blend);
+          for (std::size_t c = 0; c < 3; ++c)
+            note(difference, std::abs(double(values[k][c]) - double(expected[c])),
+                 1.0 / double(3 * points.size()));
+        }
+        INFO("D = " << map.dimensions << ", operator " << constant);
+        CHECK(difference.largest <= 1.0 / 255.0);
+        CHECK(difference.fractionBeyond <= 0.001);
+      }
+  }
+  CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
 TEST_CASE("the comparison operators blend the decoded tiles linearly, and about the mean") {
