@@ -29,6 +29,16 @@ void addSharedOptions(CLI::App& verb, SharedOptions& options) {
       ->capture_default_str();
 }
 
+CLI::Validator numberIn(double smallest, double largest) {
+  const std::string range = fmt::format("number from {} to {}", smallest, largest);
+  return {[=](std::string& text) {
+            const std::optional<double> value = parseNumber<double>(text);
+            const bool inside = value && *value >= smallest && *value <= largest;
+            return inside ? std::string() : fmt::format("{} is no {}", text, range);
+          },
+          range};
+}
+
 Result<std::array<int, 2>> parseSize(const std::string& text) {
   const std::size_t cross = text.find('x');
   const std::optional<int> width = parseNumber<int>(std::string_view(text).substr(0, cross));
@@ -52,6 +62,21 @@ Result<std::array<double, 2>> parsePair(const std::string& option, const std::st
     return Error{ErrorKind::usage,
                  fmt::format("{} {}: two numbers X,Y are accepted, such as 10,-2.5", option, text)};
   return std::array<double, 2>{*first, *second};
+}
+
+Result<void> checkOutput(const std::filesystem::path& output,
+                         const std::array<std::string, 2>& extensions) {
+  const std::string extension = output.extension().string();
+  if (extension != extensions[0] && extension != extensions[1])
+    return Error{ErrorKind::usage, fmt::format("{}: the extension {} or {} is accepted",
+                                               output.string(), extensions[0], extensions[1])};
+  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    return Error{ErrorKind::environment,
+                 fmt::format("{}: the folder {} does not exist; make it first", output.string(),
+                             folder.string())};
+  return {};
 }
 
 void say(const SharedOptions& options, const std::string& line) {

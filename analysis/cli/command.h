@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,11 +36,19 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addCheck(CLI::App& app);
 [[nodiscard]] Runner addSynth(CLI::App& app);
 
+/// Accepts numbers in [smallest, largest]. CLI::Range accepts NaN too.
+[[nodiscard]] CLI::Validator numberIn(double smallest, double largest);
+
 /// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Errors: usage.
 [[nodiscard]] Result<std::array<int, 2>> parseSize(const std::string& text);
 /// "10,-2.5" -> {10.0, -2.5}. Errors: usage.
 [[nodiscard]] Result<std::array<double, 2>> parsePair(const std::string& option,
                                                       const std::string& text);
+
+/// What can be refused before the work is done: a name with none of the two extensions (usage), a
+/// folder that is absent (environment).
+[[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
+                                       const std::array<std::string, 2>& extensions);
 
 /// One line on standard output unless `quiet` or `json`.
 void say(const SharedOptions& options, const std::string& line);

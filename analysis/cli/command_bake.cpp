@@ -33,25 +33,10 @@ struct Arguments {
   PreviewShape preview = PreviewShape::sphere;
 };
 
-/// What only the file system can refuse, before the work is done.
-Result<void> checkOutput(const std::filesystem::path& output) {
-  const std::string extension = output.extension().string();
-  if (extension != ".glb" && extension != ".gltf")
-    return Error{ErrorKind::usage,
-                 fmt::format("{}: the extension .glb or .gltf is accepted", output.string())};
-  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    return Error{ErrorKind::environment,
-                 fmt::format("{}: the folder {} does not exist; make it first", output.string(),
-                             folder.string())};
-  return {};
-}
-
 Result<void> checkInput(const std::filesystem::path& input) {
   std::error_code ignored;
   if (std::filesystem::is_directory(input, ignored))
-    return Error{ErrorKind::usage,
+    return Error{ErrorKind::badInput,
                  fmt::format("{}: a folder; one image file is accepted, such as its base colour",
                              input.string())};
   return {};
@@ -112,7 +97,7 @@ void report(const Arguments& arguments, const BundleFile& file, bool periodic,
 
 Result<int> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  if (Result<void> checked = checkOutput(arguments.output); !checked)
+  if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkInput(arguments.input); !checked)
     return checked.error();
@@ -154,7 +139,7 @@ Runner addBake(CLI::App& app) {
   verb->add_option("--seed", arguments->seed, "Seed of the material's pattern")
       ->capture_default_str();
   verb->add_option("--tile", arguments->tileMetres, "Width of the exemplar in metres")
-      ->check(CLI::Range(1e-6, 1e6))
+      ->check(numberIn(1e-6, 1e6))
       ->capture_default_str();
   const std::map<std::string, Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};

@@ -67,6 +67,8 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
 
 Result<int> run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
+  if (Result<void> checked = checkOutput(arguments.output, {".png", ".exr"}); !checked)
+    return checked.error();
   const Result<Bundle> bundle = readBundle(arguments.bundle);
   if (!bundle)
     return bundle.error();
@@ -114,10 +116,10 @@ Runner addSynth(CLI::App& app) {
                  "Opposite borders of the image continue each other");
   verb->add_option("--sharpness", arguments->synthesis.blendSharpness,
                    "Exponent of the blend weights")
-      ->check(CLI::Range(0.25, 16.0))
+      ->check(numberIn(0.25, 16.0))
       ->capture_default_str();
   verb->add_option("--contrast", arguments->synthesis.contrast, "Scale of the variation")
-      ->check(CLI::Range(0.0, 4.0))
+      ->check(numberIn(0.0, 4.0))
       ->capture_default_str();
   const std::map<std::string, BlendOperator> operators{
       {"histogram", BlendOperator::histogramPreserving},

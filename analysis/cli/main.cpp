@@ -38,7 +38,7 @@ int failUsage(const CLI::ParseError& error) {
 int run(int argc, char** argv) {
   CLI::App app{"Lichen turns a photograph of a material into noise: an endless, seamless texture."};
   app.set_version_flag("--version", std::string("lichen ") + kVersion);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1); // none is refused below: CLI11 would not name an unknown one
   std::vector<Runner> runners;
   for (const Verb& verb : kVerbs)
     runners.push_back(verb.add(app));
@@ -49,6 +49,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return failUsage(error);
   }
+  if (app.get_subcommands().empty())
+    return failUsage(CLI::RequiredError("A verb"));
   const auto threads = app.get_subcommands().front()->get_option("--threads")->as<std::size_t>();
   const tbb::global_control control(
       tbb::global_control::max_allowed_parallelism,

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Every kind of image that DESIGN.md section 7 accepts: it bakes, the bundle is clean, and an image
+// made from it has the exemplar's colour.
+#include "command_run.h"
+#include "image_samples.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+/// Of a mean over 128 x 128 pixels of speckles with a standard deviation of 0.13 and an area of 4
+/// texels: its own is 0.13 / sqrt(128 * 128 / 4) = 0.002. 8-bit codes add half of 1/255.
+constexpr double kMeanTolerance = 0.01;
+
+/// Bakes, checks and synthesizes; `mean` is the exemplar's, in sRGB code.
+void checkColour(const Workplace& workplace, const std::string& input,
+                 const std::vector<double>& mean) {
+  INFO(input);
+  const std::string bundle = bake(workplace, input);
+  const Ended checked = runLichen({"check", bundle});
+  INFO(checked.output);
+  CHECK(checked.code == 0);
+  CHECK_THAT(checked.output, Catch::EndsWith("0 errors, 0 warnings\n"));
+  const SrgbImage image = synth(workplace, bundle, {"--size", "128x128"});
+  REQUIRE(image.channels == 3);
+  const std::vector<double> got = meanOf(image);
+  for (std::size_t c = 0; c < 3; ++c) {
+    INFO("channel " << c);
+    CHECK(got[c] == Approx(mean[c]).margin(kMeanTolerance));
+  }
+}
+
+std::vector<double> greyMean(const SrgbImage& image) {
+  return std::vector<double>(3, meanOf(image)[0]);
+}
+
+std::vector<double> colourMean(const SrgbImage& image) {
+  std::vector<double> mean = meanOf(image);
+  mean.resize(3);
+  return mean;
+}
+
+std::vector<nlohmann::json> notesOf(const Workplace& workplace, const std::string& input) {
+  const Ended ended = runLichen({"bake", input, "-o", workplace.path("noted.glb"), "--json"});
+  REQUIRE(ended.code == 0);
+  return nlohmann::json::parse(ended.output).at("notes");
+}
+
+} // namespace
+
+TEST_CASE("8-bit PNG of every colour type keeps its colour") {
+  const Workplace workplace;
+  for (int channels = 1; channels <= 4; ++channels) {
+    const SrgbImage image = speckled(24, 16, channels);
+    checkColour(workplace, workplace.write(std::to_string(channels) + ".png", image),
+                channels <= 2 ? greyMean(image) : colourMean(image));
+  }
+}
+
+TEST_CASE("16-bit PNG keeps its colour, in tables of either precision") {
+  const Workplace workplace;
+  const SrgbImage image = speckled(16, 16, 3);
+  const std::string input = workplace.write("deep.png", encodePng(image, 16).value());
+  checkColour(workplace, input, colourMean(image));
+  const std::string bundle = bake(workplace, input, "fine.glb", {"--precision", "16"});
+  CHECK(runLichen({"check", bundle}).code == 0);
+  const std::vector<double> got = meanOf(synth(workplace, bundle, {"--size", "128x128"}));
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(got[c] == Approx(meanOf(image)[c]).margin(kMeanTolerance));
+}
+
+TEST_CASE("palette and CMYK images bake cleanly") {
+  const Workplace workplace;
+  samples::Png palette;
+  palette.colourType = 3;
+  samples::Jpeg cmyk;
+  cmyk.colour = samples::JpegColour::cmyk;
+  for (const auto& [name, bytes] : {std::pair{"palette.png", samples::makePng(palette)},
+                                    std::pair{"cmyk.jpg", samples::makeJpeg(cmyk)}}) {
+    INFO(name);
+    const std::string bundle = bake(workplace, workplace.write(name, bytes));
+    CHECK(runLichen({"check", bundle}).code == 0);
+  }
+}
+
+TEST_CASE("a constant JPEG keeps its colour everywhere") {
+  const Workplace workplace;
+  const samples::Jpeg jpeg;
+  const std::string input = workplace.write("constant.jpg", samples::makeJpeg(jpeg));
+  const std::string bundle = bake(workplace, input);
+  const SrgbImage image = synth(workplace, bundle, {"--size", "40x30"});
+  const ImageFile file = readImage(input).value();
+  const float* expected = std::get<SrgbImage>(file.pixels).pixel(0, 0);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    REQUIRE(std::abs(image.values[i] - expected[i % 3]) < 1.5f / 255.0f);
+}
+
+TEST_CASE("an EXR of light up to 1 keeps its colour") {
+  const Workplace workplace;
+  const SrgbImage image = speckled(16, 16, 3);
+  checkColour(workplace, workplace.write("light.exr", toLinear(image)), colourMean(image));
+}
+
+TEST_CASE("an EXR of light above 1 keeps its mean light") {
+  const Workplace workplace;
+  LinearImage light = toLinear(speckled(32, 32, 3));
+  double mean = 0.0;
+  for (float& value : light.values) {
+    value *= 8.0f;
+    mean += double(value) / double(light.values.size());
+  }
+  const std::string input = workplace.write("bright.exr", light);
+  const std::vector<nlohmann::json> notes = notesOf(workplace, input);
+  REQUIRE(notes.size() >= 1);
+  const std::string bundle = bake(workplace, input);
+  CHECK(runLichen({"check", bundle}).code == 0);
+  REQUIRE(runLichen({"synth", bundle, "-o", workplace.path("s.exr"), "--size", "192x192"}).code ==
+          0);
+  const ImageFile file = readImage(workplace.path("s.exr")).value();
+  const auto& image = std::get<LinearImage>(file.pixels);
+  double got = 0.0;
+  for (const float value : image.values)
+    got += double(value) / double(image.values.size());
+  // Of light, whose standard deviation is about its mean: 1 / sqrt(18000) is below 1 %; tables of 8
+  // bits in log2(1 + light) step by 1 %.
+  CHECK(got == Approx(mean).epsilon(0.03));
+}
+
+TEST_CASE("images of one row, one column and one pixel bake cleanly and keep their colour") {
+  const Workplace workplace;
+  for (const auto& [width, height] : {std::pair{1, 1}, std::pair{64, 1}, std::pair{1, 64}}) {
+    const SrgbImage image = speckled(width, height, 3);
+    const std::string name = std::to_string(width) + "x" + std::to_string(height) + ".png";
+    const std::string bundle = bake(workplace, workplace.write(name, image));
+    INFO(name);
+    CHECK(runLichen({"check", bundle}).code == 0);
+    const SrgbImage result = synth(workplace, bundle, {"--size", "256x256"});
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(meanOf(result)[c] == Approx(meanOf(image)[c]).margin(0.03));
+  }
+}
+
+TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
+  const Workplace workplace;
+  SrgbImage image = speckled(8, 8, 4);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    image.values[i * 4 + 3] = 1.0f;
+  const std::vector<nlohmann::json> opaque =
+      notesOf(workplace, workplace.write("opaque.png", image));
+  image.values[3] = 0.5f;
+  const std::vector<nlohmann::json> holed = notesOf(workplace, workplace.write("holed.png", image));
+  CHECK(holed.size() == opaque.size() + 1);
+  const Ended ended =
+      runLichen({"bake", workplace.path("holed.png"), "-o", workplace.path("a.glb")});
+  CHECK_THAT(ended.errors, Catch::Contains("note: ") && Catch::Contains("alpha"));
+}

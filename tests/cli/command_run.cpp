@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "command_run.h"
+
+#include <lichen/files.h>
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <fcntl.h>
+#include <numbers>
+#include <span>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace lichen::cli_test {
+namespace {
+
+std::string textOf(const std::filesystem::path& path) {
+  const Result<std::vector<std::byte>> bytes = readFile(path);
+  REQUIRE(bytes);
+  std::string text(bytes.value().size(), '\0');
+  std::transform(bytes.value().begin(), bytes.value().end(), text.begin(),
+                 [](std::byte b) { return char(b); });
+  return text;
+}
+
+/// In the child: never returns.
+[[noreturn]] void become(const std::filesystem::path& program, const Arguments& arguments,
+                         const Limits& limits, const std::filesystem::path& output,
+                         const std::filesystem::path& errors) {
+  const auto redirect = [](const std::filesystem::path& path, int descriptor) {
+    ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
+  };
+  redirect(output, STDOUT_FILENO);
+  redirect(errors, STDERR_FILENO);
+  if (limits.fileBytes > 0) {
+    std::signal(SIGXFSZ, SIG_IGN); // write() then fails, as on a full disk
+    const rlimit limit{limits.fileBytes, limits.fileBytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  ::execv(program.c_str(), pointers.data());
+  ::_exit(127); // as a shell says that there is no such program
+}
+
+} // namespace
+
+Ended run(const std::filesystem::path& program, const Arguments& arguments, const Limits& limits) {
+  const TemporaryFolder folder;
+  const std::filesystem::path output = folder.path() / "output";
+  const std::filesystem::path errors = folder.path() / "errors";
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0)
+    become(program, arguments, limits, output, errors);
+  if (limits.killedAfterMs > 0) {
+    ::usleep(limits.killedAfterMs * 1000);
+    ::kill(child, SIGTERM);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  Ended ended;
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  // A child that was ended early may not have opened them.
+  ended.output = std::filesystem::exists(output) ? textOf(output) : "";
+  ended.errors = std::filesystem::exists(errors) ? textOf(errors) : "";
+  return ended;
+}
+
+Ended runLichen(const Arguments& arguments, const Limits& limits) {
+  return run(LICHEN_COMMAND, arguments, limits);
+}
+
+std::string Workplace::path(const std::string& name) const {
+  return (folder_.path() / name).string();
+}
+
+std::string Workplace::write(const std::string& name, const std::vector<std::byte>& bytes) const {
+  REQUIRE(replaceFile(path(name), bytes));
+  return path(name);
+}
+
+std::string Workplace::write(const std::string& name, const std::string& text) const {
+  REQUIRE(replaceFile(path(name), std::as_bytes(std::span(text))));
+  return path(name);
+}
+
+std::string Workplace::write(const std::string& name, const SrgbImage& image) const {
+  REQUIRE(writeImage(path(name), image));
+  return path(name);
+}
+
+std::string Workplace::write(const std::string& name, const LinearImage& image) const {
+  REQUIRE(writeImage(path(name), image));
+  return path(name);
+}
+
+std::string Workplace::read(const std::string& name) const { return textOf(path(name)); }
+
+std::vector<std::string> Workplace::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+SrgbImage speckled(int width, int height, int channels) {
+  LinearImage noise(width, height, 1);
+  std::uint32_t state = 1;
+  for (float& value : noise.values) {
+    state = state * 1664525u + 1013904223u; // Numerical Recipes, eq. 7.1.6
+    value = float(state >> 24) / 255.0f;
+  }
+  SrgbImage image(width, height, channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int right = (x + 1) % width, below = (y + 1) % height;
+      const float mean = 0.25f * (*noise.pixel(x, y) + *noise.pixel(right, y) +
+                                  *noise.pixel(x, below) + *noise.pixel(right, below));
+      const float light = mean < 0.5f ? 0.3f * mean : 0.4f + 0.6f * mean;
+      for (int c = 0; c < channels; ++c)
+        image.pixel(x, y)[c] = 0.1f + 0.2f * float(c) + (0.6f - 0.15f * float(c)) * light;
+    }
+  return image;
+}
+
+SrgbImage smooth(int side) {
+  SrgbImage image(side, side, 3);
+  const double turn = 2.0 * std::numbers::pi / side;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const double wave = std::sin(turn * (2 * x + y) + c) + std::cos(turn * (3 * y - x) - c) +
+                            std::sin(turn * (2 * y + 1) + 2.0 * std::sin(turn * x));
+        image.pixel(x, y)[c] = float(0.5 + 0.15 * wave);
+      }
+  return image;
+}
+
+std::vector<double> meanOf(const SrgbImage& image) {
+  std::vector<double> mean(std::size_t(image.channels), 0.0);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    mean[i % mean.size()] += double(image.values[i]) / double(image.pixelCount());
+  return mean;
+}
+
+std::string bake(const Workplace& workplace, const std::string& input, const std::string& name,
+                 const Arguments& more) {
+  Arguments arguments{"bake", input, "-o", workplace.path(name)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = runLichen(arguments);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  return workplace.path(name);
+}
+
+SrgbImage synth(const Workplace& workplace, const std::string& bundle, const Arguments& more) {
+  Arguments arguments{"synth", bundle, "-o", workplace.path("synth.png")};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = runLichen(arguments);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const Result<ImageFile> file = readImage(workplace.path("synth.png"));
+  REQUIRE(file);
+  return std::get<SrgbImage>(file.value().pixels);
+}
+
+void checkRefusal(const Arguments& arguments, int code, const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& argument : arguments)
+    line += " " + argument;
+  INFO("lichen" << line);
+  const Ended ended = runLichen(arguments);
+  INFO(ended.errors);
+  CHECK(ended.code == code);
+  CHECK(ended.output.empty());
+  CHECK(std::count(ended.errors.begin(), ended.errors.end(), '\n') == 1);
+  for (const std::string& word : words)
+    CHECK_THAT(ended.errors, Catch::Contains(word));
+}
+
+} // namespace lichen::cli_test

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// What the command writes: files, lines and JSON; the same bytes every time; all of a file or none.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// The only JSON value in `text`; anything beside it fails.
+nlohmann::json onlyObject(const std::string& text) {
+  INFO(text);
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  REQUIRE(json.is_object());
+  return json;
+}
+
+} // namespace
+
+TEST_CASE("bake writes the one file that was named, synth and check work on it alone") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  bake(workplace, input, "moss.glb");
+  CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
+  std::filesystem::remove(input);
+  CHECK(runLichen({"check", workplace.path("moss.glb")}).code == 0);
+  const SrgbImage image = synth(workplace, workplace.path("moss.glb"), {"--size", "40x24"});
+  CHECK(image.width == 40);
+  CHECK(image.height == 24);
+  CHECK(image.channels == 3);
+}
+
+TEST_CASE("a .gltf with what it refers to can be checked and synthesized too") {
+  const Workplace workplace;
+  const std::string bundle =
+      bake(workplace, workplace.write("moss.png", smooth(16)), "moss.gltf", {"--preview", "plane"});
+  CHECK(runLichen({"check", bundle}).code == 0);
+  CHECK(synth(workplace, bundle, {"--size", "16x16"}).width == 16);
+}
+
+TEST_CASE("every preview shape gives a clean bundle") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  for (const char* shape : {"sphere", "plane", "none"})
+    CHECK(runLichen({"check", bake(workplace, input, "moss.glb", {"--preview", shape})}).code == 0);
+}
+
+TEST_CASE("an EXR holds the light of which a PNG holds the sRGB code") {
+  const Workplace workplace;
+  const std::string bundle = bake(workplace, workplace.write("moss.png", smooth(16)));
+  const SrgbImage png = synth(workplace, bundle, {"--size", "32x32"});
+  REQUIRE(runLichen({"synth", bundle, "-o", workplace.path("light.exr"), "--size", "32x32"}).code ==
+          0);
+  const SrgbImage exr =
+      toSrgb(std::get<LinearImage>(readImage(workplace.path("light.exr")).value().pixels));
+  for (std::size_t i = 0; i < png.values.size(); ++i)
+    REQUIRE(png.values[i] == Approx(exr.values[i]).margin(1.0 / 255.0));
+}
+
+TEST_CASE("--name names the noise, and the input's name does without it") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string named = bake(workplace, input, "named.glb", {"--name", "wet moss"});
+  CHECK(synth(workplace, named, {"--noise", "wet moss", "--size", "8x8"}).width == 8);
+  const std::string plain = bake(workplace, input, "plain.glb");
+  CHECK(synth(workplace, plain, {"--noise", "moss", "--size", "8x8"}).width == 8);
+}
+
+TEST_CASE("--json gives one object and nothing else") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string bundle = workplace.path("moss.glb");
+
+  const Ended baked = runLichen({"bake", input, "-o", bundle, "--json"});
+  const nlohmann::json bakeReport = onlyObject(baked.output);
+  CHECK(baked.errors.empty());
+  CHECK(bakeReport.at("output") == bundle);
+  CHECK(bakeReport.at("name") == "moss");
+  CHECK(bakeReport.at("method") == "tiling");
+  CHECK(bakeReport.at("width") == 16);
+  CHECK(bakeReport.at("dimensions") == 3);
+  CHECK(bakeReport.at("tableBytes") > 0);
+
+  const Ended checked = runLichen({"check", bundle, "--json"});
+  const nlohmann::json checkReport = onlyObject(checked.output);
+  CHECK(checked.errors.empty());
+  CHECK(checkReport.at("errors") == 0);
+  CHECK(checkReport.at("warnings") == 0);
+  CHECK(checkReport.at("findings").empty());
+
+  const std::string picture = workplace.path("picture.png");
+  const Ended made = runLichen({"synth", bundle, "-o", picture, "--size", "20x10", "--json"});
+  const nlohmann::json synthReport = onlyObject(made.output);
+  CHECK(made.errors.empty());
+  CHECK(synthReport.at("output") == picture);
+  CHECK(synthReport.at("width") == 20);
+  CHECK(synthReport.at("height") == 10);
+}
+
+TEST_CASE("--quiet is silent, even where there is something to note") {
+  const Workplace workplace;
+  const std::string input = workplace.write("holed.png", speckled(16, 16, 4));
+  const std::string bundle = workplace.path("holed.glb");
+  for (const Arguments& arguments :
+       {Arguments{"bake", input, "-o", bundle, "--quiet"}, Arguments{"check", bundle, "--quiet"},
+        Arguments{"synth", bundle, "-o", workplace.path("p.png"), "--size", "8x8", "--quiet"}}) {
+    const Ended ended = runLichen(arguments);
+    CHECK(ended.code == 0);
+    CHECK(ended.output.empty());
+    CHECK(ended.errors.empty());
+  }
+}
+
+TEST_CASE("bake and synth write the same bytes with one thread and with two, and again") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
+  std::string firstBundle, firstPicture;
+  for (const char* threads : {"1", "2", "2"}) {
+    const std::string bundle = bake(workplace, input, "moss.glb", {"--threads", threads});
+    synth(workplace, bundle, {"--size", "200x150", "--threads", threads});
+    if (firstBundle.empty()) {
+      firstBundle = workplace.read("moss.glb");
+      firstPicture = workplace.read("synth.png");
+    }
+    CHECK((workplace.read("moss.glb") == firstBundle));
+    CHECK((workplace.read("synth.png") == firstPicture));
+  }
+}
+
+TEST_CASE("a full disk leaves the old file whole and no partial one") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string bundle = bake(workplace, input, "moss.glb");
+  synth(workplace, bundle, {"--size", "64x64"});
+  const Names names = workplace.names();
+  const std::string oldBundle = workplace.read("moss.glb");
+  const std::string oldPicture = workplace.read("synth.png");
+
+  Limits limits;
+  limits.fileBytes = 2000;
+  const Ended baked = runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits);
+  const Ended made = runLichen(
+      {"synth", bundle, "-o", workplace.path("synth.png"), "--size", "64x64", "--seed", "2"},
+      limits);
+  for (const Ended& ended : {baked, made}) {
+    CHECK(ended.code == int(ErrorKind::resources));
+    CHECK_THAT(ended.errors, Catch::Contains("cannot be written"));
+  }
+  CHECK((workplace.read("moss.glb") == oldBundle));
+  CHECK((workplace.read("synth.png") == oldPicture));
+  CHECK(workplace.names() == names);
+}
+
+TEST_CASE("an interrupted bake leaves the old bundle or the new one, whole") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(24));
+  const std::string bundle = bake(workplace, input, "moss.glb");
+  const std::string before = workplace.read("moss.glb");
+  bake(workplace, input, "other.glb", {"--seed", "2"});
+  const std::string after = workplace.read("other.glb");
+  REQUIRE((before != after));
+  for (const unsigned milliseconds : {1u, 20u, 60u, 150u, 400u}) {
+    Limits limits;
+    limits.killedAfterMs = milliseconds;
+    static_cast<void>(runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits));
+    const std::string now = workplace.read("moss.glb");
+    CHECK((now == before || now == after));
+  }
+}

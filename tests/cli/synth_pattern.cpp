@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Where and how `lichen synth` evaluates the noise: seeds, origins and borders.
+#include "command_run.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kExemplarSide = 32;
+
+/// One bundle for all the tests of this file; its features are several texels wide.
+struct Made {
+  Workplace workplace;
+  std::string bundle = bake(workplace, workplace.write("smooth.png", smooth(kExemplarSide)));
+};
+
+SrgbImage made(const Arguments& more) {
+  static const Made made;
+  return synth(made.workplace, made.bundle, more);
+}
+
+double difference(const float* a, const float* b) {
+  return std::abs(double(a[0]) - double(b[0])) + std::abs(double(a[1]) - double(b[1])) +
+         std::abs(double(a[2]) - double(b[2]));
+}
+
+/// The mean difference between columns x and x + 1, the last one's neighbour being the first; of
+/// rows when `rows`.
+double stepAfter(const SrgbImage& image, int line, bool rows) {
+  const int lines = rows ? image.height : image.width;
+  const int length = rows ? image.width : image.height;
+  const int next = (line + 1) % lines;
+  double sum = 0.0;
+  for (int i = 0; i < length; ++i)
+    sum += rows ? difference(image.pixel(i, line), image.pixel(i, next))
+                : difference(image.pixel(line, i), image.pixel(next, i));
+  return sum / length;
+}
+
+/// The step over the border relative to the mean step inside.
+double seam(const SrgbImage& image, bool rows) {
+  const int last = (rows ? image.height : image.width) - 1;
+  double inside = 0.0;
+  for (int line = 0; line < last; ++line)
+    inside += stepAfter(image, line, rows) / last;
+  return stepAfter(image, last, rows) / inside;
+}
+
+/// The share of pixels of which the two images differ by more than one code in some channel.
+double shareOfDifferent(const SrgbImage& a, const SrgbImage& b) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.pixelCount(); ++i) {
+    bool differs = false;
+    for (std::size_t c = 0; c < 3; ++c)
+      differs = differs || std::abs(a.values[3 * i + c] - b.values[3 * i + c]) > 1.5f / 255.0f;
+    different += differs ? 1 : 0;
+  }
+  return double(different) / double(a.pixelCount());
+}
+
+SrgbImage window(const SrgbImage& image, int x0, int width) {
+  SrgbImage part(width, image.height, image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < width; ++x)
+      std::copy_n(image.pixel(x0 + x, y), image.channels, part.pixel(x, y));
+  return part;
+}
+
+double deviation(const SrgbImage& image) {
+  const std::vector<double> mean = meanOf(image);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    sum += std::pow(double(image.values[i]) - mean[i % 3], 2.0);
+  return std::sqrt(sum / double(image.values.size()));
+}
+
+} // namespace
+
+TEST_CASE("opposite borders of a tileable image continue each other") {
+  // Whole exemplars, a fraction of one, and unequal sides.
+  for (const char* size : {"96x96", "80x112"}) {
+    INFO(size);
+    const SrgbImage tileable = made({"--size", size, "--tileable"});
+    CHECK(seam(tileable, false) < 1.5);
+    CHECK(seam(tileable, true) < 1.5);
+    const SrgbImage plain = made({"--size", size});
+    CHECK(seam(plain, false) > 2.5);
+    CHECK(seam(plain, true) > 2.5);
+  }
+}
+
+TEST_CASE("a tileable image is as varied as an endless one") {
+  const SrgbImage tileable = made({"--size", "128x128", "--tileable"});
+  const SrgbImage plain = made({"--size", "128x128"});
+  CHECK(deviation(tileable) == Approx(deviation(plain)).epsilon(0.15));
+}
+
+TEST_CASE("windows at huge origins agree where they overlap") {
+  // Half an exemplar, 16 pixels, further on; a whole one needs other arithmetic for the same point.
+  const int half = kExemplarSide / 2;
+  const SrgbImage first = made({"--size", "64x64", "--origin", "10000000,-20000000"});
+  const SrgbImage second = made({"--size", "64x64", "--origin", "10000000.5,-20000000"});
+  CHECK((window(first, half, 64 - half).values == window(second, 0, 64 - half).values));
+  const SrgbImage third = made({"--size", "64x64", "--origin", "10000001,-20000000"});
+  CHECK(shareOfDifferent(window(first, 32, 32), window(third, 0, 32)) == 0.0);
+}
+
+TEST_CASE("the noise far from the origin is another part of the same material") {
+  const SrgbImage near = made({"--size", "256x256"});
+  const SrgbImage far = made({"--size", "256x256", "--origin", "10000000,0"});
+  CHECK(shareOfDifferent(near, far) > 0.9);
+  CHECK(deviation(far) == Approx(deviation(near)).epsilon(0.1));
+  // 64 exemplars' area, a few independent blobs each, deviation 0.2.
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(meanOf(far)[c] == Approx(meanOf(near)[c]).margin(0.04));
+}
+
+TEST_CASE("another seed gives another pattern, the same seed the same one") {
+  const SrgbImage one = made({"--size", "64x64", "--seed", "1"});
+  CHECK((made({"--size", "64x64"}).values == one.values));
+  CHECK(shareOfDifferent(made({"--size", "64x64", "--seed", "2"}), one) > 0.9);
+  CHECK(shareOfDifferent(made({"--size", "64x64", "--seed", "4294967295"}), one) > 0.9);
+}
+
+TEST_CASE("the pattern does not repeat from one exemplar to the next") {
+  const SrgbImage image = made({"--size", "128x64"});
+  for (int shift = kExemplarSide; shift <= 96; shift += kExemplarSide)
+    CHECK(shareOfDifferent(window(image, 0, 32), window(image, shift, 32)) > 0.9);
+}
+
+TEST_CASE("--texels-per-tile magnifies the same pattern") {
+  const SrgbImage plain = made({"--size", "64x64"});
+  const SrgbImage large = made({"--size", "128x128", "--texels-per-tile", "64"});
+  // Pixel centres of the plain image lie between those of the large one: the mean of four is near.
+  double sum = 0.0;
+  for (int y = 0; y < plain.height; ++y)
+    for (int x = 0; x < plain.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float mean =
+            0.25f * (large.pixel(2 * x, 2 * y)[c] + large.pixel(2 * x + 1, 2 * y)[c] +
+                     large.pixel(2 * x, 2 * y + 1)[c] + large.pixel(2 * x + 1, 2 * y + 1)[c]);
+        sum += std::abs(double(mean) - double(plain.pixel(x, y)[c]));
+      }
+  CHECK(sum / double(plain.values.size()) < 0.1 * deviation(plain));
+}
