@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# Sourced by quickstart.sh and tests/run.sh: how they install Debian packages, and how they speak.
+
+# What building needs. Catch2 is only a header, so the tests can join the same build later.
+build_packages=(
+  cmake ninja-build g++ pkg-config
+  catch2 glslang-tools libcli11-dev libeigen3-dev libfftw3-dev libfmt-dev libglfw3-dev libglm-dev
+  libjpeg-dev libkissfft-dev libopenexr-dev libpng-dev libtbb-dev libtinygltf-dev libvulkan-dev
+  libvulkan-volk-dev mesa-vulkan-drivers nlohmann-json3-dev spirv-tools)
+test_packages=(spirv-cross vulkan-validationlayers)
+
+step() { printf '\n== %s\n' "$1"; }
+
+# die REASON CURE
+die() {
+  printf '\n%s: %s\n%s\n' "$(basename "$0")" "$1" "$2" >&2
+  exit 1
+}
+
+# install_packages PACKAGE...: those of them that are missing, as root or through sudo.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "Not a Debian system; taking for granted what these Debian packages hold: $*"
+    return
+  fi
+  local package missing=()
+  for package in "$@"; do
+    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+      missing+=("$package")
+  done
+  if [[ ${#missing[@]} -eq 0 ]]; then
+    return
+  fi
+
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null ||
+      die "packages are missing, and neither root nor sudo is at hand to install them" \
+          "As root: apt-get update && apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  echo "Installing Debian packages: ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c \
+    'apt-get -q -o Acquire::Retries=3 update &&
+     apt-get -q -o Acquire::Retries=3 install -y --no-install-recommends "$@"' sh "${missing[@]}" ||
+    die "apt-get failed" \
+        "Its own message is above. Lichen needs the packages of Debian 12 and a network to get them."
+}
+
+# install_node: node and npm, wherever they come from; Debian's npm does not go with another node.
+install_node() {
+  if ! command -v npm >/dev/null; then
+    install_packages ca-certificates nodejs npm
+  fi
+}

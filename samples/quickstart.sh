@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# samples/quickstart.sh [PHOTOGRAPH]
+# From a bare Debian 12 to pictures of a material that never repeats: installs the packages that are
+# missing, builds, bakes PHOTOGRAPH (or an example of our own making) and renders it.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/samples/install_packages.sh"
+out=$root/out/quickstart
+
+case ${1:-} in
+  '') photograph= ;;
+  -h | --help)
+    echo "usage: $0 [PHOTOGRAPH]    a PNG, JPEG or EXR image of a material"
+    exit ;;
+  *)
+    [[ -f $1 ]] || die "$1: no such file" "Name a PNG, JPEG or EXR image, or nothing for an example."
+    photograph=$(realpath "$1") ;;
+esac
+
+step 'Packages'
+install_packages "${build_packages[@]}"
+
+step 'Build (minutes the first time)'
+cd "$root"
+{ cmake --preset release && cmake --build --preset release --target lichen lichen-exemplars lichen-render; } ||
+  die 'the build failed' 'The reason is above. If build/ came from elsewhere, remove it and try again.'
+export PATH=$root/build/release/bin:$PATH
+mkdir -p "$out"
+
+step 'Exemplar'
+if [[ -z $photograph ]]; then
+  lichen-exemplars "$out" lichen_on_stone
+  photograph=$out/lichen_on_stone.png
+fi
+name=$(basename "${photograph%.*}")
+echo "$photograph"
+
+step 'Bake'
+lichen bake "$photograph" -o "$out/$name.glb"
+lichen bake "$photograph" --preview plane -o "$out/${name}_plane.glb"
+
+step 'Render'
+lichen-render "$out/$name.glb" -o "$out/${name}_sphere.png"
+lichen-render "$out/${name}_plane.glb" -o "$out/${name}_plane.png"
+lichen synth "$out/$name.glb" --size 2048x2048 -o "$out/${name}_flat.png"
+
+step 'Done'
+cat <<END
+pictures: $out/${name}_sphere.png
+          $out/${name}_plane.png
+          $out/${name}_flat.png
+scene:    $out/$name.glb (any glTF viewer shows it, with the texture repeated)
+More:     README.md, docs/cli.md
+END

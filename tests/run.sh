@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tests/run.sh: every test but the long ones, on a bare Debian 12. Installs the packages that are
+# missing, builds, and runs the suite twice: optimized, and with the address and undefined-behaviour
+# sanitizers. The last line counts the tests of both runs; exit status 1 when one failed.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/samples/install_packages.sh"
+
+passed=0
+skipped=()
+failed=()
+
+# count_results PRESET JUNIT: adds what CTest wrote to the three sums. A test whose program is
+# absent is "not run" to CTest, like a skipped one; here it failed.
+count_results() {
+  local status name
+  while read -r status name; do
+    case $status in
+      run) passed=$((passed + 1)) ;;
+      skipped | disabled) skipped+=("$1: $name") ;;
+      *) failed+=("$1: $name") ;;
+    esac
+  done < <(awk -F '"' '
+    /^\t<testcase / { name = $2; status = $8 }
+    /^\t\t<skipped message="SKIP_/ { status = "skipped" }
+    /^\t<\/testcase>/ { print status, name }' "$2")
+}
+
+# run_suite PRESET: a build that fails counts as one failed test.
+run_suite() {
+  local preset=$1 results=$root/build/$1/ctest.xml
+  step "Build: $preset"
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset"; }; then
+    failed+=("$preset: the build (the reason is above; if build/ came from elsewhere, remove it)")
+    return
+  fi
+  step "Tests: $preset"
+  rm -f "$results"
+  # The exit status says only that something failed; the file says what.
+  ctest --preset "$preset" --parallel "$(nproc)" --timeout 600 --output-junit "$results" || true
+  if [[ -f $results ]]; then
+    count_results "$preset" "$results"
+  else
+    failed+=("$preset: ctest (the reason is above)")
+  fi
+}
+
+step 'Packages'
+install_packages "${build_packages[@]}" "${test_packages[@]}"
+install_node
+
+cd "$root"
+run_suite release
+run_suite asan-ubsan
+
+step 'Result'
+[[ ${#skipped[@]} -eq 0 ]] || printf 'skipped: %s\n' "${skipped[@]}"
+[[ ${#failed[@]} -eq 0 ]] || printf 'FAILED: %s\n' "${failed[@]}"
+printf '%d passed, %d failed\n' "$passed" "${#failed[@]}"
+[[ ${#failed[@]} -eq 0 ]]
