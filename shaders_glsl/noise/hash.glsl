@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The integer hash of the lattice, bit for bit that of bundle/include/lichen/lattice.h.
 // Integers in, integers out; uint arithmetic wraps modulo 2^32.
-// [Jarzynski and Olano 2020] "Hash Functions for GPU Rendering", JCGT 9(3): pcg, pcg3d.
+// [JO20] Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg, pcg3d.
 #ifndef LICHEN_HASH_GLSL
 #define LICHEN_HASH_GLSL
 
 /// PCG output function over one LCG step.
 uint lichenPcg(uint value) {
+  // [JO20] listing "pcg".
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
@@ -14,6 +15,7 @@ uint lichenPcg(uint value) {
 
 /// Three words hashed to three.
 uvec3 lichenPcg3d(uvec3 v) {
+  // [JO20] listing "pcg3d".
   v = v * 1664525u + 1013904223u;
   v.x += v.y * v.z;
   v.y += v.z * v.x;

@@ -2,7 +2,7 @@
 // Histogram-preserving tiling and blending: tile coordinate and footprint -> the material's value.
 // Lattice, offsets and weights are computed once per fragment (lichenTilingTaps) and serve every
 // map of the noise (lichenTiling). The CPU twin is analysis/tiling/evaluate.
-// [HN18] Heitz and Neyret 2018. Deviations, with reasons: docs/gltf_extension/README.md.
+// [HN18] Heitz and Neyret 2018. Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TILING_GLSL
 #define LICHEN_TILING_GLSL
 
@@ -132,7 +132,7 @@ float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, 
 
 /// The inverse table, at a Gaussian value of which the fraction `lostVariance` is missing.
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
-  // [HN18] eq. 20: T^-1 after the Gaussian's distribution function.
+  // [HN18] section 4.3: T^-1 as a table over the Gaussian's distribution function, eq. 22.
   vec3 uniformValue = lichenGaussianCdf(gaussian);
   float levels = float(int(map.tableLevels));
   // The table's levels are equidistant in kept amplitude.
@@ -155,6 +155,7 @@ vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, Lich
 /// The value of one map: light for colours, the decoded quantity for the others.
 vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
                   LichenMap map) {
+  // [HN18] eq. 18.
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, noise, map);
   // Contrast scales what is missing with what is there.
