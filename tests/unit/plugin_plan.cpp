@@ -28,7 +28,7 @@ constexpr std::size_t kCountedBytes = 1024;
 
 } // namespace
 
-// NOLINTBEGIN: replacing the global operators is what this test is about.
+// Replaces the global operators of this program.
 void* operator new(std::size_t size) {
   if (size >= kCountedBytes && allocationsUntilFailure > 0 && --allocationsUntilFailure == 0)
     throw std::bad_alloc();
@@ -36,9 +36,11 @@ void* operator new(std::size_t size) {
     return memory;
   throw std::bad_alloc();
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return std::malloc(size == 0 ? 1 : size);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-// NOLINTEND
 
 namespace {
 
