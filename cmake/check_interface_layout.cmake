@@ -1,5 +1,5 @@
-# cmake -P: reads the layout of the interface's structs from a probe's SPIR-V and writes OUTPUT, a C++
-# header of static_asserts on offsets, sizes and types. Needs SPIRV_CROSS, SPIRV, OUTPUT.
+# cmake -P: reads the layout of the interface's structs from a probe's SPIR-V and writes OUTPUT, a
+# C++ header of static_asserts on offsets, sizes and types. Needs SPIRV_CROSS, SPIRV, OUTPUT.
 execute_process(COMMAND ${SPIRV_CROSS} ${SPIRV} --reflect
                 OUTPUT_VARIABLE json RESULT_VARIABLE failed)
 if(failed)

@@ -2,7 +2,7 @@
 // The one file that a host includes (with `shaders_glsl/` on its include path and
 // GL_GOOGLE_include_directive enabled). Everything is prefixed lichen, Lichen or LICHEN_.
 //
-// Samplers as arguments: include this file and call the functions; docs/integration.md has both ways.
+// Samplers as arguments: include this file and call the functions. docs/integration.md has both.
 // Descriptors declared here: define, before the include,
 //   LICHEN_SET            the descriptor set that the plugin fills
 //   LICHEN_FIRST_BINDING  its first binding (0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
-// uv (float2) and its screen-space gradients -> LichenTaps; slopes (float2) -> tangent-space normal.
+// uv (float2) and its screen-space gradients -> LichenTaps; slopes (float2) -> normal in tangent
+// space.
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 

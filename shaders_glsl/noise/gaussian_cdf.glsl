@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cumulative distribution of the Gaussian N(1/2, (1/6)^2) per channel: Gaussian value -> uniform
-// value in [0, 1], absolute error at most 1.2e-6.
+// The cumulative distribution of the Gaussian N(1/2, (1/6)^2) per channel: Gaussian value ->
+// uniform value in [0, 1], absolute error at most 1.2e-6.
 // [AS64] Abramowitz and Stegun 1964, 7.1.28.
 #ifndef LICHEN_GAUSSIAN_CDF_GLSL
 #define LICHEN_GAUSSIAN_CDF_GLSL

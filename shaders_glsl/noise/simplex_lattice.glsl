@@ -40,8 +40,8 @@ ivec3 lichenFloorDivide(ivec3 value, int period) {
 }
 
 /// Reduces the vertices to one period of a periodic lattice. `shiftX`, `shiftY`: the whole periods
-/// taken away, in tiles. An infinite lattice is left alone. The cells of a periodic one are near the
-/// origin, which the host reduces to one period: |i|, |j| < 2^22.
+/// taken away, in tiles. An infinite lattice is left alone. The cells of a periodic one are near
+/// the origin, which the host reduces to one period: |i|, |j| < 2^22.
 void lichenReduceToPeriod(inout LichenTriangle triangle, LichenNoise noise, out vec3 shiftX,
                           out vec3 shiftY) {
   shiftX = vec3(0.0);

@@ -11,8 +11,8 @@
 #include "hash.glsl"
 #include "simplex_lattice.glsl"
 
-// 1 when the Gaussian images' sampler is anisotropic. Otherwise the level of detail is computed once
-// per map instead of once per tap: the same result, cheaper, and more exact where a driver
+// 1 when the Gaussian images' sampler is anisotropic. Otherwise the level of detail is computed
+// once per map instead of once per tap: the same result, cheaper, and more exact where a driver
 // approximates the level that it takes from gradients.
 #ifndef LICHEN_ANISOTROPIC
 #define LICHEN_ANISOTROPIC 0
