@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "frame_data.h"
+
+#include "environment.h"
+#include "sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+// Four times the real sun's radius: with haze about it, and at a size where the penumbra of an
+// object a metre or two across is seen.
+constexpr float kSunRadius = 0.02f;
+// Averaging n frames takes n samples of a pixel, so each may be sharper by sqrt(n); beyond this
+// many nothing is gained but noise.
+constexpr std::uint32_t kMostSharpeningFrames = 8;
+// Directions close to the horizon graze the ground and give its depth map nothing but aliasing.
+constexpr float kLeastSkyHeight = 0.12f;
+
+/// Clip space to texture space of a depth map.
+glm::mat4 textureFromClip() {
+  glm::mat4 m(1.0f);
+  m[0][0] = m[1][1] = 0.5f;
+  m[3][0] = m[3][1] = 0.5f;
+  return m;
+}
+
+shader::LightData lightData(const Light& light) {
+  shader::LightData data{};
+  const float kind = light.kind == LightKind::directional ? float(LIGHT_DIRECTIONAL)
+                     : light.kind == LightKind::point     ? float(LIGHT_POINT)
+                                                          : float(LIGHT_SPOT);
+  constexpr float kLeastConeWidth = 1e-3f; // KHR_lights_punctual's own guard
+  data.positionAndKind = glm::vec4(light.position, kind);
+  data.directionAndRange = glm::vec4(light.direction, light.range);
+  data.color = glm::vec4(light.color * light.intensity, 0.0f);
+  data.cone.x = light.outerConeCosine;
+  data.cone.y = 1.0f / std::max(light.innerConeCosine - light.outerConeCosine, kLeastConeWidth);
+  return data;
+}
+
+glm::vec3 tilted(glm::vec3 direction, glm::vec2 disc, float radius) {
+  const glm::vec3 axis = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 x = glm::normalize(glm::cross(axis, direction));
+  return glm::normalize(direction + radius * (x * disc.x + glm::cross(direction, x) * disc.y));
+}
+
+/// Uniform over the sky above kLeastSkyHeight.
+glm::vec3 skyDirection(std::uint32_t i) {
+  const glm::vec2 p = spreadPoint(i);
+  const float height = kLeastSkyHeight + (1.0f - kLeastSkyHeight) * p.x;
+  const float across = std::sqrt(1.0f - height * height);
+  return {across * std::cos(2.0f * kPi * p.y), height, across * std::sin(2.0f * kPi * p.y)};
+}
+
+void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view) {
+  const Lighting& lighting = inputs.lighting;
+  const std::size_t lights = std::min(lighting.lights.size(), std::size_t(MAX_LIGHTS));
+  view.data.counts.x = int(lights);
+  for (std::size_t i = 0; i < lights; ++i)
+    view.data.lights[i] = lightData(lighting.lights[i]);
+  glm::vec3 towardSun = lighting.towardSun;
+  if (inputs.frames > 1)
+    towardSun = tilted(towardSun, spreadOnDisc(index), kSunRadius);
+  view.clipFromWorldOfSun = clipFromWorldAlong(towardSun, inputs.subject);
+  view.data.sunFromWorld = textureFromClip() * view.clipFromWorldOfSun;
+  view.data.environment.w = lighting.hasSun ? 1.0f : 0.0f;
+  for (std::uint32_t k = 0; k < SKY_DIRECTIONS; ++k) {
+    const glm::vec3 direction = skyDirection(index * SKY_DIRECTIONS + k);
+    view.clipFromWorldOfSky[k] = clipFromWorldAlong(direction, inputs.subject);
+    view.data.skyFromWorld[k] = textureFromClip() * view.clipFromWorldOfSky[k];
+    view.data.skyDirection[k] = glm::vec4(direction, 0.0f);
+  }
+  view.data.shadow.x = 2.0f * inputs.subject.radius / float(kSunDepthSide);
+  view.data.shadow.y = 2.0f * inputs.subject.radius / float(kSkyDepthSide);
+}
+
+} // namespace
+
+FrameView frameView(const FrameInputs& inputs, std::uint32_t index) {
+  FrameView view;
+  const glm::vec2 jitter = inputs.frames > 1 ? spreadPoint(index) - 0.5f : glm::vec2(0.0f);
+  const glm::vec2 size(inputs.width, inputs.height);
+  const glm::mat4& pose = inputs.camera.worldFromCamera;
+  view.data.clipFromWorld = clipFromWorld(inputs.camera, size.x / size.y, 2.0f * jitter / size);
+  Camera atOrigin = inputs.camera;
+  atOrigin.worldFromCamera[3] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  view.data.worldFromClip =
+      glm::inverse(clipFromWorld(atOrigin, size.x / size.y, 2.0f * jitter / size));
+  view.data.cameraPosition = glm::vec4(glm::vec3(pose[3]), inputs.camera.perspective ? 1.0f : 0.0f);
+  view.data.cameraForward = -pose[2];
+  view.data.environment.x = inputs.hazeDistance > 0.0f ? 1.0f / inputs.hazeDistance : 0.0f;
+  view.data.environment.y = float(kSpecularLevels - 1);
+  view.data.environment.z = 1.0f / std::sqrt(float(std::min(inputs.frames, kMostSharpeningFrames)));
+  fillLights(inputs, index, view);
+  return view;
+}
+
+} // namespace lichen::renderer

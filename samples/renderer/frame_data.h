@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The uniform block of each frame: camera, lights, and the directions that the frame looks into.
+#pragma once
+
+#include "framing.h"
+#include "lighting.h"
+#include "shaders/scene_interface.h"
+
+#include <array>
+
+namespace lichen::renderer {
+
+struct FrameInputs {
+  Camera camera;
+  Sphere subject;
+  Lighting lighting;
+  float hazeDistance = 0.0f; ///< over which haze takes 63 %; 0 for none
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  std::uint32_t frames = 1;
+};
+
+struct FrameView {
+  shader::FrameData data{};
+  glm::mat4 clipFromWorldOfSun{1.0f};
+  std::array<glm::mat4, SKY_DIRECTIONS> clipFromWorldOfSky{};
+};
+
+inline constexpr std::uint32_t kSunDepthSide = 2048;
+inline constexpr std::uint32_t kSkyDepthSide = 512;
+
+/// Frame `index` of inputs.frames. A single frame looks through pixel centres at an undivided sun.
+[[nodiscard]] FrameView frameView(const FrameInputs& inputs, std::uint32_t index);
+
+} // namespace lichen::renderer

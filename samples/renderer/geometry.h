@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Triangles out of glTF accessors. Private to scene loading: the model has been validated.
+#pragma once
+
+#include "scene.h"
+
+#include <tiny_gltf.h>
+
+#include <optional>
+#include <vector>
+
+namespace lichen::renderer {
+
+/// The accessor's values as floats, componentCount(type) interleaved; normalized integers become
+/// [0, 1] or [-1, 1], sparse values are applied. Errors: badInput for NaN, Inf, or a sparse index
+/// outside the accessor.
+[[nodiscard]] Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int accessor);
+
+/// A glTF primitive as indexed triangles with normals (flat where the file has none), and tangents
+/// when `needsTangents`. Nothing for points, lines, and primitives without positions or triangles.
+/// Errors: badInput for an index beyond the vertices.
+[[nodiscard]] Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
+                                                             const tinygltf::Primitive& primitive,
+                                                             bool needsTangents);
+
+} // namespace lichen::renderer

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// An Environment on the device.
+#pragma once
+
+#include "environment.h"
+#include "gpu_objects.h"
+
+namespace lichen::renderer {
+
+struct GpuEnvironment {
+  DeviceImage panorama;
+  DeviceImage specular;
+  DeviceImage diffuse;
+  DeviceImage brdf;
+  VkSampler panoramaSampler = VK_NULL_HANDLE; ///< wraps around the horizon
+  VkSampler clampSampler = VK_NULL_HANDLE;
+};
+
+[[nodiscard]] GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
+                                               const Environment& environment);
+
+} // namespace lichen::renderer

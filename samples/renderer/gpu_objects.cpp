@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "gpu_objects.h"
+
+#include "failure.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace lichen::renderer {
+namespace {
+
+VkExtent3D levelExtent(VkExtent3D extent, std::uint32_t level) {
+  return {std::max(extent.width >> level, 1u), std::max(extent.height >> level, 1u),
+          std::max(extent.depth >> level, 1u)};
+}
+
+DeviceBuffer stagingBuffer(HeadlessDevice& device, std::span<const std::byte> bytes) {
+  DeviceBuffer staging =
+      take(device.createBuffer(bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, true));
+  std::memcpy(staging.mapped, bytes.data(), bytes.size());
+  return staging;
+}
+
+/// Level l from level l - 1, for every l; leaves all levels sampled.
+void recordMips(VkCommandBuffer commands, const DeviceImage& image) {
+  const auto corner = [](VkExtent3D e) {
+    return VkOffset3D{std::int32_t(e.width), std::int32_t(e.height), std::int32_t(e.depth)};
+  };
+  for (std::uint32_t level = 1; level < image.info.mipLevels; ++level) {
+    transition(commands, image, kCopyTarget, kCopySource, level - 1, 1);
+    VkImageBlit blit{};
+    blit.srcSubresource = {image.info.aspect, level - 1, 0, image.info.layers};
+    blit.dstSubresource = {image.info.aspect, level, 0, image.info.layers};
+    blit.srcOffsets[1] = corner(levelExtent(image.info.extent, level - 1));
+    blit.dstOffsets[1] = corner(levelExtent(image.info.extent, level));
+    vkCmdBlitImage(commands, image.handle, kCopySource.layout, image.handle, kCopyTarget.layout, 1,
+                   &blit, VK_FILTER_LINEAR);
+    transition(commands, image, kCopySource, kSampled, level - 1, 1);
+  }
+  transition(commands, image, kCopyTarget, kSampled, image.info.mipLevels - 1, 1);
+}
+
+} // namespace
+
+ObjectOwner::~ObjectOwner() {
+  for (auto destroy = destroy_.rbegin(); destroy != destroy_.rend(); ++destroy)
+    (*destroy)();
+}
+
+VkSampler ObjectOwner::sampler(const VkSamplerCreateInfo& info) {
+  VkSampler handle = VK_NULL_HANDLE;
+  check(vkCreateSampler(device_, &info, nullptr, &handle), "a sampler");
+  destroy_.emplace_back([this, handle] { vkDestroySampler(device_, handle, nullptr); });
+  return handle;
+}
+
+VkImageView ObjectOwner::view(const VkImageViewCreateInfo& info) {
+  VkImageView handle = VK_NULL_HANDLE;
+  check(vkCreateImageView(device_, &info, nullptr, &handle), "an image view");
+  destroy_.emplace_back([this, handle] { vkDestroyImageView(device_, handle, nullptr); });
+  return handle;
+}
+
+VkDescriptorSetLayout
+ObjectOwner::setLayout(std::span<const VkDescriptorSetLayoutBinding> bindings) {
+  VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  info.bindingCount = std::uint32_t(bindings.size());
+  info.pBindings = bindings.data();
+  VkDescriptorSetLayout handle = VK_NULL_HANDLE;
+  check(vkCreateDescriptorSetLayout(device_, &info, nullptr, &handle), "a descriptor set layout");
+  destroy_.emplace_back([this, handle] { vkDestroyDescriptorSetLayout(device_, handle, nullptr); });
+  return handle;
+}
+
+VkDescriptorPool ObjectOwner::pool(std::uint32_t sets,
+                                   std::span<const VkDescriptorPoolSize> sizes) {
+  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  info.maxSets = sets;
+  info.poolSizeCount = std::uint32_t(sizes.size());
+  info.pPoolSizes = sizes.data();
+  VkDescriptorPool handle = VK_NULL_HANDLE;
+  check(vkCreateDescriptorPool(device_, &info, nullptr, &handle), "a descriptor pool");
+  destroy_.emplace_back([this, handle] { vkDestroyDescriptorPool(device_, handle, nullptr); });
+  return handle;
+}
+
+VkPipelineLayout ObjectOwner::pipelineLayout(std::span<const VkDescriptorSetLayout> sets,
+                                             VkShaderStageFlags pushStages,
+                                             std::uint32_t pushBytes) {
+  const VkPushConstantRange range{pushStages, 0, pushBytes};
+  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  info.setLayoutCount = std::uint32_t(sets.size());
+  info.pSetLayouts = sets.data();
+  info.pushConstantRangeCount = pushBytes != 0 ? 1 : 0;
+  info.pPushConstantRanges = &range;
+  VkPipelineLayout handle = VK_NULL_HANDLE;
+  check(vkCreatePipelineLayout(device_, &info, nullptr, &handle), "a pipeline layout");
+  destroy_.emplace_back([this, handle] { vkDestroyPipelineLayout(device_, handle, nullptr); });
+  return handle;
+}
+
+VkShaderModule ObjectOwner::shader(std::span<const std::uint32_t> code) {
+  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  VkShaderModule handle = VK_NULL_HANDLE;
+  check(vkCreateShaderModule(device_, &info, nullptr, &handle), "a shader module");
+  destroy_.emplace_back([this, handle] { vkDestroyShaderModule(device_, handle, nullptr); });
+  return handle;
+}
+
+VkPipeline ObjectOwner::graphicsPipeline(const VkGraphicsPipelineCreateInfo& info) {
+  VkPipeline handle = VK_NULL_HANDLE;
+  check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &handle),
+        "a graphics pipeline");
+  destroy_.emplace_back([this, handle] { vkDestroyPipeline(device_, handle, nullptr); });
+  return handle;
+}
+
+VkPipeline ObjectOwner::computePipeline(const VkComputePipelineCreateInfo& info) {
+  VkPipeline handle = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &handle),
+        "a compute pipeline");
+  destroy_.emplace_back([this, handle] { vkDestroyPipeline(device_, handle, nullptr); });
+  return handle;
+}
+
+VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout layout) {
+  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  info.descriptorPool = pool;
+  info.descriptorSetCount = 1;
+  info.pSetLayouts = &layout;
+  VkDescriptorSet handle = VK_NULL_HANDLE;
+  check(vkAllocateDescriptorSets(device_, &info, &handle), "a descriptor set");
+  return handle;
+}
+
+std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height) {
+  return std::uint32_t(std::bit_width(std::max(width, height)));
+}
+
+void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
+                const ImageState& to, std::uint32_t level, std::uint32_t levels) {
+  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = from.stages;
+  barrier.srcAccessMask = from.access;
+  barrier.dstStageMask = to.stages;
+  barrier.dstAccessMask = to.access;
+  barrier.oldLayout = from.layout;
+  barrier.newLayout = to.layout;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image.handle;
+  barrier.subresourceRange = {image.info.aspect, level, levels, 0, VK_REMAINING_ARRAY_LAYERS};
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.imageMemoryBarrierCount = 1;
+  dependency.pImageMemoryBarriers = &barrier;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,
+                          VkBufferUsageFlags usage) {
+  const DeviceBuffer staging = stagingBuffer(device, bytes);
+  DeviceBuffer buffer =
+      take(device.createBuffer(bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, false));
+  take(device.submit([&](VkCommandBuffer commands) {
+    const VkBufferCopy region{0, 0, bytes.size()};
+    vkCmdCopyBuffer(commands, staging.handle, buffer.handle, 1, &region);
+  }));
+  return buffer;
+}
+
+DeviceImage uploadImage(HeadlessDevice& device, DeviceImageInfo info,
+                        std::span<const std::byte> texels, bool makeMips) {
+  info.usage |= VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  if (makeMips)
+    info.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  const DeviceBuffer staging = stagingBuffer(device, texels);
+  DeviceImage image = take(device.createImage(info));
+
+  // Level l of n has the size that makes all given levels fill `texels`.
+  const std::uint32_t givenLevels = makeMips ? 1 : info.mipLevels;
+  std::vector<VkBufferImageCopy> regions;
+  VkDeviceSize texelCount = 0;
+  for (std::uint32_t level = 0; level < givenLevels; ++level) {
+    const VkExtent3D extent = levelExtent(info.extent, level);
+    texelCount += VkDeviceSize(extent.width) * extent.height * extent.depth * info.layers;
+  }
+  const VkDeviceSize texelBytes = texels.size() / texelCount;
+  VkDeviceSize offset = 0;
+  for (std::uint32_t level = 0; level < givenLevels; ++level) {
+    VkBufferImageCopy region{};
+    region.bufferOffset = offset;
+    region.imageSubresource = {info.aspect, level, 0, info.layers};
+    region.imageExtent = levelExtent(info.extent, level);
+    regions.push_back(region);
+    offset += texelBytes * region.imageExtent.width * region.imageExtent.height *
+              region.imageExtent.depth * info.layers;
+  }
+  take(device.submit([&](VkCommandBuffer commands) {
+    transition(commands, image, kUndefined, kCopyTarget);
+    vkCmdCopyBufferToImage(commands, staging.handle, image.handle, kCopyTarget.layout,
+                           std::uint32_t(regions.size()), regions.data());
+    if (makeMips)
+      recordMips(commands, image);
+    else
+      transition(commands, image, kCopyTarget, kSampled);
+  }));
+  return image;
+}
+
+} // namespace lichen::renderer

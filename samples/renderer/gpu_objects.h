@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Vulkan objects with an owner, uploads, and barriers.
+#pragma once
+
+#include <lichen/headless_device.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace lichen::renderer {
+
+/// Owns Vulkan objects that have no class of their own; destroys them in reverse order.
+class ObjectOwner {
+public:
+  explicit ObjectOwner(VkDevice device) : device_(device) {}
+  ObjectOwner(const ObjectOwner&) = delete;
+  ObjectOwner& operator=(const ObjectOwner&) = delete;
+  ~ObjectOwner();
+
+  [[nodiscard]] VkDevice device() const { return device_; }
+  /// Each creates one object, or throws a Failure.
+  VkSampler sampler(const VkSamplerCreateInfo& info);
+  VkImageView view(const VkImageViewCreateInfo& info);
+  VkDescriptorSetLayout setLayout(std::span<const VkDescriptorSetLayoutBinding> bindings);
+  VkDescriptorPool pool(std::uint32_t sets, std::span<const VkDescriptorPoolSize> sizes);
+  VkPipelineLayout pipelineLayout(std::span<const VkDescriptorSetLayout> sets,
+                                  VkShaderStageFlags pushStages, std::uint32_t pushBytes);
+  VkShaderModule shader(std::span<const std::uint32_t> code);
+  VkPipeline graphicsPipeline(const VkGraphicsPipelineCreateInfo& info);
+  VkPipeline computePipeline(const VkComputePipelineCreateInfo& info);
+  VkDescriptorSet set(VkDescriptorPool pool, VkDescriptorSetLayout layout); ///< freed with its pool
+
+private:
+  VkDevice device_;
+  std::vector<std::function<void()>> destroy_;
+};
+
+/// A device-local buffer with these bytes.
+[[nodiscard]] DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,
+                                        VkBufferUsageFlags usage);
+
+/// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level
+/// 1,
+/// ...; with `makeMips` it holds level 0 alone and the others are averages.
+[[nodiscard]] DeviceImage uploadImage(HeadlessDevice& device, DeviceImageInfo info,
+                                      std::span<const std::byte> texels, bool makeMips);
+
+[[nodiscard]] std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height);
+
+struct ImageState {
+  VkImageLayout layout;
+  VkPipelineStageFlags2 stages;
+  VkAccessFlags2 access;
+};
+
+/// What each use of an image by the renderer means for barriers.
+inline constexpr ImageState kUndefined{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, 0};
+inline constexpr ImageState kCopyTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                        VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
+inline constexpr ImageState kCopySource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                        VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                        VK_ACCESS_2_TRANSFER_READ_BIT};
+inline constexpr ImageState kSampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                                         VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+inline constexpr ImageState kColorTarget{
+    VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+inline constexpr ImageState kDepthTarget{
+    VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+inline constexpr ImageState kStorage{
+    VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+
+/// Records a barrier for `levels` mip levels from `level`, all layers.
+void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
+                const ImageState& to, std::uint32_t level = 0,
+                std::uint32_t levels = VK_REMAINING_MIP_LEVELS);
+
+} // namespace lichen::renderer

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "gpu_scene.h"
+
+#include "failure.h"
+#include "shaders/scene_interface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr std::size_t kMaterialStride = 512; // on any device's alignment
+static_assert(kMaterialStride >= sizeof(shader::MaterialData) && kMaterialStride % 256 == 0);
+
+void uploadGeometry(HeadlessDevice& device, const Scene& scene, GpuScene& gpu) {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  for (const Primitive& primitive : scene.primitives) {
+    gpu.primitives.push_back({std::uint32_t(indices.size()),
+                              std::uint32_t(primitive.indices.size()),
+                              std::int32_t(vertices.size())});
+    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+    indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
+  }
+  gpu.vertices =
+      uploadBuffer(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  gpu.indices =
+      uploadBuffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+}
+
+VkSamplerCreateInfo samplerInfo(const Sampler& sampler) {
+  const auto filter = [](Filter f) {
+    return f == Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+  };
+  const auto wrap = [](Wrap w) {
+    if (w == Wrap::clampToEdge)
+      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    return w == Wrap::mirroredRepeat ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT
+                                     : VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  };
+  VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  info.magFilter = filter(sampler.magnification);
+  info.minFilter = filter(sampler.minification);
+  info.mipmapMode = sampler.mip == Filter::nearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST
+                                                   : VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.addressModeU = wrap(sampler.wrapU);
+  info.addressModeV = wrap(sampler.wrapV);
+  // 0.25 rather than 0: with 0 every texture would count as magnified [Vulkan,
+  // VkSamplerCreateInfo].
+  info.maxLod = sampler.mipmapped ? VK_LOD_CLAMP_NONE : 0.25f;
+  return info;
+}
+
+/// Uploads each image once for each meaning, and makes each sampler once.
+class TextureCache {
+public:
+  TextureCache(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene, GpuScene& gpu)
+      : device_(device), objects_(objects), scene_(scene), gpu_(gpu) {
+    white_ = upload(TextureImage{1, 1, {255, 255, 255, 255}}, VK_FORMAT_R8G8B8A8_UNORM);
+  }
+
+  VkDescriptorImageInfo descriptor(const TextureSlot& slot, bool isColor) {
+    VkImageView view = white_;
+    if (slot.image) {
+      VkImageView& cached = views_[{*slot.image, isColor}];
+      if (cached == VK_NULL_HANDLE)
+        cached = upload(scene_.images[*slot.image],
+                        isColor ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM);
+      view = cached;
+    }
+    return {sampler(slot.sampler), view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  }
+
+private:
+  VkImageView upload(const TextureImage& image, VkFormat format) {
+    DeviceImageInfo info;
+    info.format = format;
+    info.extent = {std::uint32_t(image.width), std::uint32_t(image.height), 1};
+    info.mipLevels = fullMipCount(info.extent.width, info.extent.height);
+    gpu_.images.push_back(uploadImage(device_, info, std::as_bytes(std::span(image.rgba)), true));
+    return gpu_.images.back().view;
+  }
+
+  VkSampler sampler(const Sampler& wanted) {
+    for (const auto& [known, handle] : samplers_)
+      if (known == wanted)
+        return handle;
+    return samplers_.emplace_back(wanted, objects_.sampler(samplerInfo(wanted))).second;
+  }
+
+  HeadlessDevice& device_;
+  ObjectOwner& objects_;
+  const Scene& scene_;
+  GpuScene& gpu_;
+  VkImageView white_ = VK_NULL_HANDLE;
+  std::map<std::pair<std::size_t, bool>, VkImageView> views_;
+  std::vector<std::pair<Sampler, VkSampler>> samplers_;
+};
+
+std::array<const TextureSlot*, MATERIAL_TEXTURES> slotsOf(const Material& material) {
+  std::array<const TextureSlot*, MATERIAL_TEXTURES> slots{};
+  slots[TEXTURE_BASE_COLOR] = &material.baseColorTexture;
+  slots[TEXTURE_METALLIC_ROUGHNESS] = &material.metallicRoughnessTexture;
+  slots[TEXTURE_NORMAL] = &material.normalTexture;
+  slots[TEXTURE_OCCLUSION] = &material.occlusionTexture;
+  slots[TEXTURE_EMISSIVE] = &material.emissiveTexture;
+  return slots;
+}
+
+shader::MaterialData materialData(const Material& material, const NoiseRoles& noise) {
+  shader::MaterialData data{};
+  const bool masked = material.alphaMode == AlphaMode::mask;
+  data.baseColor = material.baseColor;
+  data.emissive = glm::vec4(material.emissive, masked ? material.alphaCutoff : 0.0f);
+  data.factors = {material.metallic, material.roughness, material.normalScale,
+                  material.occlusionStrength};
+  const auto slots = slotsOf(material);
+  for (int k = 0; k < 4; ++k)
+    data.texCoords[k] = slots[std::size_t(k)]->texCoord;
+  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque,
+                material.normalTexture.image.has_value(), int(noise.texCoord)};
+  data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
+  data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
+  for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
+    // KHR_texture_transform: translation * rotation * scale.
+    const TextureSlot& slot = *slots[k];
+    const float c = std::cos(slot.rotation);
+    const float s = std::sin(slot.rotation);
+    data.transformRows[2 * k] = {c * slot.scale.x, s * slot.scale.y, slot.offset.x, 0.0f};
+    data.transformRows[2 * k + 1] = {-s * slot.scale.x, c * slot.scale.y, slot.offset.y, 0.0f};
+  }
+  return data;
+}
+
+void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+                     const NoiseHost& noises, GpuScene& gpu) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings{{BINDING_MATERIAL,
+                                                      VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
+                                                      VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
+  for (std::uint32_t k = 0; k < MATERIAL_TEXTURES; ++k)
+    bindings.push_back({BINDING_TEXTURES + k, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+  gpu.materialLayout = objects.setLayout(bindings);
+  const auto count = std::uint32_t(scene.materials.size());
+  const std::array sizes{
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count},
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count * MATERIAL_TEXTURES}};
+  const VkDescriptorPool pool = objects.pool(count, sizes);
+  gpu.materialData =
+      take(device.createBuffer(kMaterialStride * count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+  TextureCache textures(device, objects, scene, gpu);
+  for (std::size_t m = 0; m < count; ++m) {
+    const shader::MaterialData data = materialData(scene.materials[m], noises.roles(m));
+    std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
+    gpu.materialSets.push_back(objects.set(pool, gpu.materialLayout));
+
+    const VkDescriptorBufferInfo buffer{gpu.materialData.handle, kMaterialStride * m, sizeof data};
+    std::array<VkDescriptorImageInfo, MATERIAL_TEXTURES> images{};
+    std::array<VkWriteDescriptorSet, 1 + MATERIAL_TEXTURES> writes{};
+    const auto slots = slotsOf(scene.materials[m]);
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = gpu.materialSets.back();
+      writes[i].dstBinding = std::uint32_t(i);
+      writes[i].descriptorCount = 1;
+      writes[i].descriptorType =
+          i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      if (i == 0) {
+        writes[i].pBufferInfo = &buffer;
+      } else {
+        const std::size_t k = i - BINDING_TEXTURES;
+        images[k] =
+            textures.descriptor(*slots[k], k == TEXTURE_BASE_COLOR || k == TEXTURE_EMISSIVE);
+        writes[i].pImageInfo = &images[k];
+      }
+    }
+    vkUpdateDescriptorSets(device.device(), std::uint32_t(writes.size()), writes.data(), 0,
+                           nullptr);
+  }
+}
+
+} // namespace
+
+GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+                     const NoiseHost& noises) {
+  const std::uint32_t longestSide = device.properties().limits.maxImageDimension2D;
+  for (const TextureImage& image : scene.images)
+    if (std::uint32_t(std::max(image.width, image.height)) > longestSide)
+      throw Failure{{ErrorKind::environment,
+                     scene.name + ": an image of " + std::to_string(image.width) + " x " +
+                         std::to_string(image.height) + "; this device accepts up to " +
+                         std::to_string(longestSide) + " on a side"}};
+  GpuScene gpu;
+  uploadGeometry(device, scene, gpu);
+  createMaterials(device, objects, scene, noises, gpu);
+  return gpu;
+}
+
+} // namespace lichen::renderer

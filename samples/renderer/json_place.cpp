@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "json_place.h"
+
+#include "gltf_file.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace lichen::renderer {
+namespace {
+
+std::string shown(const nlohmann::json& value) {
+  if (value.is_array() || value.is_object())
+    return std::string("an ") + value.type_name();
+  return printable(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string range(double low, double high) {
+  const double largest = std::numeric_limits<float>::max();
+  if (low <= -largest && high >= largest)
+    return "a finite number";
+  if (high >= largest)
+    return "a number of at least " + shown(low);
+  return "a number in [" + shown(low) + ", " + shown(high) + "]";
+}
+
+const nlohmann::json kNothing = nlohmann::json::object();
+
+} // namespace
+
+void Place::fail(const std::string& what) const {
+  throw Fault{(pointer_.empty() ? std::string("/") : pointer_) + ": " + what};
+}
+
+std::optional<Place> Place::find(const char* key) const {
+  if (!value_->is_object())
+    fail(shown(*value_) + " is not accepted, an object is");
+  const auto found = value_->find(key);
+  if (found == value_->end())
+    return std::nullopt;
+  return Place(*found, pointer_ + "/" + key);
+}
+
+Place Place::member(const char* key) const {
+  std::optional<Place> found = find(key);
+  if (!found)
+    fail(std::string("the required member \"") + key + "\" is absent");
+  return *found;
+}
+
+void Place::each(const char* key,
+                 const std::function<void(const Place&, std::size_t)>& visit) const {
+  const std::optional<Place> array = find(key);
+  if (!array)
+    return;
+  if (!array->value_->is_array() || array->value_->empty())
+    array->fail(shown(*array->value_) + " is not accepted, a non-empty array is");
+  for (std::size_t i = 0; i < array->value_->size(); ++i)
+    visit(Place((*array->value_)[i], array->pointer_ + "/" + std::to_string(i)), i);
+}
+
+std::size_t Place::countOf(const char* key) const {
+  const std::optional<Place> array = find(key);
+  return array && array->value_->is_array() ? array->value_->size() : 0;
+}
+
+std::size_t Place::asIndex(std::size_t limit) const {
+  // Signed values reach get<uint64_t> as huge ones, so the type is asked for first.
+  if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
+    fail(shown(*value_) + " is not accepted, " +
+         (limit == 0 ? std::string("there is nothing to refer to")
+                     : "an index from 0 to " + std::to_string(limit - 1) + " is"));
+  return value_->get<std::size_t>();
+}
+
+std::optional<std::size_t> Place::index(const char* key, std::size_t limit) const {
+  const std::optional<Place> found = find(key);
+  if (!found)
+    return std::nullopt;
+  return found->asIndex(limit);
+}
+
+std::uint64_t Place::integer(const char* key, std::uint64_t low, std::uint64_t high,
+                             std::optional<std::uint64_t> absent) const {
+  const std::optional<Place> found = find(key);
+  if (!found && absent)
+    return *absent;
+  const Place place = member(key);
+  const nlohmann::json& value = *place.value_;
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() < low ||
+      value.get<std::uint64_t>() > high)
+    place.fail(shown(value) + " is not accepted, an integer from " + std::to_string(low) + " to " +
+               std::to_string(high) + " is");
+  return value.get<std::uint64_t>();
+}
+
+std::optional<std::uint64_t> Place::oneOf(const char* key,
+                                          std::initializer_list<std::uint64_t> accepted) const {
+  const std::optional<Place> found = find(key);
+  if (!found)
+    return std::nullopt;
+  std::string list;
+  for (const std::uint64_t value : accepted) {
+    if (found->value_->is_number_unsigned() && found->value_->get<std::uint64_t>() == value)
+      return value;
+    list += (list.empty() ? "" : ", ") + std::to_string(value);
+  }
+  found->fail(shown(*found->value_) + " is not accepted, one of " + list + " is");
+}
+
+double Place::asNumber(double low, double high) const {
+  const double largest = std::numeric_limits<float>::max();
+  const double value = value_->is_number() ? value_->get<double>() : 0.0;
+  if (!value_->is_number() || value < low || value > high || std::abs(value) > largest)
+    fail(shown(*value_) + " is not accepted, " + range(low, high) + " is");
+  return value;
+}
+
+double Place::number(const char* key, double low, double high, double absent) const {
+  const std::optional<Place> found = find(key);
+  return found ? found->asNumber(low, high) : absent;
+}
+
+void Place::numbers(const char* key, std::size_t count, double low, double high) const {
+  const std::optional<Place> found = find(key);
+  if (!found)
+    return;
+  const nlohmann::json& array = *found->value_;
+  if (!array.is_array() || array.size() != count)
+    found->fail("an array of " + std::to_string(count) + " numbers is accepted");
+  for (std::size_t i = 0; i < count; ++i)
+    (void)Place(array[i], found->pointer_ + "/" + std::to_string(i)).asNumber(low, high);
+}
+
+std::optional<std::string> Place::string(const char* key) const {
+  const std::optional<Place> found = find(key);
+  if (!found)
+    return std::nullopt;
+  if (!found->value_->is_string())
+    found->fail(shown(*found->value_) + " is not accepted, a string is");
+  return found->value_->get<std::string>();
+}
+
+void Place::boolean(const char* key) const {
+  const std::optional<Place> found = find(key);
+  if (found && !found->value_->is_boolean())
+    found->fail(shown(*found->value_) + " is not accepted, true or false is");
+}
+
+Place Place::extension(const char* name) const {
+  const std::optional<Place> extensions = find("extensions");
+  if (!extensions)
+    return Place(kNothing, pointer_);
+  const std::optional<Place> found = extensions->find(name);
+  return found ? *found : Place(kNothing, pointer_);
+}
+
+} // namespace lichen::renderer

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "lighting.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+// A sun about three times as strong as the sky, as on a day with thin haze; on a clear one it is
+// more like six, which leaves shadows too dark for a display.
+constexpr float kKeyIrradiance = 1.05f * kPi;
+constexpr float kSkyIrradiance = 0.36f * kPi;
+// Lamps are seen at dusk: a sky that fills their shadows, but does not compete.
+constexpr float kDuskIrradiance = 0.10f * kPi;
+constexpr glm::vec3 kDefaultTowardSun{-0.62f, 0.66f, 0.43f};
+constexpr glm::vec3 kDefaultSunColor{1.0f, 0.95f, 0.88f};
+
+float irradianceAt(const Light& light, const Sphere& subject) {
+  const float strongest = std::max(light.color.r, std::max(light.color.g, light.color.b));
+  if (light.kind == LightKind::directional)
+    return light.intensity * strongest;
+  const glm::vec3 way = light.position - subject.center;
+  const float squared = std::max(glm::dot(way, way), subject.radius * subject.radius);
+  return light.intensity * strongest / squared;
+}
+
+} // namespace
+
+Lighting arrangeLights(const Scene& scene, const Sphere& subject, bool environmentFile) {
+  Lighting result;
+  result.lights = scene.lights;
+  float strongest = 0.0f;
+  for (const Light& light : result.lights)
+    strongest = std::max(strongest, irradianceAt(light, subject));
+  if (strongest <= 0.0f) {
+    result.lights.clear();
+    if (environmentFile)
+      return result;
+    Light sun;
+    sun.direction = -glm::normalize(kDefaultTowardSun);
+    sun.color = kDefaultSunColor;
+    result.lights.push_back(sun);
+    strongest = 1.0f;
+  }
+  for (Light& light : result.lights)
+    light.intensity *= kKeyIrradiance / strongest;
+  const auto strength = [&](const Light& light) {
+    return light.kind == LightKind::directional ? irradianceAt(light, subject) : -1.0f;
+  };
+  std::stable_sort(result.lights.begin(), result.lights.end(),
+                   [&](const Light& a, const Light& b) { return strength(a) > strength(b); });
+  const Light& first = result.lights.front();
+  result.hasSun = first.kind == LightKind::directional && first.intensity > 0.0f;
+  if (result.hasSun)
+    result.towardSun = -first.direction;
+  if (!environmentFile)
+    result.skyIrradiance = result.hasSun ? kSkyIrradiance : kDuskIrradiance;
+  return result;
+}
+
+} // namespace lichen::renderer

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// glTF 2.0, sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength.
+#include "material_load.h"
+
+#include <lichen/bundle.h>
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr float kByteMax = 255.0f;
+
+Sampler readSampler(const tinygltf::Model& model, int index) {
+  Sampler result;
+  if (index < 0)
+    return result;
+  const tinygltf::Sampler& source = model.samplers[std::size_t(index)];
+  const auto wrap = [](int value) {
+    if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)
+      return Wrap::clampToEdge;
+    return value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirroredRepeat : Wrap::repeat;
+  };
+  const int minify = source.minFilter;
+  result.wrapU = wrap(source.wrapS);
+  result.wrapV = wrap(source.wrapT);
+  if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST)
+    result.magnification = Filter::nearest;
+  result.mipmapped =
+      minify != TINYGLTF_TEXTURE_FILTER_NEAREST && minify != TINYGLTF_TEXTURE_FILTER_LINEAR;
+  if (minify == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+      minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+      minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR)
+    result.minification = Filter::nearest;
+  if (minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+      minify == TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST)
+    result.mip = Filter::nearest;
+  return result;
+}
+
+const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const char* name) {
+  const auto found = extensions.find(name);
+  return found == extensions.end() || !found->second.IsObject() ? nullptr : &found->second;
+}
+
+float numberIn(const tinygltf::Value& object, const char* key, float absent) {
+  return object.Has(key) ? float(object.Get(key).GetNumberAsDouble()) : absent;
+}
+
+glm::vec2 pairIn(const tinygltf::Value& object, const char* key, glm::vec2 absent) {
+  if (!object.Has(key))
+    return absent;
+  const tinygltf::Value& pair = object.Get(key);
+  return {float(pair.Get(0).GetNumberAsDouble()), float(pair.Get(1).GetNumberAsDouble())};
+}
+
+/// Info is one of tinygltf's three textureInfo structs. An image's index stays that of the file.
+template <class Info>
+TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
+  TextureSlot slot;
+  if (info.index < 0)
+    return slot;
+  const tinygltf::Texture& texture = model.textures[std::size_t(info.index)];
+  if (texture.source < 0)
+    return slot; // an extension that is ignored would have named the image
+  slot.image = std::size_t(texture.source);
+  slot.sampler = readSampler(model, texture.sampler);
+  slot.texCoord = info.texCoord;
+  if (const tinygltf::Value* transform = extension(info.extensions, "KHR_texture_transform")) {
+    slot.offset = pairIn(*transform, "offset", slot.offset);
+    slot.scale = pairIn(*transform, "scale", slot.scale);
+    slot.rotation = numberIn(*transform, "rotation", 0.0f);
+    slot.texCoord = int(numberIn(*transform, "texCoord", float(slot.texCoord)));
+  }
+  return slot;
+}
+
+Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& source) {
+  Material result;
+  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+  result.name = source.name;
+  for (int c = 0; c < 4; ++c)
+    result.baseColor[c] = float(pbr.baseColorFactor[std::size_t(c)]);
+  result.metallic = float(pbr.metallicFactor);
+  result.roughness = float(pbr.roughnessFactor);
+  float strength = 1.0f;
+  if (const tinygltf::Value* e = extension(source.extensions, "KHR_materials_emissive_strength"))
+    strength = numberIn(*e, "emissiveStrength", 1.0f);
+  for (int c = 0; c < 3; ++c)
+    result.emissive[c] = float(source.emissiveFactor[std::size_t(c)]) * strength;
+  result.normalScale = float(source.normalTexture.scale);
+  result.occlusionStrength = float(source.occlusionTexture.strength);
+  if (source.alphaMode == "MASK")
+    result.alphaMode = AlphaMode::mask;
+  else if (source.alphaMode == "BLEND")
+    result.alphaMode = AlphaMode::blend;
+  result.alphaCutoff = float(source.alphaCutoff);
+  result.doubleSided = source.doubleSided;
+  result.baseColorTexture = readSlot(model, pbr.baseColorTexture);
+  result.metallicRoughnessTexture = readSlot(model, pbr.metallicRoughnessTexture);
+  result.normalTexture = readSlot(model, source.normalTexture);
+  result.occlusionTexture = readSlot(model, source.occlusionTexture);
+  result.emissiveTexture = readSlot(model, source.emissiveTexture);
+  result.hasNoise = extension(source.extensions, kExtensionName.data()) != nullptr;
+  return result;
+}
+
+/// Grey, grey + alpha, RGB or RGBA as RGBA bytes.
+TextureImage asBytes(const SrgbImage& image) {
+  TextureImage result;
+  result.width = image.width;
+  result.height = image.height;
+  result.rgba.resize(image.pixelCount() * 4);
+  const auto channels = std::size_t(image.channels);
+  const std::size_t colors = channels >= 3 ? 3 : 1;
+  const auto byte = [](float v) {
+    return std::uint8_t(std::lround(std::clamp(v, 0.0f, 1.0f) * kByteMax));
+  };
+  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+    const float* pixel = image.values.data() + i * channels;
+    for (std::size_t c = 0; c < 3; ++c)
+      result.rgba[i * 4 + c] = byte(pixel[colors == 3 ? c : 0]);
+    result.rgba[i * 4 + 3] = channels > colors ? byte(pixel[colors]) : std::uint8_t(255);
+  }
+  return result;
+}
+
+Result<TextureImage> decode(const tinygltf::Model& model, std::size_t index) {
+  const tinygltf::Image& image = model.images[index];
+  const std::string name = "/images/" + std::to_string(index);
+  if (image.image.empty())
+    return Error{ErrorKind::badInput, name + ": its file cannot be read; a PNG or JPEG inside the "
+                                             "scene's folder is accepted"};
+  Result<ImageFile> file = decodeImage(std::as_bytes(std::span(image.image)), name);
+  if (!file)
+    return file.error();
+  const auto* pixels = std::get_if<SrgbImage>(&file.value().pixels);
+  if (pixels == nullptr)
+    return Error{ErrorKind::badInput, name + ": an EXR is not accepted, PNG or JPEG is"};
+  return asBytes(*pixels);
+}
+
+} // namespace
+
+Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
+  for (const tinygltf::Material& material : model.materials)
+    scene.materials.push_back(readMaterial(model, material));
+  scene.materials.push_back(Material());
+
+  // Only images that a material uses are decoded; each gets its place in scene.images.
+  std::vector<std::optional<std::size_t>> placeOf(model.images.size());
+  std::size_t texels = 0;
+  for (Material& material : scene.materials) {
+    for (TextureSlot* slot :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissiveTexture}) {
+      if (!slot->image)
+        continue;
+      std::optional<std::size_t>& place = placeOf[*slot->image];
+      if (!place) {
+        Result<TextureImage> image = decode(model, *slot->image);
+        if (!image)
+          return image.error();
+        texels += std::size_t(image.value().width) * std::size_t(image.value().height);
+        if (texels > kMaxSceneTexels)
+          return Error{ErrorKind::resources, "/images: more than " +
+                                                 std::to_string(kMaxSceneTexels) +
+                                                 " texels in all; smaller images are accepted"};
+        place = scene.images.size();
+        scene.images.push_back(std::move(image).value());
+      }
+      slot->image = place;
+    }
+  }
+  return {};
+}
+
+} // namespace lichen::renderer

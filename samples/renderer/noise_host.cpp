@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "noise_host.h"
+
+#include "failure.h"
+
+#include <algorithm>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr std::uint32_t kUniformStride = 1024; // LICHEN_UNIFORM_BYTES on any device's alignment
+static_assert(kUniformStride >= LICHEN_UNIFORM_BYTES && kUniformStride % 256 == 0);
+
+template <class T>
+T initialized(LichenStructureType type) {
+  T object;
+  LICHEN_INIT(object, type);
+  return object;
+}
+
+/// The plugin's result as the renderer's error.
+void check(LichenResult result, const LichenDiagnostic& diagnostic) {
+  switch (result) {
+  case LICHEN_SUCCESS:
+    return;
+  case LICHEN_ERROR_VERSION:
+  case LICHEN_ERROR_BAD_BUNDLE:
+    throw Failure{{ErrorKind::badInput, diagnostic.text}};
+  case LICHEN_ERROR_OUT_OF_HOST_MEMORY:
+  case LICHEN_ERROR_OUT_OF_DEVICE_MEMORY:
+    throw Failure{{ErrorKind::resources, diagnostic.text}};
+  default:
+    throw Failure{{ErrorKind::environment, diagnostic.text}};
+  }
+}
+
+void check(LichenResult result) {
+  check(result, LichenDiagnostic{LICHEN_STRUCTURE_DIAGNOSTIC, sizeof(LichenDiagnostic), nullptr,
+                                 "the noise plugin refused a query"});
+}
+
+} // namespace
+
+NoiseHost::NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene)
+    : noises_(scene.materials.size(), LICHEN_NO_NOISE), roles_(scene.materials.size()) {
+  if (!scene.noiseBundle.empty())
+    loadBundle(device, scene);
+  createPlaceholders(device, objects);
+  createSets(device, objects, scene.materials.size());
+}
+
+void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
+  auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
+  auto parse = initialized<LichenParseInfo>(LICHEN_STRUCTURE_PARSE_INFO);
+  parse.headerVersion = LICHEN_HEADER_VERSION;
+  parse.bytes = scene.noiseBundle.data();
+  parse.byteCount = scene.noiseBundle.size();
+  parse.name = scene.name.c_str();
+  LichenBundle bundle = nullptr;
+  check(lichenParseBundle(&parse, &bundle, &diagnostic), diagnostic);
+  bundle_.reset(bundle);
+
+  auto vulkan = initialized<LichenVulkanInfo>(LICHEN_STRUCTURE_VULKAN_INFO);
+  vulkan.headerVersion = LICHEN_HEADER_VERSION;
+  vulkan.physicalDevice = device.physicalDevice();
+  vulkan.device = device.device();
+  vulkan.getInstanceProcAddr = vkGetInstanceProcAddr;
+  vulkan.instance = device.instance();
+  LichenVulkanContext context = nullptr;
+  check(lichenVulkanCreateContext(&vulkan, &context, &diagnostic), diagnostic);
+  context_.reset(context);
+  LichenVulkanAssets assets = nullptr;
+  check(lichenVulkanCreateAssets(context, bundle, &assets, &diagnostic), diagnostic);
+  assets_.reset(assets);
+  LichenResult recorded = LICHEN_SUCCESS;
+  take(device.submit(
+      [&](VkCommandBuffer commands) { recorded = lichenVulkanRecordUpload(assets, commands); }));
+  check(recorded);
+  lichenVulkanReleaseStaging(assets);
+
+  auto count = initialized<LichenBundleProperties>(LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+  check(lichenGetBundleProperties(bundle, &count));
+  for (std::uint32_t m = 0; m < count.materialCount && m < noises_.size(); ++m) {
+    auto material = initialized<LichenMaterialProperties>(LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+    check(lichenGetMaterialProperties(bundle, m, &material));
+    noises_[m] = material.noise;
+    if (material.noise == LICHEN_NO_NOISE)
+      continue;
+    if (material.texCoord > 1)
+      throw Failure{{ErrorKind::badInput, scene.name + ": /materials/" + std::to_string(m) +
+                                              ": texCoord " + std::to_string(material.texCoord) +
+                                              " of the noise is not accepted, 0 or 1 is"}};
+    roles_[m] = rolesOf(material.noise, material.texCoord);
+  }
+}
+
+NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) const {
+  NoiseRoles roles;
+  roles.texCoord = texCoord;
+  auto properties = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  check(lichenGetNoiseProperties(bundle_.get(), noise, &properties));
+  for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
+    auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
+    check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
+    if (map.target < NOISE_ROLES) // height and opacity are not drawn
+      roles.map[map.target] = int(m);
+    if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
+      for (std::uint32_t c = 0; c < map.channelCount; ++c)
+        if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&
+            map.channels[c] <= LICHEN_CHANNEL_METALLIC)
+          roles.ormComponents[std::size_t(map.channels[c] - LICHEN_CHANNEL_OCCLUSION)] = int(c);
+  }
+  return roles;
+}
+
+void NoiseHost::createPlaceholders(HeadlessDevice& device, ObjectOwner& objects) {
+  constexpr std::array<std::uint8_t, 8> kWhite{255, 255, 255, 255, 255, 255, 255, 255};
+  const auto bytes = std::as_bytes(std::span(kWhite));
+  DeviceImageInfo info;
+  info.format = VK_FORMAT_R8G8B8A8_UNORM;
+  placeholder2d_ = uploadImage(device, info, bytes.first(4), false);
+  info.extent.depth = 2; // a depth of 1 would be a 2-D image
+  placeholder3d_ = uploadImage(device, info, bytes, false);
+  VkSamplerCreateInfo sampler{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  placeholderSampler_ = objects.sampler(sampler);
+}
+
+std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
+NoiseHost::imageInfos(std::uint32_t noise, const NoiseRoles& roles) const {
+  std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i)
+    infos[i] = {placeholderSampler_, i % 2 == 0 ? placeholder2d_.view : placeholder3d_.view,
+                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  if (noise == LICHEN_NO_NOISE)
+    return infos;
+  auto properties = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  check(lichenGetNoiseProperties(bundle_.get(), noise, &properties));
+  std::vector<VkDescriptorImageInfo> all(properties.combinedImageSamplerCount);
+  check(lichenVulkanGetImageInfos(assets_.get(), noise, all.data()));
+  for (std::size_t role = 0; role < NOISE_ROLES; ++role)
+    if (roles.map[role] >= 0) {
+      infos[2 * role] = all[2 * std::size_t(roles.map[role])];
+      infos[2 * role + 1] = all[2 * std::size_t(roles.map[role]) + 1];
+    }
+  return infos;
+}
+
+void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings{
+      {BINDING_NOISE, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
+  for (std::uint32_t i = 0; i < 2 * NOISE_ROLES; ++i)
+    bindings.push_back({BINDING_NOISE_ROLES + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                        VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+  setLayout_ = objects.setLayout(bindings);
+  uniforms_ = take(device.createBuffer(VkDeviceSize(kUniformStride) * materials,
+                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+  std::fill_n(uniforms_.mapped, uniforms_.size, std::byte{0});
+  const auto count = std::uint32_t(materials);
+  const std::array sizes{
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count},
+      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count * 2 * NOISE_ROLES}};
+  const VkDescriptorPool pool = objects.pool(count, sizes);
+  auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
+  for (std::uint32_t m = 0; m < count; ++m) {
+    if (noises_[m] != LICHEN_NO_NOISE) {
+      auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
+      info.material = m;
+      check(lichenFillUniforms(bundle_.get(), &info, uniforms_.mapped + kUniformStride * m,
+                               &diagnostic),
+            diagnostic);
+    }
+    sets_.push_back(objects.set(pool, setLayout_));
+    const VkDescriptorBufferInfo buffer{uniforms_.handle, VkDeviceSize(kUniformStride) * m,
+                                        LICHEN_UNIFORM_BYTES};
+    const auto images = imageInfos(noises_[m], roles_[m]);
+    std::array<VkWriteDescriptorSet, 1 + 2 * NOISE_ROLES> writes{};
+    for (std::uint32_t i = 0; i < writes.size(); ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = sets_.back();
+      writes[i].dstBinding = i;
+      writes[i].descriptorCount = 1;
+      writes[i].descriptorType =
+          i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      if (i == 0)
+        writes[i].pBufferInfo = &buffer;
+      else
+        writes[i].pImageInfo = &images[i - 1];
+    }
+    vkUpdateDescriptorSets(device.device(), std::uint32_t(writes.size()), writes.data(), 0,
+                           nullptr);
+  }
+}
+
+} // namespace lichen::renderer

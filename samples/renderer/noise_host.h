@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The renderer as a host of the engine plugin: the noises of a scene's materials on the device.
+#pragma once
+
+#include "gpu_objects.h"
+#include "scene.h"
+#include "shaders/scene_interface.h"
+
+#include <lichen/lichen.h>
+#include <lichen/lichen_vulkan.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace lichen::renderer {
+
+/// What the shaders must know of a material's noise beside the uniform block.
+struct NoiseRoles {
+  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1}; ///< of each role; -1 for none
+  /// Which component of the ORM map's value is occlusion, roughness, metallic; -1 for none.
+  std::array<int, 3> ormComponents{-1, -1, -1};
+  std::uint32_t texCoord = 0;
+};
+
+class NoiseHost {
+public:
+  /// Throws a Failure: badInput for a bundle that the plugin refuses, environment for a device that
+  /// lacks a format. Without noise materials in the scene the plugin is not called.
+  NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene);
+
+  [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
+  /// The set of a material; of one without noise, a set of 1 x 1 images.
+  [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
+  [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
+
+private:
+  struct Release {
+    void operator()(LichenBundle bundle) const { lichenDestroyBundle(bundle); }
+    void operator()(LichenVulkanContext context) const { lichenVulkanDestroyContext(context); }
+    void operator()(LichenVulkanAssets assets) const { lichenVulkanDestroyAssets(assets); }
+  };
+  template <class T>
+  using Owned = std::unique_ptr<std::remove_pointer_t<T>, Release>;
+
+  void loadBundle(HeadlessDevice& device, const Scene& scene);
+  void createPlaceholders(HeadlessDevice& device, ObjectOwner& objects);
+  void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
+  [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord) const;
+  [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
+  imageInfos(std::uint32_t noise, const NoiseRoles& roles) const;
+
+  // In the order in which they depend on one another.
+  Owned<LichenBundle> bundle_;
+  Owned<LichenVulkanContext> context_;
+  Owned<LichenVulkanAssets> assets_;
+  DeviceImage placeholder2d_;
+  DeviceImage placeholder3d_;
+  VkSampler placeholderSampler_ = VK_NULL_HANDLE;
+  DeviceBuffer uniforms_;
+  VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
+  std::vector<std::uint32_t> noises_; ///< of each material, LICHEN_NO_NOISE for none
+  std::vector<NoiseRoles> roles_;
+  std::vector<VkDescriptorSet> sets_;
+};
+
+} // namespace lichen::renderer

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "pipelines.h"
+
+#include "scene.h"
+#include "shaders/scene_interface.h"
+
+#include <accumulate.comp.h>
+#include <cstddef>
+#include <depth.frag.h>
+#include <depth.vert.h>
+#include <optional>
+#include <scene.frag.h>
+#include <scene.vert.h>
+#include <sky.frag.h>
+#include <sky.vert.h>
+
+namespace lichen::renderer {
+namespace {
+
+// Depth of a light's map is moved away from it by this many times its own slope over a texel.
+constexpr float kSlopeBias = 2.0f;
+
+struct Description {
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkShaderModule vertex = VK_NULL_HANDLE;
+  VkShaderModule fragment = VK_NULL_HANDLE; ///< null for depth alone
+  const VkSpecializationInfo* specialization = nullptr;
+  std::span<const VkVertexInputAttributeDescription> attributes;
+  bool color = true;
+  bool blends = false;
+  bool writesDepth = true;
+  bool slopeBias = false;
+  VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+};
+
+VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModule module) {
+  VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+  info.stage = which;
+  info.module = module;
+  info.pName = "main";
+  return info;
+}
+
+constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat format,
+                                               std::size_t offset) {
+  return {location, 0, format, std::uint32_t(offset)};
+}
+
+// Those that depth.vert takes come first.
+constexpr std::size_t kDepthAttributes = 4;
+constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+                                 at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
+                                 at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
+                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
+                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent))};
+
+VkPipelineColorBlendAttachmentState blending(bool enabled) {
+  VkPipelineColorBlendAttachmentState state{};
+  state.blendEnable = enabled;
+  state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+  state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                         VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  return state;
+}
+
+VkPipeline graphics(ObjectOwner& objects, const Description& d) {
+  std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, d.vertex),
+                    stage(VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment)};
+  stages[1].pSpecializationInfo = d.specialization;
+  const VkVertexInputBindingDescription binding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+  VkPipelineVertexInputStateCreateInfo input{
+      VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : 1;
+  input.pVertexBindingDescriptions = &binding;
+  input.vertexAttributeDescriptionCount = std::uint32_t(d.attributes.size());
+  input.pVertexAttributeDescriptions = d.attributes.data();
+  VkPipelineInputAssemblyStateCreateInfo assembly{
+      VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+  viewport.viewportCount = viewport.scissorCount = 1;
+  VkPipelineRasterizationStateCreateInfo raster{
+      VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+  raster.lineWidth = 1.0f;
+  raster.depthBiasEnable = d.slopeBias;
+  raster.depthBiasSlopeFactor = d.slopeBias ? kSlopeBias : 0.0f;
+  VkPipelineMultisampleStateCreateInfo samples{
+      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  VkPipelineDepthStencilStateCreateInfo depth{
+      VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+  depth.depthTestEnable = VK_TRUE;
+  depth.depthWriteEnable = d.writesDepth;
+  depth.depthCompareOp = d.compare;
+  const VkPipelineColorBlendAttachmentState attachment = blending(d.blends);
+  VkPipelineColorBlendStateCreateInfo blend{
+      VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = d.color ? 1 : 0;
+  blend.pAttachments = &attachment;
+  const std::array dynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                           VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+  VkPipelineDynamicStateCreateInfo dynamics{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+  dynamics.dynamicStateCount = std::uint32_t(dynamic.size());
+  dynamics.pDynamicStates = dynamic.data();
+  VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.colorAttachmentCount = d.color ? 1 : 0;
+  rendering.pColorAttachmentFormats = &kColorFormat;
+  rendering.depthAttachmentFormat = kDepthFormat;
+  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
+  info.pNext = &rendering;
+  info.stageCount = d.fragment != VK_NULL_HANDLE ? 2 : 1;
+  info.pStages = stages.data();
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &raster;
+  info.pMultisampleState = &samples;
+  info.pDepthStencilState = &depth;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamics;
+  info.layout = d.layout;
+  return objects.graphicsPipeline(info);
+}
+
+void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, int debugView) {
+  Description d;
+  d.layout = pipelines.sceneLayout;
+  d.attributes = kAttributes;
+  d.vertex = objects.shader(scene_vert);
+  d.fragment = objects.shader(scene_frag);
+  struct Constants {
+    VkBool32 hasNoise;
+    VkBool32 hasNormalMap;
+    std::int32_t debugView;
+  };
+  const std::array entries{
+      VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
+      VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
+      VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)}};
+  for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
+    const Constants constants{(i & 4) != 0, (i & 2) != 0, debugView};
+    const VkSpecializationInfo specialization{std::uint32_t(entries.size()), entries.data(),
+                                              sizeof constants, &constants};
+    d.specialization = &specialization;
+    d.blends = (i & 1) != 0;
+    d.writesDepth = !d.blends;
+    pipelines.surfaces[i] = graphics(objects, d);
+  }
+}
+
+} // namespace
+
+Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts, int debugView) {
+  Pipelines pipelines;
+  const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
+  const std::array depthSets{layouts.frame, layouts.material};
+  pipelines.sceneLayout =
+      objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
+  pipelines.depthLayout =
+      objects.pipelineLayout(depthSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
+  pipelines.accumulateLayout = objects.pipelineLayout(
+      std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
+  createSurfaces(objects, pipelines, debugView);
+
+  Description depth;
+  depth.layout = pipelines.depthLayout;
+  depth.vertex = objects.shader(depth_vert);
+  depth.attributes = std::span(kAttributes).first(kDepthAttributes);
+  depth.color = false;
+  depth.slopeBias = true;
+  depth.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
+  pipelines.depthOpaque = graphics(objects, depth);
+  depth.fragment = objects.shader(depth_frag);
+  pipelines.depthMasked = graphics(objects, depth);
+
+  Description sky;
+  sky.layout = pipelines.sceneLayout;
+  sky.vertex = objects.shader(sky_vert);
+  sky.fragment = objects.shader(sky_frag);
+  sky.writesDepth = false;
+  pipelines.sky = graphics(objects, sky);
+
+  VkComputePipelineCreateInfo accumulate{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  accumulate.stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, objects.shader(accumulate_comp));
+  accumulate.layout = pipelines.accumulateLayout;
+  pipelines.accumulate = objects.computePipeline(accumulate);
+  return pipelines;
+}
+
+} // namespace lichen::renderer

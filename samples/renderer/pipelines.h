@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The renderer's pipelines: depth from a light, surfaces, sky, and the sum of frames.
+#pragma once
+
+#include "gpu_objects.h"
+
+#include <array>
+
+namespace lichen::renderer {
+
+inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat kSumFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+/// Push constants of accumulate.comp.
+struct AccumulateSettings {
+  float exposure = 1.0f;
+  std::int32_t toneMap = 1;
+  std::int32_t first = 1;
+};
+
+struct SurfaceKind {
+  bool hasNoise = false;
+  bool hasNormalMap = false;
+  bool blends = false;
+};
+
+struct Pipelines {
+  VkPipelineLayout sceneLayout = VK_NULL_HANDLE; ///< sets: frame, material, noise
+  VkPipelineLayout depthLayout = VK_NULL_HANDLE; ///< sets: frame (unused), material
+  VkPipelineLayout accumulateLayout = VK_NULL_HANDLE;
+  VkPipeline depthOpaque = VK_NULL_HANDLE; ///< reads no set
+  VkPipeline depthMasked = VK_NULL_HANDLE;
+  VkPipeline sky = VK_NULL_HANDLE;
+  VkPipeline accumulate = VK_NULL_HANDLE;
+  std::array<VkPipeline, 8> surfaces{};
+
+  [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const {
+    return surfaces[std::size_t(kind.hasNoise) * 4 + std::size_t(kind.hasNormalMap) * 2 +
+                    std::size_t(kind.blends)];
+  }
+};
+
+struct PipelineLayouts {
+  VkDescriptorSetLayout frame = VK_NULL_HANDLE;
+  VkDescriptorSetLayout material = VK_NULL_HANDLE;
+  VkDescriptorSetLayout noise = VK_NULL_HANDLE;
+  VkDescriptorSetLayout accumulate = VK_NULL_HANDLE;
+};
+
+/// `debugView` is one of the shaders' DEBUG_ constants. Culling and front face are dynamic.
+[[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
+                                        int debugView);
+
+} // namespace lichen::renderer

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: MIT
+#include "renderer.h"
+
+#include "environment.h"
+#include "failure.h"
+#include "frame_data.h"
+#include "gpu_environment.h"
+#include "gpu_scene.h"
+#include "lighting.h"
+#include "noise_host.h"
+#include "pipelines.h"
+#include "sky.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr int kSkyPanoramaHeight = 512;
+// Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
+// joins a ground to the sky and leaves the subject alone.
+constexpr float kHazeDistance = 50.0f;
+constexpr std::uint32_t kAccumulateGroup = 8; // local size in accumulate.comp
+
+struct DebugView {
+  std::string_view name;
+  int value;
+};
+constexpr std::array kDebugViews{
+    DebugView{"normals", DEBUG_NORMALS},     DebugView{"base-color", DEBUG_BASE_COLOR},
+    DebugView{"weights", DEBUG_WEIGHTS},     DebugView{"lattice", DEBUG_LATTICE},
+    DebugView{"mip-level", DEBUG_MIP_LEVEL}, DebugView{"gaussian", DEBUG_GAUSSIAN}};
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+int debugViewValue(const std::string& name) {
+  if (name.empty())
+    return DEBUG_NONE;
+  std::string names;
+  for (const DebugView& view : kDebugViews) {
+    if (view.name == name)
+      return view.value;
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  }
+  throw Failure{{ErrorKind::usage, "no debug view \"" + name + "\"; there are " + names}};
+}
+
+/// Everything that stays the same from frame to frame, and the recording of one.
+class SceneRenderer {
+public:
+  SceneRenderer(HeadlessDevice& device, const Scene& scene, const RenderSettings& settings)
+      : device_(device), scene_(scene), settings_(settings), objects_(device.device()),
+        debugView_(debugViewValue(settings.debugView)), noises_(device, objects_, scene),
+        gpu_(uploadScene(device, objects_, scene, noises_)) {
+    inputs_.subject = take(subjectOf(scene));
+    const float aspect = float(settings.width) / float(settings.height);
+    inputs_.camera = take(chooseCamera(scene, inputs_.subject, settings.camera, aspect));
+    inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
+    inputs_.width = settings.width;
+    inputs_.height = settings.height;
+    inputs_.frames = settings.frames;
+    environment_ = uploadEnvironment(device, objects_, prepareEnvironment(panorama()));
+    createTargets();
+    createFrameSet();
+    createAccumulateSet();
+    pipelines_ = createPipelines(
+        objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
+        debugView_);
+  }
+
+  void renderFrame(std::uint32_t index) {
+    const FrameView view = frameView(inputs_, index);
+    std::memcpy(frameData_.mapped, &view.data, sizeof view.data);
+    take(device_.submit([&](VkCommandBuffer commands) {
+      recordDepthMaps(commands, view);
+      recordSurfaces(commands, view);
+      recordAccumulate(commands, index);
+    }));
+  }
+
+  LinearImage average() {
+    const auto bytes = take(device_.readImage(sum_, VK_IMAGE_LAYOUT_GENERAL, sizeof(glm::vec4)));
+    LinearImage image(int(settings_.width), int(settings_.height), 3);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+      glm::vec4 value;
+      std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+      for (std::size_t c = 0; c < 3; ++c)
+        image.values[3 * i + c] = value[int(c)] / float(settings_.frames);
+    }
+    return image;
+  }
+
+private:
+  /// The environment file's, or the built-in sky, whose white balance the lights then take too.
+  LinearImage panorama() {
+    if (settings_.environment)
+      return *settings_.environment;
+    Lighting& lighting = inputs_.lighting;
+    const glm::vec3 sunlight =
+        lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
+    Sky sky = makeSky(lighting.towardSun, sunlight, lighting.skyIrradiance, kSkyPanoramaHeight);
+    for (Light& light : lighting.lights)
+      light.color *= sky.balance;
+    inputs_.hazeDistance =
+        kHazeDistance *
+        glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
+    return std::move(sky.panorama);
+  }
+
+  DeviceImage target(VkFormat format, VkImageUsageFlags usage, std::uint32_t width,
+                     std::uint32_t height) {
+    DeviceImageInfo info;
+    info.format = format;
+    info.extent = {width, height, 1};
+    info.usage = usage;
+    if (format == kDepthFormat)
+      info.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    return take(device_.createImage(info));
+  }
+
+  void createTargets() {
+    const std::uint32_t w = settings_.width;
+    const std::uint32_t h = settings_.height;
+    const std::uint32_t longest = device_.properties().limits.maxImageDimension2D;
+    if (std::max(w, h) > longest)
+      throw Failure{{ErrorKind::usage, "--size " + std::to_string(w) + "x" + std::to_string(h) +
+                                           ": this device accepts up to " +
+                                           std::to_string(longest) + " on a side"}};
+    color_ = target(kColorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                    w, h);
+    depth_ = target(kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, w, h);
+    sum_ = target(kSumFormat, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, w, h);
+    constexpr VkImageUsageFlags kDepthMap =
+        VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    sunDepth_ = target(kDepthFormat, kDepthMap, kSunDepthSide, kSunDepthSide);
+    DeviceImageInfo sky;
+    sky.format = kDepthFormat;
+    sky.extent = {kSkyDepthSide, kSkyDepthSide, 1};
+    sky.layers = SKY_DIRECTIONS;
+    sky.usage = kDepthMap;
+    sky.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    sky.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    skyDepth_ = take(device_.createImage(sky));
+    VkImageViewCreateInfo layer{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    layer.image = skyDepth_.handle;
+    layer.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    layer.format = kDepthFormat;
+    for (std::uint32_t k = 0; k < SKY_DIRECTIONS; ++k) {
+      layer.subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, k, 1};
+      skyDepthLayers_[k] = objects_.view(layer);
+    }
+  }
+
+  void createFrameSet() {
+    VkSamplerCreateInfo compare{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    compare.magFilter = compare.minFilter = VK_FILTER_LINEAR;
+    compare.addressModeU = compare.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    compare.compareEnable = VK_TRUE;
+    compare.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+    const VkSampler compareSampler = objects_.sampler(compare);
+    constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    const std::array<VkDescriptorImageInfo, 6> images{
+        VkDescriptorImageInfo{environment_.clampSampler, environment_.specular.view, kRead},
+        {environment_.clampSampler, environment_.diffuse.view, kRead},
+        {environment_.clampSampler, environment_.brdf.view, kRead},
+        {environment_.panoramaSampler, environment_.panorama.view, kRead},
+        {compareSampler, sunDepth_.view, kRead},
+        {compareSampler, skyDepth_.view, kRead}};
+    frameData_ = take(
+        device_.createBuffer(sizeof(shader::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+
+    constexpr VkShaderStageFlags kStages =
+        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+    std::vector<VkDescriptorSetLayoutBinding> bindings{
+        {BINDING_FRAME, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
+    for (std::uint32_t i = 0; i < images.size(); ++i)
+      bindings.push_back({BINDING_SPECULAR + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                          VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+    frameLayout_ = objects_.setLayout(bindings);
+    const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                           VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                                std::uint32_t(images.size())}};
+    frameSet_ = objects_.set(objects_.pool(1, sizes), frameLayout_);
+    const VkDescriptorBufferInfo buffer{frameData_.handle, 0, sizeof(shader::FrameData)};
+    std::array<VkWriteDescriptorSet, 7> writes{};
+    for (std::uint32_t i = 0; i < writes.size(); ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = frameSet_;
+      writes[i].dstBinding = i;
+      writes[i].descriptorCount = 1;
+      writes[i].descriptorType = bindings[i].descriptorType;
+      if (i == BINDING_FRAME)
+        writes[i].pBufferInfo = &buffer;
+      else
+        writes[i].pImageInfo = &images[i - BINDING_SPECULAR];
+    }
+    vkUpdateDescriptorSets(device_.device(), std::uint32_t(writes.size()), writes.data(), 0,
+                           nullptr);
+  }
+
+  void createAccumulateSet() {
+    const std::array bindings{
+        VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                                     VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+        VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1,
+                                     VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
+    accumulateLayout_ = objects_.setLayout(bindings);
+    const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
+                           VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1}};
+    accumulateSet_ = objects_.set(objects_.pool(1, sizes), accumulateLayout_);
+    const std::array<VkDescriptorImageInfo, 2> images{
+        VkDescriptorImageInfo{environment_.clampSampler, color_.view,
+                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+        {VK_NULL_HANDLE, sum_.view, VK_IMAGE_LAYOUT_GENERAL}};
+    std::array<VkWriteDescriptorSet, 2> writes{};
+    for (std::uint32_t i = 0; i < writes.size(); ++i) {
+      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      writes[i].dstSet = accumulateSet_;
+      writes[i].dstBinding = i;
+      writes[i].descriptorCount = 1;
+      writes[i].descriptorType = bindings[i].descriptorType;
+      writes[i].pImageInfo = &images[i];
+    }
+    vkUpdateDescriptorSets(device_.device(), std::uint32_t(writes.size()), writes.data(), 0,
+                           nullptr);
+  }
+
+  static void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
+                             VkImageView depth, float depthClear) {
+    VkRenderingAttachmentInfo colorInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    colorInfo.imageView = color;
+    colorInfo.imageLayout = kColorTarget.layout;
+    colorInfo.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    colorInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo depthInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    depthInfo.imageView = depth;
+    depthInfo.imageLayout = kDepthTarget.layout;
+    depthInfo.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    depthInfo.storeOp =
+        color == VK_NULL_HANDLE ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    depthInfo.clearValue.depthStencil = {depthClear, 0};
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea = {{0, 0}, extent};
+    info.layerCount = 1;
+    info.colorAttachmentCount = color != VK_NULL_HANDLE ? 1 : 0;
+    info.pColorAttachments = &colorInfo;
+    info.pDepthAttachment = &depthInfo;
+    vkCmdBeginRendering(commands, &info);
+    const VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  }
+
+  void bindGeometry(VkCommandBuffer commands) const {
+    const VkDeviceSize zero = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &gpu_.vertices.handle, &zero);
+    vkCmdBindIndexBuffer(commands, gpu_.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+  }
+
+  void drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
+    const GpuPrimitive& range = gpu_.primitives[primitive];
+    vkCmdDrawIndexed(commands, range.indexCount, 1, range.firstIndex, range.vertexOffset, 0);
+  }
+
+  [[nodiscard]] const Material& materialOf(const Instance& instance) const {
+    return scene_.materials[scene_.primitives[instance.primitive].material];
+  }
+
+  void recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
+                      const glm::mat4& clipFromWorld) {
+    beginRendering(commands, {side, side}, VK_NULL_HANDLE, view, 1.0f);
+    bindGeometry(commands);
+    for (const Instance& instance : scene_.instances) {
+      const Material& material = materialOf(instance);
+      if (material.alphaMode == AlphaMode::blend)
+        continue; // glass would cast the shadow of a wall
+      const bool masked = material.alphaMode == AlphaMode::mask;
+      vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                        masked ? pipelines_.depthMasked : pipelines_.depthOpaque);
+      if (masked)
+        vkCmdBindDescriptorSets(
+            commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.depthLayout, SET_MATERIAL, 1,
+            &gpu_.materialSets[scene_.primitives[instance.primitive].material], 0, nullptr);
+      const shader::DepthData draw{clipFromWorld * instance.worldFromObject};
+      vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                         sizeof draw, &draw);
+      drawPrimitive(commands, instance.primitive);
+    }
+    vkCmdEndRendering(commands);
+  }
+
+  void recordDepthMaps(VkCommandBuffer commands, const FrameView& view) {
+    transition(commands, sunDepth_, kUndefined, kDepthTarget);
+    transition(commands, skyDepth_, kUndefined, kDepthTarget);
+    recordDepthMap(commands, sunDepth_.view, kSunDepthSide, view.clipFromWorldOfSun);
+    for (std::size_t k = 0; k < SKY_DIRECTIONS; ++k)
+      recordDepthMap(commands, skyDepthLayers_[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
+    transition(commands, sunDepth_, kDepthTarget, kSampled);
+    transition(commands, skyDepth_, kDepthTarget, kSampled);
+  }
+
+  void drawSurface(VkCommandBuffer commands, const Instance& instance) {
+    const std::size_t m = scene_.primitives[instance.primitive].material;
+    const Material& material = scene_.materials[m];
+    vkCmdBindPipeline(
+        commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+        pipelines_.surface({material.hasNoise, material.normalTexture.image.has_value(),
+                            material.alphaMode == AlphaMode::blend}));
+    const std::array sets{gpu_.materialSets[m], noises_.set(m)};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
+                            SET_MATERIAL, std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+    const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
+    vkCmdSetCullMode(commands, material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    vkCmdSetFrontFace(commands,
+                      mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    const shader::DrawData draw{instance.worldFromObject};
+    vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
+                       &draw);
+    drawPrimitive(commands, instance.primitive);
+  }
+
+  /// Indices of the blended instances, the farthest first.
+  [[nodiscard]] std::vector<std::size_t> blendedOrder() const {
+    std::vector<std::pair<float, std::size_t>> order;
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i)
+      if (materialOf(scene_.instances[i]).alphaMode == AlphaMode::blend) {
+        const glm::vec3 origin(scene_.instances[i].worldFromObject[3]);
+        order.emplace_back(-glm::distance(origin, glm::vec3(inputs_.camera.worldFromCamera[3])), i);
+      }
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> indices;
+    for (const auto& [distance, index] : order)
+      indices.push_back(index);
+    return indices;
+  }
+
+  void recordSurfaces(VkCommandBuffer commands, const FrameView&) {
+    transition(commands, color_, kUndefined, kColorTarget);
+    transition(commands, depth_, kUndefined, kDepthTarget);
+    beginRendering(commands, {settings_.width, settings_.height}, color_.view, depth_.view, 0.0f);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
+                            SET_FRAME, 1, &frameSet_, 0, nullptr);
+    bindGeometry(commands);
+    for (const Instance& instance : scene_.instances)
+      if (materialOf(instance).alphaMode != AlphaMode::blend)
+        drawSurface(commands, instance);
+    if (debugView_ == DEBUG_NONE) {
+      vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
+      vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+      vkCmdDraw(commands, 3, 1, 0, 0);
+    }
+    for (const std::size_t instance : blendedOrder())
+      drawSurface(commands, scene_.instances[instance]);
+    vkCmdEndRendering(commands);
+    transition(commands, color_, kColorTarget, kSampled);
+  }
+
+  void recordAccumulate(VkCommandBuffer commands, std::uint32_t index) {
+    transition(commands, sum_, index == 0 ? kUndefined : kStorage, kStorage);
+    const bool shaded = debugView_ == DEBUG_NONE;
+    const AccumulateSettings push{shaded ? std::exp2(settings_.exposureEv) : 1.0f,
+                                  shaded && settings_.toneMap, index == 0};
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.accumulate);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.accumulateLayout,
+                            0, 1, &accumulateSet_, 0, nullptr);
+    vkCmdPushConstants(commands, pipelines_.accumulateLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                       sizeof push, &push);
+    vkCmdDispatch(commands, (settings_.width + kAccumulateGroup - 1) / kAccumulateGroup,
+                  (settings_.height + kAccumulateGroup - 1) / kAccumulateGroup, 1);
+  }
+
+  HeadlessDevice& device_;
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  ObjectOwner objects_;
+  int debugView_;
+  NoiseHost noises_;
+  GpuScene gpu_;
+  FrameInputs inputs_;
+  GpuEnvironment environment_;
+  DeviceImage color_, depth_, sum_, sunDepth_, skyDepth_;
+  std::array<VkImageView, SKY_DIRECTIONS> skyDepthLayers_{};
+  DeviceBuffer frameData_;
+  VkDescriptorSetLayout frameLayout_ = VK_NULL_HANDLE;
+  VkDescriptorSetLayout accumulateLayout_ = VK_NULL_HANDLE;
+  VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
+  VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
+  Pipelines pipelines_;
+};
+
+} // namespace
+
+std::vector<std::string_view> debugViewNames() {
+  std::vector<std::string_view> names;
+  for (const DebugView& view : kDebugViews)
+    names.push_back(view.name);
+  return names;
+}
+
+Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
+                            const RenderSettings& settings) {
+  try {
+    const Clock::time_point start = Clock::now();
+    SceneRenderer renderer(device, scene, settings);
+    Picture picture;
+    picture.setupSeconds = secondsSince(start);
+    std::vector<double> seconds;
+    for (std::uint32_t frame = 0; frame < settings.frames; ++frame) {
+      const Clock::time_point frameStart = Clock::now();
+      renderer.renderFrame(frame);
+      seconds.push_back(secondsSince(frameStart));
+    }
+    std::sort(seconds.begin(), seconds.end());
+    picture.medianFrameSeconds = seconds[seconds.size() / 2];
+    picture.pixels = renderer.average();
+    return picture;
+  } catch (const Failure& failure) {
+    return failure.error;
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::resources, scene.name + ": not enough memory to draw it"};
+  }
+}
+
+} // namespace lichen::renderer

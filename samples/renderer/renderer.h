@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A scene on a Vulkan device -> a picture: the average of frames that differ in where in the pixel
+// they look, in the point of the sun that they are lit from, and in the parts of the sky that they
+// find unhidden.
+#pragma once
+
+#include "framing.h"
+#include "scene.h"
+
+#include <lichen/headless_device.h>
+#include <lichen/image.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lichen::renderer {
+
+struct RenderSettings {
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+  std::uint32_t frames = 16; ///< at least 1
+  std::string camera;        ///< see chooseCamera()
+  float exposureEv = 0.0f;   ///< stops
+  bool toneMap = true;       ///< false: light as it is, for EXR
+  std::string debugView;     ///< empty, or one of debugViewNames(); those are never tone-mapped
+  std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
+};
+
+[[nodiscard]] std::vector<std::string_view> debugViewNames();
+
+struct Picture {
+  LinearImage pixels; ///< RGB; tone-mapped values are the light of a display, in [0, 1]
+  double setupSeconds = 0.0;
+  double medianFrameSeconds = 0.0;
+};
+
+/// Errors: usage for a camera or view that does not exist or a size beyond the device's; badInput
+/// for the scene's noise; environment and resources for what the device lacks. Waits for the
+/// device; leaves nothing on it.
+[[nodiscard]] Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
+                                          const RenderSettings& settings);
+
+} // namespace lichen::renderer

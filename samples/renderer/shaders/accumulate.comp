@@ -1,0 +1,41 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Adds one frame to the sum of frames, tone-mapped or as light.
+// [Khronos PBR Neutral Tone Mapper 2024, KhronosGroup/ToneMapping]: colours up to 0.8 - F90 keep
+// their value, brighter ones are compressed and lose saturation toward white.
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 0) uniform sampler2D frameColor;
+layout(set = 0, binding = 1, rgba32f) uniform image2D sum;
+layout(push_constant) uniform Block {
+  float exposure; // factor of the light
+  int toneMap;    // 1 for display values in [0, 1], 0 for light
+  int first;      // 1 for the first frame, which starts the sum
+} settings;
+
+vec3 neutral(vec3 light) {
+  const float kStartCompression = 0.8 - 0.04;
+  const float kDesaturation = 0.15;
+  float least = min(light.r, min(light.g, light.b));
+  float offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
+  light -= offset;
+  float peak = max(light.r, max(light.g, light.b));
+  if (peak < kStartCompression)
+    return light;
+  const float d = 1.0 - kStartCompression;
+  float newPeak = 1.0 - d * d / (peak + d - kStartCompression);
+  light *= newPeak / peak;
+  float g = 1.0 - 1.0 / (kDesaturation * (peak - newPeak) + 1.0);
+  return mix(light, vec3(newPeak), g);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(sum))))
+    return;
+  // Half floats end at 65504; a light reflected in a mirror may exceed it.
+  vec3 light = min(texelFetch(frameColor, pixel, 0).rgb, vec3(65504.0)) * settings.exposure;
+  vec4 value = vec4(settings.toneMap == 1 ? neutral(light) : light, 1.0);
+  if (settings.first == 0)
+    value += imageLoad(sum, pixel);
+  imageStore(sum, pixel, value);
+}

@@ -1,0 +1,107 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// A surface's radiance toward the camera, or one quantity of it (debug views).
+#include "scene_interface.h"
+#include "surface.glsl"
+#include "shading.glsl"
+
+layout(constant_id = 2) const int kDebugView = DEBUG_NONE;
+
+layout(location = 0) in vec3 worldPosition;
+layout(location = 1) in vec3 worldNormal;
+layout(location = 2) in vec4 worldTangent;
+layout(location = 3) in vec4 texCoords;
+layout(location = 4) in vec4 vertexColor;
+layout(location = 0) out vec4 color;
+
+vec3 shadingNormal(vec3 n, vec3 tangentNormal) {
+  if (!kHasNormalMap && !kHasNoise)
+    return n;
+  vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
+  float length2 = dot(t, t);
+  if (length2 <= 0.0)
+    return n;
+  t *= inversesqrt(length2);
+  vec3 b = cross(n, t) * worldTangent.w;
+  if (!gl_FrontFacing)
+    t = -t; // the whole frame turns with the normal; b has turned by the cross product
+  return normalize(t * tangentNormal.x + b * tangentNormal.y + n * tangentNormal.z);
+}
+
+Shading prepare(Surface surface, vec3 geometricNormal) {
+  Shading s;
+  s.position = worldPosition;
+  s.geometricNormal = geometricNormal;
+  s.view = frame.cameraPosition.w != 0.0 ? normalize(frame.cameraPosition.xyz - worldPosition)
+                                         : -frame.cameraForward.xyz;
+  s.normal = shadingNormal(geometricNormal, surface.tangentNormal);
+  // A normal map may turn a surface away from the camera that sees it.
+  s.nDotV = clamp(dot(s.normal, s.view), 1e-3, 1.0);
+  s.roughness = clamp(surface.roughness, 0.0, 1.0);
+  s.alpha = alphaOf(s.roughness);
+  float metallic = clamp(surface.metallic, 0.0, 1.0);
+  s.diffuseColor = surface.baseColor.rgb * (1.0 - metallic);
+  s.f0 = mix(vec3(kDielectricF0), surface.baseColor.rgb, metallic);
+  s.brdf = textureLod(brdfTable, vec2(s.nDotV, s.roughness), 0.0).xy;
+  return s;
+}
+
+vec3 lit(Shading s, Surface surface) {
+  vec3 light = surface.emissive;
+  light += environmentLight(s, skyVisibility(s), surface.occlusion);
+  for (int i = 0; i < frame.counts.x; ++i) {
+    vec3 direct = punctualLight(s, frame.lights[i]);
+    if (i == 0 && frame.environment.w != 0.0 && direct != vec3(0.0))
+      direct *= sunVisibility(s);
+    light += direct;
+  }
+  return light;
+}
+
+/// Blue, cyan, green, yellow, red for 0 to 1.
+vec3 ramp(float x) {
+  return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
+}
+
+vec3 noiseDebug(Footprint footprint) {
+  if (!kHasNoise)
+    return vec3(0.5);
+  LichenTaps taps = noiseTaps(footprint);
+  LichenMap map = noiseData.maps[max(material.noiseMaps[NOISE_BASE_COLOR], 0)];
+  float level = lichenTilingLevel(taps, noiseData.noise, map);
+  if (kDebugView == DEBUG_WEIGHTS)
+    return taps.weights;
+  if (kDebugView == DEBUG_LATTICE) {
+    const float kLineWeight = 0.03;
+    float least = min(taps.weights.x, min(taps.weights.y, taps.weights.z));
+    return mix(vec3(0.9, 0.35, 0.1), 0.15 + 0.5 * taps.weights, smoothstep(0.0, kLineWeight, least));
+  }
+  if (kDebugView == DEBUG_MIP_LEVEL)
+    return ramp(level / max(float(map.mipCount) - 1.0, 1.0));
+  vec3 gaussian = lichenTilingGaussian(baseColorGaussian, taps, level);
+  return map.dimensions == 1u ? gaussian.xxx
+                              : vec3(gaussian.xy, map.dimensions == 2u ? 0.5 : gaussian.z);
+}
+
+void main() {
+  float scale = frame.environment.z;
+  Footprint footprint = Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale);
+  vec3 normal = normalize(worldNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+  Surface surface = surfaceAt(footprint, vertexColor);
+  if (material.flags.y == 0)
+    surface.baseColor.a = 1.0;
+  else if (surface.baseColor.a < material.emissive.w)
+    discard;
+  Shading s = prepare(surface, normal);
+  vec3 shown = vec3(0.0);
+  if (kDebugView == DEBUG_NONE)
+    shown = throughHaze(s, lit(s, surface));
+  else if (kDebugView == DEBUG_NORMALS)
+    shown = 0.5 + 0.5 * s.normal;
+  else if (kDebugView == DEBUG_BASE_COLOR)
+    shown = surface.baseColor.rgb;
+  else
+    shown = noiseDebug(footprint);
+  color = vec4(shown, surface.baseColor.a);
+}

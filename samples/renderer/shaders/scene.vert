@@ -1,0 +1,36 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Vertices to the world and to clip space.
+#include "scene_interface.h"
+
+layout(std140, set = SET_FRAME, binding = BINDING_FRAME) uniform FrameBlock { FrameData frame; };
+layout(push_constant) uniform DrawBlock { DrawData draw; };
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec2 texCoord0;
+layout(location = 4) in vec2 texCoord1;
+layout(location = 5) in vec4 color;
+
+layout(location = 0) out vec3 worldPosition;
+layout(location = 1) out vec3 worldNormal;
+layout(location = 2) out vec4 worldTangent;
+layout(location = 3) out vec4 texCoords;
+layout(location = 4) out vec4 vertexColor;
+
+void main() {
+  vec4 world = draw.worldFromObject * vec4(position, 1.0);
+  mat3 linear = mat3(draw.worldFromObject);
+  // Normals transform by the cofactors, which a singular matrix has too; mirroring turns them.
+  mat3 cofactors = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]),
+                        cross(linear[0], linear[1]));
+  float mirror = dot(linear[0], cofactors[0]) < 0.0 ? -1.0 : 1.0;
+  worldPosition = world.xyz;
+  worldNormal = mirror * (cofactors * normal);
+  worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
+  texCoords = vec4(texCoord0, texCoord1);
+  vertexColor = color;
+  gl_Position = frame.clipFromWorld * world;
+}

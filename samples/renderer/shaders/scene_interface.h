@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Structs and binding numbers that the renderer's C++ and GLSL share. Only vec4, ivec4 and mat4.
+#ifndef SCENE_INTERFACE_H
+#define SCENE_INTERFACE_H
+
+#define MAX_LIGHTS 16
+// Directions toward the sky of which each frame draws the visibility.
+#define SKY_DIRECTIONS 4
+
+#define SET_FRAME 0
+#define BINDING_FRAME 0
+#define BINDING_SPECULAR 1
+#define BINDING_DIFFUSE 2
+#define BINDING_BRDF 3
+#define BINDING_PANORAMA 4
+#define BINDING_SUN_DEPTH 5
+#define BINDING_SKY_DEPTH 6
+
+#define SET_MATERIAL 1
+#define BINDING_MATERIAL 0
+// Texture k of a material at BINDING_TEXTURES + k.
+#define BINDING_TEXTURES 1
+#define TEXTURE_BASE_COLOR 0
+#define TEXTURE_METALLIC_ROUGHNESS 1
+#define TEXTURE_NORMAL 2
+#define TEXTURE_OCCLUSION 3
+#define TEXTURE_EMISSIVE 4
+#define MATERIAL_TEXTURES 5
+
+#define SET_NOISE 2
+#define BINDING_NOISE 0
+// Role k's Gaussian image at BINDING_NOISE_ROLES + 2 k, its inverse table after it.
+#define BINDING_NOISE_ROLES 1
+#define NOISE_BASE_COLOR 0
+#define NOISE_NORMAL 1
+#define NOISE_ORM 2
+#define NOISE_EMISSIVE 3
+#define NOISE_ROLES 4
+
+#define LIGHT_DIRECTIONAL 0
+#define LIGHT_POINT 1
+#define LIGHT_SPOT 2
+
+#define DEBUG_NONE 0
+#define DEBUG_NORMALS 1
+#define DEBUG_BASE_COLOR 2
+#define DEBUG_WEIGHTS 3
+#define DEBUG_LATTICE 4
+#define DEBUG_MIP_LEVEL 5
+#define DEBUG_GAUSSIAN 6
+
+#ifdef __cplusplus
+#include <glm/glm.hpp>
+namespace lichen::renderer::shader {
+using glm::ivec4;
+using glm::mat4;
+using glm::vec4;
+#endif
+
+struct LightData {
+  vec4 positionAndKind;   // world; w is LIGHT_*
+  vec4 directionAndRange; // the way the light travels; w is 0 for an unlimited range
+  vec4 color;             // times intensity; w unused
+  vec4 cone;              // x cosine of the outer angle, y 1 / (inner - outer cosine); zw unused
+};
+
+struct FrameData {
+  mat4 clipFromWorld;
+  mat4 worldFromClip; // as if the camera stood at the origin
+  mat4 sunFromWorld; // to [0, 1]^3 of the sun's depth map
+  mat4 skyFromWorld[SKY_DIRECTIONS];
+  vec4 skyDirection[SKY_DIRECTIONS]; // toward the sky
+  vec4 cameraPosition;               // w is 0 for an orthographic camera
+  vec4 cameraForward;
+  vec4 environment; // x 1 / the distance over which haze takes 63 %, y last level of the specular cube map,
+                    // z scale of texture gradients, w 1 when the sun's depth map is to be used
+  vec4 shadow;      // x, y world size of a texel of the sun's and of a sky depth map; zw unused
+  ivec4 counts;     // x lights, the first of which is the sun when shadow.w; yzw unused
+  LightData lights[MAX_LIGHTS];
+};
+
+struct MaterialData {
+  vec4 baseColor;
+  vec4 emissive;                            // w is the alpha cutoff, 0 when it does not apply
+  vec4 factors;                             // metallic, roughness, normal scale, occlusion strength
+  ivec4 texCoords;                          // of textures 0 to 3
+  ivec4 flags;                              // x texCoord of texture 4, y 1 when alpha is used,
+                                            // z 1 with a normal texture, w of the noise
+  ivec4 noiseMaps;                          // map of each role, -1 for none
+  ivec4 ormComponents;                      // of the noise's value: occlusion, roughness, metallic;
+                                            // -1 for none
+  vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
+};
+
+struct DrawData {
+  mat4 worldFromObject;
+};
+
+struct DepthData {
+  mat4 clipFromObject;
+};
+
+#ifdef __cplusplus
+} // namespace lichen::renderer::shader
+#endif
+
+#endif

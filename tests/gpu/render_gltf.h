@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Small glTF scenes made by the tests: meshes and images in one binary chunk, JSON to be changed
+// before it becomes a GLB.
+#pragma once
+
+#include "../unit/temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lichen::test {
+
+class GltfScene {
+public:
+  GltfScene();
+  /// The content of a GLB with one buffer, such as a material library, for meshes to be added to.
+  explicit GltfScene(std::span<const std::byte> glb);
+
+  nlohmann::json json;
+  std::vector<std::byte> binary;
+
+  /// Appends bytes as a bufferView, padded to 4 bytes, and returns its index.
+  std::size_t addView(std::span<const std::byte> bytes);
+  /// An accessor of floats: VEC2, VEC3 or VEC4 by `components`.
+  std::size_t addFloats(const std::vector<float>& values, std::size_t components);
+  /// An accessor of indices of 1, 2 or 4 bytes.
+  std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t bytesEach);
+  /// A texture of a PNG with this checkerboard, `side` cells a side; returns the texture's index.
+  std::size_t addChecker(int side, std::array<float, 3> a, std::array<float, 3> b);
+  /// A mesh of one primitive, and a node that stands in the scene.
+  void addMesh(nlohmann::json attributes, std::size_t indices, std::size_t material,
+               nlohmann::json node = nlohmann::json::object());
+  std::size_t addMaterial(nlohmann::json material);
+
+  /// A sphere of radius 1 with normals and texture coordinates, and a ground at height y.
+  void addBall(std::size_t material, nlohmann::json node = nlohmann::json::object());
+  void addGround(std::size_t material, float halfSide, float y);
+  /// A camera on the positive z axis that looks at the origin from `distance`.
+  void addCamera(float distance, float fieldOfView, float height = 0.0f, float tilt = 0.0f);
+  /// A light that shines from above, the left and the front.
+  void addSun(float lux);
+
+  [[nodiscard]] std::vector<std::byte> glb() const;
+};
+
+/// One triangle with a camera-less scene: the smallest file that loads.
+[[nodiscard]] GltfScene triangleScene();
+
+/// Writes a file into a folder and returns its path.
+std::filesystem::path writeInto(const TemporaryFolder& folder, const std::string& name,
+                                std::span<const std::byte> bytes);
+
+} // namespace lichen::test

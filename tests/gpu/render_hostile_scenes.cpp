@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+// Every rule of glTF that the renderer relies on, broken once: refused with the place's pointer.
+#include "render_gltf.h"
+#include "scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <functional>
+#include <limits>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+
+namespace {
+
+/// A scene with one of everything that has indices.
+GltfScene fullScene() {
+  GltfScene scene = triangleScene();
+  const std::size_t texture = scene.addChecker(2, {1, 1, 1}, {0, 0, 0});
+  scene.json["samplers"] = {{{"wrapS", 10497}}};
+  scene.json["textures"][texture]["sampler"] = 0;
+  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {
+      {"index", texture},
+      {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}, {"offset", {0, 0}}}}}}};
+  scene.addCamera(3.0f, 0.7f);
+  scene.addSun(3.0f);
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+      scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+  scene.json["skins"] = {{{"joints", {0}}}};
+  return scene;
+}
+
+struct Fault {
+  const char* what;
+  const char* pointer; ///< part of the message
+  std::function<void(GltfScene&)> breakIt;
+};
+
+const std::vector<Fault> kFaults{
+    {"no asset", "asset", [](GltfScene& s) { s.json.erase("asset"); }},
+    {"glTF 1.0", "/asset", [](GltfScene& s) { s.json["asset"]["version"] = "1.0"; }},
+    {"a version that is a number", "/asset", [](GltfScene& s) { s.json["asset"]["version"] = 2; }},
+    {"a minimum version to come", "/asset",
+     [](GltfScene& s) { s.json["asset"]["minVersion"] = "2.1"; }},
+    {"an unknown required extension", "KHR_draco_mesh_compression",
+     [](GltfScene& s) { s.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
+    {"nodes that are no array", "/nodes", [](GltfScene& s) { s.json["nodes"] = 3; }},
+    {"a node that is no object", "/nodes/0", [](GltfScene& s) { s.json["nodes"][0] = "x"; }},
+    {"a buffer longer than its chunk", "/buffers/0",
+     [](GltfScene& s) { s.json["buffers"][0]["byteLength"] = s.binary.size() + 1; }},
+    {"a buffer of negative length", "/buffers/0",
+     [](GltfScene& s) { s.json["buffers"][0]["byteLength"] = -4; }},
+    {"a second buffer without uri", "/buffers/1",
+     [](GltfScene& s) {
+       s.json["buffers"].push_back({{"byteLength", 4}});
+     }},
+    {"a buffer outside the folder", "cannot be loaded",
+     [](GltfScene& s) {
+       s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "../x.bin"}});
+     }},
+    {"an absolute buffer", "cannot be loaded",
+     [](GltfScene& s) {
+       s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "/etc/passwd"}});
+     }},
+    {"a truncated data URI", "cannot be loaded",
+     [](GltfScene& s) {
+       s.json["buffers"].push_back(
+           {{"byteLength", 64}, {"uri", "data:application/octet-stream;base64,AAAA"}});
+     }},
+    {"a view of no buffer", "/bufferViews/0",
+     [](GltfScene& s) { s.json["bufferViews"][0]["buffer"] = 1; }},
+    {"a view outside its buffer", "/bufferViews/0",
+     [](GltfScene& s) { s.json["bufferViews"][0]["byteOffset"] = 1u << 30; }},
+    {"a view whose end overflows", "/bufferViews/0",
+     [](GltfScene& s) { s.json["bufferViews"][0]["byteOffset"] = std::uint64_t(-8); }},
+    {"a stride of 2", "/bufferViews/0",
+     [](GltfScene& s) { s.json["bufferViews"][0]["byteStride"] = 2; }},
+    {"a stride of 6", "/bufferViews/0",
+     [](GltfScene& s) { s.json["bufferViews"][0]["byteStride"] = 6; }},
+    {"an accessor of no view", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = 99; }},
+    {"a view index of -1", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = -1; }},
+    {"a view index of 4294967295", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = 4294967295u; }},
+    {"an accessor beyond its view", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["count"] = 4; }},
+    {"an accessor offset beyond its view", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["byteOffset"] = 4; }},
+    {"a count of 0", "/accessors/0", [](GltfScene& s) { s.json["accessors"][0]["count"] = 0; }},
+    {"a huge count", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["count"] = 4294967295u; }},
+    {"a huge count of zeros", "/accessors/0",
+     [](GltfScene& s) {
+       s.json["accessors"][0].erase("bufferView");
+       s.json["accessors"][0]["count"] = 4000000000u;
+     }},
+    {"a fractional count", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["count"] = 2.5; }},
+    {"an unknown component type", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["componentType"] = 5124; }},
+    {"an unknown type", "/accessors/0",
+     [](GltfScene& s) { s.json["accessors"][0]["type"] = "VEC5"; }},
+    {"positions of two components", "/meshes/0/primitives/0/attributes/POSITION",
+     [](GltfScene& s) { s.json["accessors"][0]["type"] = "VEC2"; }},
+    {"sparse values outside their view", "/accessors/0/sparse",
+     [](GltfScene& s) {
+       s.json["accessors"][0]["sparse"] = {
+           {"count", 3},
+           {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
+           {"values", {{"bufferView", 0}}}};
+     }},
+    {"a sparse index outside its accessor", "/accessors/0",
+     [](GltfScene& s) {
+       const std::size_t view = s.addView(std::as_bytes(std::span("\7\0\0\0", 4)));
+       s.json["accessors"][0]["sparse"] = {
+           {"count", 1},
+           {"indices", {{"bufferView", view}, {"componentType", 5125}}},
+           {"values", {{"bufferView", 0}}}};
+     }},
+    {"an index beyond the vertices", "/accessors/1",
+     [](GltfScene& s) { s.binary[36] = std::byte{3}; }},
+    {"floats as indices", "/meshes/0/primitives/0",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["indices"] = 0; }},
+    {"NaN positions", "/accessors/0",
+     [](GltfScene& s) {
+       const float nan = std::numeric_limits<float>::quiet_NaN();
+       std::memcpy(s.binary.data(), &nan, sizeof nan);
+     }},
+    {"infinite normals", "/accessors/2",
+     [](GltfScene& s) {
+       const float infinity = std::numeric_limits<float>::infinity();
+       const auto view = s.json["accessors"][2]["bufferView"].get<std::size_t>();
+       std::memcpy(s.binary.data() + s.json["bufferViews"][view]["byteOffset"].get<std::size_t>(),
+                   &infinity, sizeof infinity);
+     }},
+    {"attributes of different counts", "/meshes/0/primitives/0/attributes/NORMAL",
+     [](GltfScene& s) { s.json["accessors"][2]["count"] = 2; }},
+    {"an attribute of no accessor", "/meshes/0/primitives/0/attributes",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 17; }},
+    {"a mode of 7", "/meshes/0/primitives/0",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["mode"] = 7; }},
+    {"no primitives", "/meshes/0", [](GltfScene& s) { s.json["meshes"][0].erase("primitives"); }},
+    {"empty primitives", "/meshes/0/primitives",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"] = json::array(); }},
+    {"no attributes", "/meshes/0/primitives/0",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0].erase("attributes"); }},
+    {"a material that is not there", "/meshes/0/primitives/0",
+     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["material"] = 1; }},
+    {"a texture that is not there", "/materials/0/pbrMetallicRoughness/baseColorTexture",
+     [](GltfScene& s) {
+       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 5;
+     }},
+    {"a third set of texture coordinates", "/materials/0/pbrMetallicRoughness/baseColorTexture",
+     [](GltfScene& s) {
+       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
+     }},
+    {"a texture transform of one number", "KHR_texture_transform",
+     [](GltfScene& s) {
+       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
+             ["KHR_texture_transform"]["scale"] = {2};
+     }},
+    {"a base colour of three numbers", "/materials/0/pbrMetallicRoughness/baseColorFactor",
+     [](GltfScene& s) {
+       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1};
+     }},
+    {"a roughness of 2", "/materials/0/pbrMetallicRoughness/roughnessFactor",
+     [](GltfScene& s) { s.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 2; }},
+    {"a roughness that is text", "/materials/0/pbrMetallicRoughness/roughnessFactor",
+     [](GltfScene& s) {
+       s.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = "rough";
+     }},
+    {"an unknown alpha mode", "/materials/0",
+     [](GltfScene& s) { s.json["materials"][0]["alphaMode"] = "GLASS"; }},
+    {"a noise on surface mapping", "surface",
+     [](GltfScene& s) {
+       s.json["materials"][0]["extensions"]["LICHEN_materials_exemplar_noise"] = {
+           {"noise", 0}, {"mapping", "surface"}};
+     }},
+    {"an image of no view", "/images/0",
+     [](GltfScene& s) { s.json["images"][0]["bufferView"] = 77; }},
+    {"an image of nothing", "/images/0",
+     [](GltfScene& s) { s.json["images"][0] = json::object(); }},
+    {"an image that is none", "/images/0",
+     [](GltfScene& s) { s.json["images"][0]["bufferView"] = 0; }},
+    {"an image file that is absent", "/images/0",
+     [](GltfScene& s) {
+       s.json["images"][0] = {{"uri", "absent.png"}};
+     }},
+    {"an empty image", "",
+     [](GltfScene& s) {
+       s.json["images"][0] = {{"uri", "data:image/png;base64,"}};
+     }},
+    {"a texture of no image", "/textures/0",
+     [](GltfScene& s) { s.json["textures"][0]["source"] = 2; }},
+    {"a texture of no sampler", "/textures/0",
+     [](GltfScene& s) { s.json["textures"][0]["sampler"] = 2; }},
+    {"an unknown wrap", "/samplers/0", [](GltfScene& s) { s.json["samplers"][0]["wrapS"] = 1; }},
+    {"a camera without lens", "/cameras/0",
+     [](GltfScene& s) { s.json["cameras"][0].erase("perspective"); }},
+    {"a near plane at 0", "/cameras/0/perspective",
+     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["znear"] = 0; }},
+    {"a far plane before the near one", "/cameras/0/perspective",
+     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["zfar"] = 0.05; }},
+    {"a light of unknown type", "/extensions/KHR_lights_punctual/lights/0",
+     [](GltfScene& s) {
+       s.json["extensions"]["KHR_lights_punctual"]["lights"][0]["type"] = "area";
+     }},
+    {"a node with a light that is not there", "/nodes/2/extensions",
+     [](GltfScene& s) { s.json["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 1; }},
+    {"a node with a mesh that is not there", "/nodes/0",
+     [](GltfScene& s) { s.json["nodes"][0]["mesh"] = 1; }},
+    {"a node with a child that is not there", "/nodes/0/children/0",
+     [](GltfScene& s) { s.json["nodes"][0]["children"] = {9}; }},
+    {"a node that is its own child", "/nodes",
+     [](GltfScene& s) { s.json["nodes"][0]["children"] = {0}; }},
+    {"a cycle of three nodes", "/nodes",
+     [](GltfScene& s) {
+       s.json["nodes"][0]["children"] = {1};
+       s.json["nodes"][1]["children"] = {2};
+       s.json["nodes"][2]["children"] = {0};
+     }},
+    {"a node with two parents", "/nodes/1/children/0",
+     [](GltfScene& s) {
+       s.json["nodes"][0]["children"] = {2};
+       s.json["nodes"][1]["children"] = {2};
+     }},
+    {"a scene whose node is a child", "/scenes/0/nodes/1",
+     [](GltfScene& s) { s.json["nodes"][0]["children"] = {1}; }},
+    {"a scene with a node twice", "/scenes/0/nodes",
+     [](GltfScene& s) {
+       s.json["scenes"][0]["nodes"] = {0, 0};
+     }},
+    {"a scene that is not there", "scene", [](GltfScene& s) { s.json["scene"] = 1; }},
+    {"no scene at all", "no scene",
+     [](GltfScene& s) {
+       s.json.erase("scenes");
+       s.json.erase("scene");
+     }},
+    {"a matrix of 15 numbers", "/nodes/0/matrix",
+     [](GltfScene& s) { s.json["nodes"][0]["matrix"] = std::vector<int>(15, 1); }},
+    {"a translation too large for a float", "/nodes/0/translation",
+     [](GltfScene& s) {
+       s.json["nodes"][0]["translation"] = {1e300, 0, 0};
+     }},
+    {"scales that multiply to infinity", "transform",
+     [](GltfScene& s) {
+       s.json["nodes"][0]["scale"] = {1e30, 1, 1};
+       s.json["nodes"].push_back({{"scale", {1e30, 1, 1}}, {"children", {0}}});
+       s.json["scenes"][0]["nodes"] = {s.json["nodes"].size() - 1};
+     }},
+    {"a joint that is not there", "/skins/0/joints/0",
+     [](GltfScene& s) { s.json["skins"][0]["joints"] = {40}; }},
+    {"no triangles", "no triangles", [](GltfScene& s) { s.json["scenes"][0]["nodes"] = {1}; }},
+};
+
+} // namespace
+
+TEST_CASE("the scene that the faults are made from loads") {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "full.glb", fullScene().glb()));
+  if (!scene)
+    FAIL(scene.error().message);
+  CHECK(scene.value().instances.size() == 1);
+  CHECK(scene.value().cameras.size() == 1);
+  CHECK(scene.value().lights.size() == 1);
+  CHECK(scene.value().images.size() == 1);
+}
+
+TEST_CASE("each broken scene is refused on one line that names the file and the place") {
+  const TemporaryFolder folder;
+  for (const Fault& fault : kFaults) {
+    INFO(fault.what);
+    GltfScene broken = fullScene();
+    fault.breakIt(broken);
+    const auto path = writeInto(folder, "broken.glb", broken.glb());
+    const auto scene = renderer::readScene(path);
+    REQUIRE_FALSE(scene.ok());
+    INFO(scene.error().message);
+    CHECK(scene.error().kind == ErrorKind::badInput);
+    CHECK(scene.error().message.starts_with(path.string()));
+    CHECK(scene.error().message.find(fault.pointer) != std::string::npos);
+    CHECK(scene.error().message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("a scene cut off at any byte is refused") {
+  const TemporaryFolder folder;
+  const std::vector<std::byte> whole = triangleScene().glb();
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    INFO(length);
+    CHECK_FALSE(
+        renderer::readScene(writeInto(folder, "cut.glb", std::span(whole).first(length))).ok());
+  }
+}
+
+TEST_CASE("a scene with any bit flipped is read or refused, never a crash") {
+  const TemporaryFolder folder;
+  const std::vector<std::byte> whole = fullScene().glb();
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < whole.size() * 8; i += 7) { // every bit would take minutes
+    std::vector<std::byte> flipped = whole;
+    flipped[i / 8] ^= std::byte(1u << (i % 8));
+    refused += renderer::readScene(writeInto(folder, "flipped.glb", flipped)).ok() ? 0u : 1u;
+  }
+  CHECK(refused > 0);
+}
+
+TEST_CASE("deep nesting and text that is no glTF are refused") {
+  const TemporaryFolder folder;
+  const std::string deep = "{\"asset\":" + std::string(100000, '[');
+  CHECK_FALSE(
+      renderer::readScene(writeInto(folder, "deep.gltf", std::as_bytes(std::span(deep)))).ok());
+  for (const std::string text : {"", "[]", "null", "{", "\xff\xfe", "glTF", "{\"asset\":1e999}"}) {
+    INFO(text);
+    const auto scene =
+        renderer::readScene(writeInto(folder, "text.gltf", std::as_bytes(std::span(text))));
+    REQUIRE_FALSE(scene.ok());
+    CHECK(scene.error().kind == ErrorKind::badInput);
+  }
+  CHECK_FALSE(renderer::readScene(folder.path() / "absent.glb").ok());
+  CHECK_FALSE(renderer::readScene(folder.path()).ok());
+}

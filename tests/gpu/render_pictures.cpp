@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Pictures: golden images, the white furnace, and properties that need no golden image.
+//
+// Goldens are made on lavapipe, which draws bit-identical images in every process of one CPU type.
+// Other CPU types and devices round differently, so they are compared by the mean and the 99.9 %
+// quantile of the absolute difference of sRGB codes (0 to 255).
+#include "picture.h"
+#include "render_gltf.h"
+#include "renderer.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+using namespace lichen;
+using namespace lichen::test;
+using renderer::Picture;
+using renderer::RenderSettings;
+
+namespace {
+
+constexpr double kMeanTolerance = 0.5;
+constexpr double kQuantileTolerance = 8.0; // edges, where a pixel's coverage may differ
+
+HeadlessDevice& device() {
+  static const std::unique_ptr<HeadlessDevice> instance = requireDevice();
+  return *instance;
+}
+
+LinearImage render(std::span<const std::byte> glb, const RenderSettings& settings) {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "scene.glb", glb));
+  if (!scene)
+    FAIL(scene.error().message);
+  device().messages().clear();
+  auto picture = renderer::renderScene(device(), scene.value(), settings);
+  if (!picture)
+    FAIL(picture.error().message);
+  for (const std::string& text : device().messages().texts())
+    FAIL_CHECK(text);
+  return std::move(picture).value().pixels;
+}
+
+RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t frames) {
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.frames = frames;
+  return settings;
+}
+
+/// Sorted absolute differences in sRGB codes.
+std::vector<double> differences(const SrgbImage& a, const SrgbImage& b) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    result.push_back(255.0 * std::abs(double(a.values[i]) - double(b.values[i])));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Compares with tests/golden/render/NAME.png; with LICHEN_REGENERATE_GOLDEN set, writes it.
+void checkGolden(const std::string& name, const LinearImage& picture) {
+  const auto path =
+      std::filesystem::path(LICHEN_SOURCE_DIR) / "tests/golden/render" / (name + ".png");
+  if (std::getenv("LICHEN_REGENERATE_GOLDEN") != nullptr)
+    REQUIRE(renderer::writePicture(path, picture).ok());
+  const TemporaryFolder folder;
+  REQUIRE(renderer::writePicture(folder.path() / "now.png", picture).ok());
+  const auto now = readImage(folder.path() / "now.png");
+  const auto golden = readImage(path);
+  REQUIRE(golden.ok());
+  const auto& a = std::get<SrgbImage>(now.value().pixels);
+  const auto& b = std::get<SrgbImage>(golden.value().pixels);
+  REQUIRE((a.width == b.width && a.height == b.height && a.channels == b.channels));
+  const std::vector<double> sorted = differences(a, b);
+  double sum = 0.0;
+  for (const double d : sorted)
+    sum += d;
+  INFO(name);
+  CHECK(sum / double(sorted.size()) <= kMeanTolerance);
+  CHECK(sorted[sorted.size() * 999 / 1000] <= kQuantileTolerance);
+}
+
+/// Three balls of different materials, textured, on a ground, under a sun.
+GltfScene stillLife() {
+  GltfScene scene;
+  const std::size_t checker = scene.addChecker(4, {0.8f, 0.25f, 0.1f}, {0.9f, 0.85f, 0.7f});
+  const std::size_t bumps = scene.addChecker(8, {0.65f, 0.5f, 0.95f}, {0.35f, 0.5f, 0.95f});
+  const auto matte = scene.addMaterial(
+      {{"pbrMetallicRoughness",
+        {{"baseColorTexture",
+          {{"index", checker}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 1}}}}}}}},
+         {"metallicFactor", 0},
+         {"roughnessFactor", 0.5}}}});
+  const auto metal = scene.addMaterial({{"pbrMetallicRoughness",
+                                         {{"baseColorFactor", {0.95, 0.75, 0.4, 1.0}},
+                                          {"metallicFactor", 1},
+                                          {"roughnessFactor", 0.3}}},
+                                        {"normalTexture", {{"index", bumps}, {"scale", 0.5}}}});
+  const auto glowing = scene.addMaterial({{"pbrMetallicRoughness",
+                                           {{"baseColorFactor", {0.2, 0.5, 0.9, 0.6}},
+                                            {"metallicFactor", 0},
+                                            {"roughnessFactor", 0.2}}},
+                                          {"alphaMode", "BLEND"},
+                                          {"emissiveFactor", {0.05, 0.0, 0.1}}});
+  const auto ground =
+      scene.addMaterial({{"pbrMetallicRoughness",
+                          {{"baseColorFactor", {0.4, 0.38, 0.35, 1}}, {"metallicFactor", 0}}}});
+  scene.addBall(matte);
+  scene.addBall(metal, {{"translation", {-1.7, -0.4, -0.3}}, {"scale", {-0.6, 0.6, 0.6}}});
+  scene.addBall(glowing, {{"translation", {1.6, -0.5, 0.6}}, {"scale", {0.5, 0.5, 0.5}}});
+  scene.addGround(ground, 40.0f, -1.0f);
+  scene.addCamera(6.0f, 0.7f, 1.6f, -0.3f);
+  scene.addSun(3.0f);
+  return scene;
+}
+
+/// A ball of this material in a white furnace: no light but an environment of radiance 1.
+double furnaceError(double metallic, double roughness) {
+  GltfScene scene;
+  scene.addBall(scene.addMaterial(
+      {{"pbrMetallicRoughness", {{"metallicFactor", metallic}, {"roughnessFactor", roughness}}}}));
+  scene.addCamera(4.0f, 0.6f);
+  RenderSettings settings = settingsOf(48, 48, 1);
+  settings.toneMap = false;
+  settings.environment = LinearImage(32, 16, 3);
+  std::fill(settings.environment->values.begin(), settings.environment->values.end(), 1.0f);
+  const LinearImage picture = render(scene.glb(), settings);
+  double worst = 0.0;
+  for (const float value : picture.values)
+    worst = std::max(worst, std::abs(double(value) - 1.0));
+  return worst;
+}
+
+/// A ball with a noise, on a ground with the same noise.
+std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
+  std::vector<SyntheticMap> maps{SyntheticMap{3, 64, 64, true, 4}};
+  if (withOrm)
+    maps.push_back(SyntheticMap{1, 64, 64, false, 4});
+  GltfScene scene(syntheticGlb(maps));
+  scene.addBall(0);
+  if (withGround)
+    scene.addGround(0, 40.0f, -1.0f);
+  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
+  scene.addSun(3.0f);
+  return scene.glb();
+}
+
+} // namespace
+
+TEST_CASE("a still life of every material feature is as it was") {
+  checkGolden("still_life", render(stillLife().glb(), settingsOf(256, 160, 8)));
+}
+
+TEST_CASE("a noise on a ball and on its ground is as it was") {
+  checkGolden("noise_ball", render(noiseBall(false), settingsOf(256, 144, 4)));
+}
+
+TEST_CASE("a noise of base colour and ORM is as it was") {
+  checkGolden("noise_orm", render(noiseBall(true), settingsOf(192, 108, 2)));
+}
+
+TEST_CASE("each debug view of a noise is as it was") {
+  // Without a ground: toward the horizon every pixel is in another triangle, by rounding.
+  for (const std::string_view view : renderer::debugViewNames()) {
+    RenderSettings settings = settingsOf(128, 72, 1);
+    settings.debugView = view;
+    checkGolden("view_" + std::string(view), render(noiseBall(false, false), settings));
+  }
+}
+
+TEST_CASE("a white ball is invisible in a white furnace, whatever its roughness") {
+  // Half floats, and a table of the specular albedo with 32 steps.
+  constexpr double kTolerance = 0.01;
+  for (const double metallic : {0.0, 1.0})
+    for (const double roughness : {0.1, 0.3, 0.5, 0.8, 1.0}) {
+      INFO("metallic " << metallic << ", roughness " << roughness);
+      CHECK(furnaceError(metallic, roughness) < kTolerance);
+    }
+}
+
+TEST_CASE("the same picture twice is the same picture") {
+  const auto glb = noiseBall(true);
+  CHECK(render(glb, settingsOf(96, 54, 2)).values == render(glb, settingsOf(96, 54, 2)).values);
+}
+
+TEST_CASE("a mirrored node looks like a mesh that was stored mirrored") {
+  // The still life's metal ball has a negative scale; a ball is its own mirror image, so turning
+  // the texture the other way must give the same picture.
+  GltfScene scene;
+  const auto material = scene.addMaterial(
+      {{"pbrMetallicRoughness", {{"baseColorFactor", {0.6, 0.5, 0.4, 1}}, {"metallicFactor", 0}}}});
+  scene.addBall(material);
+  scene.addCamera(4.0f, 0.6f);
+  scene.addSun(2.0f);
+  const LinearImage plain = render(scene.glb(), settingsOf(64, 64, 1));
+  scene.json["nodes"][0]["scale"] = {-1, 1, 1};
+  const LinearImage mirrored = render(scene.glb(), settingsOf(64, 64, 1));
+  const auto sorted = differences(toSrgb(plain), toSrgb(mirrored));
+  CHECK(sorted[sorted.size() * 99 / 100] < 1.0);
+}
+
+TEST_CASE("a ball on a ground casts a shadow on the side away from the sun") {
+  GltfScene scene = stillLife();
+  RenderSettings settings = settingsOf(128, 80, 4);
+  const LinearImage lit = render(scene.glb(), settings);
+  // Right of the large ball, between it and the small one, against the same ground to the left.
+  const double shadow = lit.pixel(76, 52)[1];
+  const double open = lit.pixel(10, 60)[1];
+  CHECK(shadow < 0.6 * open);
+}
+
+TEST_CASE("exposure is in stops, and light is not tone-mapped for EXR") {
+  RenderSettings settings = settingsOf(32, 32, 1);
+  settings.toneMap = false;
+  const LinearImage once = render(stillLife().glb(), settings);
+  settings.exposureEv = 2.0f;
+  const LinearImage four = render(stillLife().glb(), settings);
+  for (std::size_t i = 0; i < once.values.size(); i += 11)
+    CHECK(four.values[i] == Approx(4.0f * once.values[i]).epsilon(1e-3));
+}
+
+TEST_CASE("what the device cannot do is an error, not a crash") {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "s.glb", triangleScene().glb()));
+  RenderSettings settings = settingsOf(8, 8, 1);
+  settings.width = device().properties().limits.maxImageDimension2D + 1;
+  const auto tooWide = renderer::renderScene(device(), scene.value(), settings);
+  REQUIRE_FALSE(tooWide.ok());
+  CHECK(tooWide.error().kind == ErrorKind::usage);
+  settings = settingsOf(8, 8, 1);
+  settings.camera = "nowhere";
+  CHECK(renderer::renderScene(device(), scene.value(), settings).error().kind == ErrorKind::usage);
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The same geometry stored in every way that glTF allows loads as the same triangles.
+#include "framing.h"
+#include "render_gltf.h"
+#include "scene.h"
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using namespace lichen::test;
+using renderer::Scene;
+using renderer::Vertex;
+
+namespace {
+
+Scene load(const GltfScene& scene) {
+  const TemporaryFolder folder;
+  auto loaded = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+  if (!loaded)
+    FAIL(loaded.error().message);
+  return std::move(loaded).value();
+}
+
+/// Positions in the order in which triangles use them, in the world.
+std::vector<glm::vec3> corners(const Scene& scene) {
+  std::vector<glm::vec3> result;
+  for (const renderer::Instance& instance : scene.instances)
+    for (const std::uint32_t i : scene.primitives[instance.primitive].indices)
+      result.emplace_back(
+          instance.worldFromObject *
+          glm::vec4(scene.primitives[instance.primitive].vertices[i].position, 1.0f));
+  return result;
+}
+
+const std::vector<float> kQuad{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+const std::vector<glm::vec3> kQuadCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                          {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+
+GltfScene quadScene(std::size_t indexBytes) {
+  GltfScene scene;
+  const std::size_t material = scene.addMaterial(nlohmann::json::object());
+  const std::size_t positions = scene.addFloats(kQuad, 3);
+  scene.addMesh({{"POSITION", positions}}, scene.addIndices({0, 1, 2, 2, 1, 3}, indexBytes),
+                material);
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("indices of 8, 16 and 32 bits name the same triangles") {
+  for (const std::size_t bytes : {1u, 2u, 4u})
+    CHECK(corners(load(quadScene(bytes))) == kQuadCorners);
+}
+
+TEST_CASE("a strip and a fan become the triangles they stand for") {
+  GltfScene strip = quadScene(2);
+  strip.json["meshes"][0]["primitives"][0].erase("indices");
+  strip.json["meshes"][0]["primitives"][0]["mode"] = 5;
+  // glTF: triangle i of a strip is (i, i + 1 + i % 2, i + 2 - i % 2).
+  CHECK(corners(load(strip)) ==
+        std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  strip.json["meshes"][0]["primitives"][0]["mode"] = 6;
+  CHECK(corners(load(strip)) ==
+        std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 0}});
+}
+
+TEST_CASE("an unindexed list loses the vertices of an incomplete last triangle") {
+  GltfScene scene = quadScene(2);
+  scene.json["meshes"][0]["primitives"][0].erase("indices");
+  CHECK(corners(load(scene)).size() == 3);
+}
+
+TEST_CASE("interleaved attributes are read with their stride") {
+  GltfScene scene = quadScene(2);
+  std::vector<float> interleaved;
+  for (std::size_t v = 0; v < 4; ++v)
+    interleaved.insert(interleaved.end(),
+                       {kQuad[3 * v], kQuad[3 * v + 1], kQuad[3 * v + 2], 0.25f, 0.5f});
+  const std::size_t view = scene.addView(std::as_bytes(std::span(interleaved)));
+  scene.json["bufferViews"][view]["byteStride"] = 20;
+  scene.json["accessors"][0]["bufferView"] = view;
+  scene.json["accessors"].push_back({{"bufferView", view},
+                                     {"byteOffset", 12},
+                                     {"componentType", 5126},
+                                     {"count", 4},
+                                     {"type", "VEC2"}});
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      scene.json["accessors"].size() - 1;
+  const Scene loaded = load(scene);
+  CHECK(corners(loaded) == kQuadCorners);
+  for (const Vertex& v : loaded.primitives[0].vertices)
+    CHECK(v.texCoord1 == glm::vec2(0.25f, 0.5f));
+}
+
+TEST_CASE("sparse values replace those of the view, or zeros without one") {
+  GltfScene scene = quadScene(2);
+  const std::vector<float> moved{5, 6, 7};
+  const std::size_t values = scene.addView(std::as_bytes(std::span(moved)));
+  const std::vector<std::uint8_t> which{3};
+  const std::size_t indices = scene.addView(std::as_bytes(std::span(which)));
+  scene.json["accessors"][0]["sparse"] = {
+      {"count", 1},
+      {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+      {"values", {{"bufferView", values}}}};
+  CHECK(corners(load(scene))[5] == glm::vec3(5, 6, 7));
+  CHECK(corners(load(scene))[1] == glm::vec3(1, 0, 0));
+  scene.json["accessors"][0].erase("bufferView");
+  CHECK(corners(load(scene))[5] == glm::vec3(5, 6, 7));
+  CHECK(corners(load(scene))[1] == glm::vec3(0, 0, 0));
+}
+
+TEST_CASE("normalized integers become fractions") {
+  GltfScene scene = quadScene(2);
+  const std::vector<std::uint8_t> colors(4 * 4, 51); // a fifth of 255
+  const std::size_t view = scene.addView(std::as_bytes(std::span(colors)));
+  scene.json["accessors"].push_back({{"bufferView", view},
+                                     {"componentType", 5121},
+                                     {"normalized", true},
+                                     {"count", 4},
+                                     {"type", "VEC4"}});
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+      scene.json["accessors"].size() - 1;
+  CHECK(load(scene).primitives[0].vertices[0].color.r == Approx(0.2f));
+}
+
+TEST_CASE("a mesh without normals is flat, and its tangents follow the texture") {
+  GltfScene scene = quadScene(2);
+  scene.json["materials"][0]["normalTexture"] = {
+      {"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})}};
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+      scene.addFloats({0, 1, 1, 1, 0, 0, 1, 0}, 2); // u along x, v against y
+  const Scene loaded = load(scene);
+  for (const Vertex& v : loaded.primitives[0].vertices) {
+    CHECK(v.normal == glm::vec3(0, 0, 1));
+    // The bitangent, cross(n, t) w, points up: against v, as glTF has it.
+    CHECK(v.tangent == glm::vec4(1, 0, 0, 1));
+  }
+}
+
+TEST_CASE("nodes apply scale, rotation and translation in that order, parents last") {
+  GltfScene scene = quadScene(2);
+  const float half = std::sqrt(0.5f);
+  scene.json["nodes"][0]["scale"] = {2, 1, 1};
+  scene.json["nodes"][0]["rotation"] = {0, 0, half, half}; // x to y
+  scene.json["nodes"][0]["translation"] = {10, 0, 0};
+  scene.json["nodes"].push_back(
+      {{"matrix", {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 3, 1}}, {"children", {0}}});
+  scene.json["scenes"][0]["nodes"] = {1};
+  const glm::vec3 corner = corners(load(scene))[1]; // (1, 0, 0)
+  CHECK(corner.x == Approx(-10).margin(1e-5));
+  CHECK(corner.y == Approx(2).margin(1e-5));
+  CHECK(corner.z == Approx(3).margin(1e-5));
+}
+
+TEST_CASE("a used extension that is unknown is named once and ignored") {
+  GltfScene scene = quadScene(2);
+  scene.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_clearcoat"};
+  const Scene loaded = load(scene);
+  REQUIRE(loaded.notes.size() == 1);
+  CHECK(loaded.notes[0].find("KHR_materials_clearcoat") != std::string::npos);
+}
+
+TEST_CASE("the automatic camera has the whole subject in its picture, a ground left out") {
+  GltfScene scene;
+  const std::size_t material = scene.addMaterial(nlohmann::json::object());
+  scene.addBall(material, {{"translation", {40, 1, 0}}});
+  scene.addGround(material, 500.0f, 0.0f);
+  const Scene loaded = load(scene);
+  const renderer::Sphere subject = renderer::subjectOf(loaded).value();
+  CHECK(subject.radius < 2.0f);
+  for (const float aspect : {0.5f, 1.0f, 2.5f}) {
+    const auto camera = renderer::chooseCamera(loaded, subject, "auto", aspect).value();
+    const glm::mat4 clip = renderer::clipFromWorld(camera, aspect, glm::vec2(0.0f));
+    for (const Vertex& v : loaded.primitives[0].vertices) {
+      const glm::vec4 p = clip * glm::vec4(v.position + glm::vec3(40, 1, 0), 1.0f);
+      CHECK(std::abs(p.x) <= p.w);
+      CHECK(std::abs(p.y) <= p.w);
+      CHECK((p.z >= 0.0f && p.z <= p.w));
+    }
+  }
+  const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
+  REQUIRE_FALSE(unknown.ok());
+  CHECK(unknown.error().kind == ErrorKind::usage);
+}
