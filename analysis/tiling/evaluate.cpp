@@ -129,17 +129,20 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       return texels;
     };
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
+      if (!noise.maps[m].inverseTable)
+        return Error{ErrorKind::usage,
+                     "noise '" + noise.name + "': its map " +
+                         std::string(nameOf(noise.maps[m].target)) +
+                         " has no inverse table, and this version evaluates only maps with one"};
       Map map;
       map.constants = shaderMap(bundle, noise, m);
       const Table& gaussian = bundle.tables[noise.maps[m].gaussian];
       for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
         map.mips.push_back({std::max(1, int(gaussian.width >> level)),
                             std::max(1, int(gaussian.height >> level)), texelsOf(gaussian, level)});
-      if (noise.maps[m].inverseTable) {
-        const Table& table = bundle.tables[*noise.maps[m].inverseTable];
-        map.tableSide = int(table.width);
-        map.table = texelsOf(table, 0);
-      }
+      const Table& table = bundle.tables[*noise.maps[m].inverseTable];
+      map.tableSide = int(table.width);
+      map.table = texelsOf(table, 0);
       evaluator.maps_.push_back(std::move(map));
     }
     return evaluator;
@@ -205,8 +208,6 @@ Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::siz
 }
 
 Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
-  if (map.table.empty())
-    return gaussian;
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
     uniform[axis] = uniformFromGaussian(gaussian[axis]);

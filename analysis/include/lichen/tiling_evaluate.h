@@ -32,7 +32,8 @@ class TilingEvaluator {
 public:
   using Value = std::array<float, 4>;
 
-  /// Errors: usage for an index out of range or another method; resources for memory.
+  /// Errors: usage for an index out of range, another method or a map without an inverse table;
+  /// resources for memory.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
 
   [[nodiscard]] std::size_t mapCount() const { return maps_.size(); }
