@@ -11,7 +11,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 // A sun about three times as strong as the sky, as on a day with thin haze; on a clear one it is
 // more like six, which leaves shadows too dark for a display.
 constexpr float kKeyIrradiance = 1.05f * kPi;
-constexpr float kSkyIrradiance = 0.36f * kPi;
+constexpr float kSkyIrradiance = 0.42f * kPi;
 // Lamps are seen at dusk: a sky that fills their shadows, but does not compete.
 constexpr float kDuskIrradiance = 0.10f * kPi;
 constexpr glm::vec3 kDefaultTowardSun{-0.62f, 0.66f, 0.43f};

@@ -23,7 +23,7 @@ namespace {
 constexpr int kSkyPanoramaHeight = 512;
 // Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
 // joins a ground to the sky and leaves the subject alone.
-constexpr float kHazeDistance = 50.0f;
+constexpr float kHazeDistance = 80.0f;
 constexpr std::uint32_t kAccumulateGroup = 8; // local size in accumulate.comp
 
 struct DebugView {

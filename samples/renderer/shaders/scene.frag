@@ -75,7 +75,8 @@ vec3 noiseDebug(Footprint footprint) {
   if (kDebugView == DEBUG_LATTICE) {
     const float kLineWeight = 0.03;
     float least = min(taps.weights.x, min(taps.weights.y, taps.weights.z));
-    return mix(vec3(0.9, 0.35, 0.1), 0.15 + 0.5 * taps.weights, smoothstep(0.0, kLineWeight, least));
+    float inside = smoothstep(0.0, kLineWeight, least);
+    return mix(vec3(0.9, 0.35, 0.1), 0.15 + 0.5 * taps.weights, inside);
   }
   if (kDebugView == DEBUG_MIP_LEVEL)
     return ramp(level / max(float(map.mipCount) - 1.0, 1.0));

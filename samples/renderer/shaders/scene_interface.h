@@ -72,10 +72,11 @@ struct FrameData {
   vec4 skyDirection[SKY_DIRECTIONS]; // toward the sky
   vec4 cameraPosition;               // w is 0 for an orthographic camera
   vec4 cameraForward;
-  vec4 environment; // x 1 / the distance over which haze takes 63 %, y last level of the specular cube map,
-                    // z scale of texture gradients, w 1 when the sun's depth map is to be used
-  vec4 shadow;      // x, y world size of a texel of the sun's and of a sky depth map; zw unused
-  ivec4 counts;     // x lights, the first of which is the sun when shadow.w; yzw unused
+  // x 1 / the distance over which haze takes 63 %, 0 for none; y last level of the specular cube
+  // map; z scale of texture gradients; w 1 when light 0 is the sun, which the depth map is of.
+  vec4 environment;
+  vec4 shadow;  // x, y world size of a texel of the sun's and of a sky depth map; zw unused
+  ivec4 counts; // x lights; yzw unused
   LightData lights[MAX_LIGHTS];
 };
 

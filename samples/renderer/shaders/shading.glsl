@@ -101,7 +101,8 @@ vec3 punctualLight(Shading s, LightData light) {
     attenuation *= clamp(1.0 - ratio * ratio, 0.0, 1.0);
   }
   if (kind == LIGHT_SPOT) {
-    float cone = clamp((dot(-l, light.directionAndRange.xyz) - light.cone.x) * light.cone.y, 0.0, 1.0);
+    float cosine = dot(-l, light.directionAndRange.xyz);
+    float cone = clamp((cosine - light.cone.x) * light.cone.y, 0.0, 1.0);
     attenuation *= cone * cone;
   }
   return attenuation * light.color.rgb * reflected(s, l);
