@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How far a matching is from the optimum: a certified lower bound of the transport cost.
+#pragma once
+
+#include <lichen/transport.h>
+
+#include <cstdint>
+#include <span>
+
+namespace lichen {
+
+/// All in squared units of the points, means over the pairs.
+struct TransportBound {
+  double lowerBound = 0.0; ///< no bijection has a transportCost() below this
+  double cost = 0.0;       ///< transportCost() of the matching given
+  /// `cost` less the squared distance of the two means, which every bijection pays.
+  double centredCost = 0.0;
+
+  /// The part of centredCost that a better matching might save, at most.
+  [[nodiscard]] double excess() const {
+    return centredCost > 0.0 ? (cost - lowerBound) / centredCost : 0.0;
+  }
+};
+
+/// Bounds the cost of every bijection between two sets of one size N < 2^31 by the dual of the
+/// assignment problem: for any prices, sum_i min_j (|x_i - y_j|^2 + price_j) - sum_j price_j. The
+/// minima are exact and float rounding is subtracted, so the bound holds whatever `assignment` is;
+/// it is the closer the better `assignment` is, from whose pairs the prices are found. `tolerance`
+/// in [1e-6, 1] is the step of the prices in units of centredCost: the bound ends up about half a
+/// step below the optimum. On photographs, N = 65,536 and the default take about 20 s on one core.
+/// The same result for any number of threads. About 300 bytes a point.
+/// Sources: auction algorithm [Bertsekas 1988]; prices from coarse to fine [Merigot 2011].
+[[nodiscard]] TransportBound boundTransportCost(std::span<const Point> source,
+                                                std::span<const Point> target,
+                                                std::span<const std::uint32_t> assignment,
+                                                double tolerance = 5e-4);
+
+} // namespace lichen

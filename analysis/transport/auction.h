@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Dual prices of the assignment problem by auction.
+#pragma once
+
+#include "price_tree.h"
+
+#include <lichen/transport.h>
+
+#include <span>
+
+namespace lichen::transport {
+
+/// Buyers bid for their cheapest site until nearly all have one [Bertsekas 1988]: raises the prices
+/// in `sites` towards those at which every buyer's cheapest site is another, by at least
+/// `increment` > 0 a bid. As many buyers as sites. Sequential but for the first searches, so the
+/// result does not depend on the number of threads.
+void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment);
+
+} // namespace lichen::transport

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// What holds of every matching that assign() returns.
+#include "transport_exact.h"
+#include "transport_sets.h"
+
+#include <lichen/transport.h>
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+bool isBijection(std::vector<std::uint32_t> assignment) {
+  std::sort(assignment.begin(), assignment.end());
+  for (std::size_t i = 0; i < assignment.size(); ++i)
+    if (assignment[i] != i)
+      return false;
+  return true;
+}
+
+std::vector<std::uint32_t> assignWithThreads(int threads, const Points& source,
+                                             const Points& target) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  std::size_t(threads));
+  return assign(source, target, {});
+}
+
+/// Points along one axis.
+Points onAxis(const Points& points) {
+  Points result;
+  for (const Point& p : points)
+    result.push_back({p.x, 0.0f, 0.0f});
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("every matching is a bijection, for every pair of kinds of set and every small size") {
+  for (const std::size_t count : {1u, 2u, 3u, 7u, 48u, 49u, 300u})
+    for (const NamedSet& source : everyKindOfSet(count, 1))
+      for (const NamedSet& target : everyKindOfSet(count, 2)) {
+        INFO(count << " points: " << source.name << " to " << target.name);
+        const std::vector<std::uint32_t> assignment = assign(source.points, target.points, {});
+        REQUIRE(assignment.size() == count);
+        CHECK(isBijection(assignment));
+      }
+  CHECK(assign({}, {}, {}).empty());
+}
+
+TEST_CASE("in one dimension the matching is the sorted one") {
+  for (const std::size_t count : {2u, 48u, 49u, 1000u, 20000u}) {
+    const Points source = onAxis(gaussianCloud(count, 3));
+    const Points target = onAxis(clusters(count, 4));
+    std::vector<float> from, to;
+    for (std::size_t i = 0; i < count; ++i) {
+      from.push_back(source[i].x);
+      to.push_back(target[i].x);
+    }
+    std::sort(from.begin(), from.end());
+    std::sort(to.begin(), to.end());
+    double least = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      least += (double(from[i]) - double(to[i])) * (double(from[i]) - double(to[i]));
+    least /= double(count);
+    INFO(count << " points");
+    // Equal but for the order of the sum and for pairs that float rounding cannot tell apart.
+    CHECK(transportCost(source, target, assign(source, target, {})) == Approx(least).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("moving all points by one vector leaves the matching as it is") {
+  // Coordinates in 1/256 and a power of two of points: sums, means and shifted values are exact.
+  constexpr std::size_t kCount = 4096;
+  const auto onGrid = [](Points points, float shift) {
+    for (Point& p : points)
+      p = {std::round(p.x * 256.0f) / 256.0f + shift, std::round(p.y * 256.0f) / 256.0f - shift,
+           std::round(p.z * 256.0f) / 256.0f + 2.0f * shift};
+    return points;
+  };
+  const Points target = onGrid(gaussianCloud(kCount, 6), 0.0f);
+  const std::vector<std::uint32_t> atHome = assign(onGrid(clusters(kCount, 5), 0.0f), target, {});
+  CHECK(assign(onGrid(clusters(kCount, 5), 4.0f), target, {}) == atHome);
+}
+
+TEST_CASE("the matching is cheaper than every one of the trees it is made from") {
+  for (const NamedSet& source : everyKindOfSet(3000, 7)) {
+    const Points target = gaussianCloud(3000, 8);
+    const double cost = transportCost(source.points, target, assign(source.points, target, {}));
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const TransportOptions oneTree{.trees = 1, .swapRounds = 0, .exactRounds = 0, .seed = seed};
+      const double treeCost =
+          transportCost(source.points, target, assign(source.points, target, oneTree));
+      INFO(source.name << ", seed " << seed);
+      CHECK(cost <= treeCost * (1.0 + 1e-6));
+    }
+  }
+}
+
+TEST_CASE("a good start is not made worse") {
+  const Points source = quantizedColors(2000, 9);
+  const Points target = gaussianCloud(2000, 10);
+  const std::vector<std::uint32_t> start = assign(source, target, {});
+  const std::vector<std::uint32_t> improved = improveAssignment(source, target, start, {.seed = 5});
+  CHECK(isBijection(improved));
+  // A ten-thousandth of a per cent for float products; it does gain something.
+  CHECK(transportCost(source, target, improved) <=
+        transportCost(source, target, start) * (1.0 + 1e-6));
+}
+
+TEST_CASE("one thread and two give the same matching, and so does a second run") {
+  for (const NamedSet& source : everyKindOfSet(20000, 11)) {
+    const Points target = gaussianCloud(20000, 12);
+    const std::vector<std::uint32_t> alone = assignWithThreads(1, source.points, target);
+    INFO(source.name);
+    CHECK(assignWithThreads(2, source.points, target) == alone);
+    CHECK(assignWithThreads(2, source.points, target) == alone);
+  }
+}
+
+TEST_CASE("the seed decides the matching") {
+  const Points source = gaussianCloud(500, 13);
+  const Points target = clusters(500, 14);
+  const TransportOptions rough{.trees = 1, .swapRounds = 0, .exactRounds = 0, .seed = 1};
+  TransportOptions other = rough;
+  other.seed = 2;
+  CHECK(assign(source, target, rough) != assign(source, target, other));
+}
