@@ -191,9 +191,8 @@ TEST_CASE("the same picture twice is the same picture") {
   CHECK(render(glb, settingsOf(96, 54, 2)).values == render(glb, settingsOf(96, 54, 2)).values);
 }
 
-TEST_CASE("a mirrored node looks like a mesh that was stored mirrored") {
-  // The still life's metal ball has a negative scale; a ball is its own mirror image, so turning
-  // the texture the other way must give the same picture.
+TEST_CASE("a ball under a mirrored node looks like the ball") {
+  // A ball is its own mirror image: normals and winding must both turn for the same picture.
   GltfScene scene;
   const auto material = scene.addMaterial(
       {{"pbrMetallicRoughness", {{"baseColorFactor", {0.6, 0.5, 0.4, 1}}, {"metallicFactor", 0}}}});
