@@ -35,21 +35,18 @@ if [[ -z $photograph ]]; then
   photograph=$out/lichen_on_stone.png
 fi
 name=$(basename "${photograph%.*}")
-echo "$photograph"
 
 step 'Bake'
 lichen bake "$photograph" -o "$out/$name.glb"
-lichen bake "$photograph" --preview plane -o "$out/${name}_plane.glb"
 
 step 'Render'
-lichen-render "$out/$name.glb" -o "$out/${name}_sphere.png"
-lichen-render "$out/${name}_plane.glb" -o "$out/${name}_plane.png"
+lichen-render "$out/$name.glb" -o "$out/${name}_scene.png"
 lichen synth "$out/$name.glb" --size 2048x2048 -o "$out/${name}_flat.png"
 
 step 'Done'
 cat <<END
-pictures: $out/${name}_sphere.png
-          $out/${name}_plane.png
+exemplar: $photograph
+pictures: $out/${name}_scene.png
           $out/${name}_flat.png
 scene:    $out/$name.glb (any glTF viewer shows it, with the texture repeated)
 More:     README.md, docs/cli.md
