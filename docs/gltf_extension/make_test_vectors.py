@@ -33,8 +33,14 @@ def lattice_seed(seed, plane):
 
 
 def tile_offset(i, j, seed_word, width, height):
+    def offset(word, size):
+        step = 1
+        while size // (2 * step) >= 64:
+            step *= 2
+        return (word >> 16) * (size // step) // 65536 * step
+
     x, y, _ = pcg3d(i % WORD, j % WORD, seed_word)
-    return [((x >> 16) * width) >> 16, ((y >> 16) * height) >> 16]
+    return [offset(x, width), offset(y, height)]
 
 
 def signed(word):

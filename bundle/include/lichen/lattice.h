@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace lichen {
@@ -43,13 +44,26 @@ inline constexpr double kLatticeColumnsPerTile = 3.46410161513775458705489268301
   return pcg(pcg(seed) + plane);
 }
 
-/// The offset of a vertex's tile in whole texels: components in [0, width) x [0, height). The high
-/// 16 bits of the hash are scaled, which is unbiased to width / 65536.
+/// log2 of the step between neighbouring tile offsets on a side of `size` >= 1 texels: the largest
+/// power of two that leaves at least 64 offsets. The first mips of a power-of-two image then stay
+/// aligned from tile to tile, so that minified tiles are equally sharp.
+[[nodiscard]] constexpr std::uint32_t tileOffsetShift(std::uint32_t size) {
+  constexpr std::uint32_t kLeastOffsetsLog2 = 6;
+  const auto log2 = std::uint32_t(std::bit_width(size)) - 1u;
+  return log2 > kLeastOffsetsLog2 ? log2 - kLeastOffsetsLog2 : 0u;
+}
+
+/// The offset of a vertex's tile in whole texels: components in [0, width) x [0, height), multiples
+/// of the step. The high 16 bits of the hash are scaled, which is unbiased to 128 / 65536.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>
 tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t width,
                  std::uint32_t height) {
   const std::array<std::uint32_t, 3> h = pcg3d({i, j, seedWord});
-  return {((h[0] >> 16u) * width) >> 16u, ((h[1] >> 16u) * height) >> 16u};
+  const auto offset = [](std::uint32_t hash, std::uint32_t size) {
+    const std::uint32_t shift = tileOffsetShift(size);
+    return (((hash >> 16u) * (size >> shift)) >> 16u) << shift;
+  };
+  return {offset(h[0], width), offset(h[1], height)};
 }
 
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.
