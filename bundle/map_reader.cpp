@@ -266,7 +266,7 @@ void readLosses(ObjectReader& reader, NoiseMap& map) {
       reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
     map.mipLoss = std::move(*loss);
   }
-  if (const auto loss = reader.numbers("bilinearLoss", {0.0, 2.0})) {
+  if (const auto loss = reader.numbers("bilinearLoss", {0.0, 4.0})) {
     if (loss->size() != 2)
       return reader.error("map-bilinear-loss", "bilinearLoss",
                           std::to_string(loss->size()) + " values; 2 are accepted");

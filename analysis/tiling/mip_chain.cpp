@@ -152,9 +152,12 @@ LostVariance lostVariance(const Table& gaussian) {
     if (mip == 0) {
       full = covarianceAt(0, 0);
       const double variance = full.trace();
+      // The correlation of neighbours is in [-1, 1], but for rounding.
+      const auto lossAt = [&](int dx, int dy) {
+        return std::clamp(2.0 * (1.0 - covarianceAt(dx, dy).trace() / variance), 0.0, 4.0);
+      };
       if (variance > 0.0)
-        lost.bilinear = {2.0 * (1.0 - covarianceAt(1, 0).trace() / variance),
-                         2.0 * (1.0 - covarianceAt(0, 1).trace() / variance)};
+        lost.bilinear = {lossAt(1, 0), lossAt(0, 1)};
     }
     const double variance = full.trace() / double(n);
     const ChannelMatrix kept = bilinearCovariance(values, width, height, stride, channels);

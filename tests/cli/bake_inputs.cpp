@@ -149,6 +149,23 @@ TEST_CASE("images of one row, one column and one pixel bake cleanly and keep the
   }
 }
 
+TEST_CASE("exemplars whose neighbouring texels are opposite bake cleanly") {
+  const Workplace workplace;
+  SrgbImage squares(16, 16, 3), stripes(16, 16, 3);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c) {
+        squares.pixel(x, y)[c] = (x + y) % 2 == 0 ? 0.2f : 0.8f;
+        stripes.pixel(x, y)[c] = y % 2 == 0 ? 0.2f : 0.8f;
+      }
+  for (const auto& [name, image] :
+       {std::pair{"squares.png", squares}, std::pair{"stripes.png", stripes}}) {
+    INFO(name);
+    const std::string bundle = bake(workplace, workplace.write(name, image));
+    CHECK(runLichen({"check", bundle}).code == 0);
+  }
+}
+
 TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
   const Workplace workplace;
   SrgbImage image = speckled(8, 8, 4);

@@ -118,7 +118,8 @@ struct NoiseMap {
   /// sub-texel positions; one value per mip level, in [0, 1], not decreasing.
   std::vector<double> mipLoss;
   /// (a, b): at mip 0 and sub-texel position (f, g) in [0, 1)^2 the fetch loses
-  /// 1 - (1 - a f (1 - f)) (1 - b g (1 - g)); each in [0, 2].
+  /// 1 - (1 - a f (1 - f)) (1 - b g (1 - g)); each in [0, 4], above 2 where
+  /// neighbouring texels are anticorrelated.
   std::array<double, 2> bilinearLoss{0.0, 0.0};
 };
 
