@@ -10,6 +10,9 @@
 namespace lichen::tiling {
 namespace {
 
+/// Colours on a line or in a plane leave exactly the rounding's variance across it, up to sampling.
+constexpr double kLeastOverRounding = 2.0;
+
 /// One a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
 void blur(std::vector<float>& values, std::vector<float>& scratch, int width, int height,
           int channels, int stepX, int stepY) {
@@ -75,9 +78,10 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
   ColorSpace space{momentsOf(map.values, channels), {}};
   const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
   const double roundingVariance = map.quantum * map.quantum / 12.0;
+  const double leastVariance = kLeastOverRounding * roundingVariance;
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = channels; k-- > 0;) // largest first
-    if (solver.eigenvalues()[k] > roundingVariance)
+    if (solver.eigenvalues()[k] > leastVariance)
       kept.push_back(k);
   if (int(kept.size()) == channels) {
     space.basis = ChannelMatrix::Identity(channels, channels);

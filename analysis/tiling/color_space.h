@@ -24,8 +24,8 @@ struct Moments {
 [[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
 
 /// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the
-/// rows of `basis`: the directions whose deviation exceeds the rounding error of the stored values
-/// (quantum / sqrt(12)). A grey photograph stored as RGB has 1, a constant image 0. With all
+/// rows of `basis`: the directions whose variance is more than twice that of rounding the stored
+/// values (quantum^2 / 12). A grey photograph stored as RGB has 1, a constant image 0. With all
 /// channels varying the basis is the identity, so that each Gaussian channel goes with its colour.
 struct ColorSpace {
   Moments moments;

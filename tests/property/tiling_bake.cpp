@@ -316,6 +316,12 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
     }
     CHECK(bake(map).tables[0].format == TexelFormat::r8Unorm);
   }
+  SECTION("colours on a slanted line, rounded to 8 bits, still lie on a line") {
+    for (std::size_t i = 0; i < map.values.size(); i += 3)
+      for (std::size_t c = 1; c < 3; ++c)
+        map.values[i + c] = std::round(255.0f * (c == 1 ? 0.7f : 0.4f) * map.values[i]) / 255.0f;
+    CHECK(bake(map).tables[0].format == TexelFormat::r8Unorm);
+  }
   SECTION("colours in a plane have two Gaussian channels") {
     for (std::size_t i = 0; i < map.values.size(); i += 3)
       map.values[i + 2] = 0.5f * map.values[i] + 0.25f * map.values[i + 1];
