@@ -2,6 +2,8 @@
 // The affine space that an exemplar's values span.
 #pragma once
 
+#include "transport/covariance_map.h"
+
 #include <lichen/tiling.h>
 
 #include <Eigen/Dense>
@@ -13,8 +15,7 @@ namespace lichen::tiling {
 /// Vectors and matrices over the channels of one map, on the stack.
 inline constexpr int kMaxChannels = 3;
 using ChannelVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxChannels, 1>;
-using ChannelMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxChannels, kMaxChannels>;
+using ChannelMatrix = transport::SmallMatrix;
 
 /// Mean and covariance of interleaved values; `values.size()` is a multiple of `channels` (1 to 3).
 struct Moments {

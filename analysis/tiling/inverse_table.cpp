@@ -2,6 +2,8 @@
 // Pairs of Gaussian point and value (one a pixel) -> table of side^D cells.
 #include "inverse_table.h"
 
+#include "transport/covariance_map.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -30,23 +32,6 @@ std::vector<double> applyMass(const std::vector<double>& values, int side, std::
   return result;
 }
 
-/// The symmetric map that carries covariance `from` to `to` (as far as `from` has variance at all).
-ChannelMatrix covarianceMap(const ChannelMatrix& from, const ChannelMatrix& to) {
-  constexpr double kNoVariance = 1e-9;
-  const auto power = [](const ChannelMatrix& m, double exponent) -> ChannelMatrix {
-    const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(m);
-    const double floor = kNoVariance * std::max(solver.eigenvalues().maxCoeff(), 1e-300);
-    ChannelVector powered = ChannelVector::Zero(m.rows());
-    for (Eigen::Index k = 0; k < m.rows(); ++k)
-      if (solver.eigenvalues()[k] > floor)
-        powered[k] = std::pow(solver.eigenvalues()[k], exponent);
-    return solver.eigenvectors() * powered.asDiagonal() * solver.eigenvectors().transpose();
-  };
-  const ChannelMatrix root = power(from, 0.5);
-  const ChannelMatrix inverseRoot = power(from, -0.5);
-  return inverseRoot * power(root * to * root, 0.5) * inverseRoot;
-}
-
 /// Moves the table so that lookups have the wanted moments, within the range of the values it was
 /// fitted to; clamping disturbs the moments a little, so it is repeated.
 void matchMoments(InverseTable& table, std::span<const float> decoded) {
@@ -64,7 +49,7 @@ void matchMoments(InverseTable& table, std::span<const float> decoded) {
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     const Moments found = interpolatedMoments(table);
-    const ChannelMatrix map = covarianceMap(found.covariance, wanted.covariance);
+    const ChannelMatrix map = transport::covarianceMap(found.covariance, wanted.covariance);
     for (std::size_t i = 0; i < table.values.size(); i += channels) {
       ChannelVector d(table.channels);
       for (std::size_t c = 0; c < channels; ++c)

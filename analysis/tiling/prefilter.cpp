@@ -2,6 +2,8 @@
 // One inverse table -> kTableLevels tables, each averaged over what a fetch has lost.
 #include "prefilter.h"
 
+#include "transport/covariance_map.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -85,13 +87,6 @@ private:
   std::vector<Value> cells_;
 };
 
-/// Symmetric square root; negative eigenvalues, which only rounding makes, count as 0.
-ChannelMatrix squareRoot(const ChannelMatrix& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(symmetric);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-         solver.eigenvectors().transpose();
-}
-
 /// The loss matrix whose scalar is `level`, between nothing lost, the mips' and everything lost.
 ChannelMatrix lossAt(double level, const LostVariance& lost) {
   const auto n = lost.perMip.front().rows();
@@ -116,7 +111,7 @@ ChannelMatrix lossAt(double level, const LostVariance& lost) {
 /// Zero-mean Gaussian displacements with the covariance `loss` / 36.
 std::vector<std::array<float, 3>> displacements(const ChannelMatrix& loss, std::size_t count) {
   const auto n = int(loss.rows());
-  const ChannelMatrix root = squareRoot(loss);
+  const ChannelMatrix root = transport::power(loss, 0.5);
   std::vector<std::array<float, 3>> result;
   for (const Point& p : stratifiedGaussian(count, n, Precision::bits16)) {
     const std::array<float, 3> raw{p.x, p.y, p.z};

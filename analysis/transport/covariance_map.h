@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Powers of covariance matrices, and the linear map that carries one covariance to another.
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace lichen::transport {
+
+/// Up to 3 x 3, on the stack.
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+
+/// The symmetric matrix with the same eigenvectors and eigenvalues raised to `exponent`.
+/// Eigenvalues below 1e-12 of the largest, which is the rounding of float coordinates, count as
+/// zero and stay zero: the pseudo-inverse for negative exponents. `symmetric` is positive
+/// semidefinite.
+[[nodiscard]] SmallMatrix power(const SmallMatrix& symmetric, double exponent);
+
+/// The symmetric optimal-transport map between centred Gaussians,
+/// A^(-1/2) (A^(1/2) B A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19 eq. 2.40].
+[[nodiscard]] SmallMatrix covarianceMap(const SmallMatrix& from, const SmallMatrix& to);
+
+} // namespace lichen::transport
