@@ -57,7 +57,12 @@ OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
                 bundle.noises[i], *bundle.materials[i], file.previews[i]);
     needsTangents.push_back(!file.previews[i].normal.empty());
   }
-  addPreviewScene(root, builder, file.shape, needsTangents);
+  double aspect = 1.0;
+  if (!bundle.noises.empty()) {
+    const Table& gaussian = bundle.tables[bundle.noises.front().maps.front().gaussian];
+    aspect = double(gaussian.width) / double(gaussian.height);
+  }
+  addPreviewScene(root, builder, file.shape, needsTangents, aspect);
   if (!builder.accessors.empty())
     root["accessors"] = std::move(builder.accessors);
   root["bufferViews"] = std::move(builder.bufferViews);

@@ -67,7 +67,7 @@ std::vector<std::uint16_t> polarIndices(int rings, int sectors, int first, int l
 /// A sphere of radius 1 about the origin, mapped from the side that faces `toCamera` (a unit vector
 /// in the plane x = 0): the projection's only singular point is on the far side, so no seam and no
 /// pole is in sight.
-Mesh makeBall(const std::array<double, 3>& toCamera) {
+Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
   constexpr int kRings = 48;
   constexpr int kSectors = 96;
   const std::array<double, 3> right = {1.0, 0.0, 0.0};
@@ -88,7 +88,8 @@ Mesh makeBall(const std::array<double, 3>& toCamera) {
     mesh.normals.push_back(toFloat(position));
     mesh.tangents.push_back({tangent[0], tangent[1], tangent[2], 1.0f});
     // The middle of an exemplar faces the camera.
-    mesh.uvs.push_back({float(0.5 + radius * std::cos(phi)), float(0.5 - radius * std::sin(phi))});
+    mesh.uvs.push_back({float(0.5 + radius * std::cos(phi)),
+                        float(0.5 - exemplarAspect * radius * std::sin(phi))});
   };
   addVertex(0.0, 0.0);
   for (int r = 1; r <= kRings; ++r)
@@ -108,14 +109,15 @@ Mesh makeBall(const std::array<double, 3>& toCamera) {
 /// precision near the camera; its edge is 0.2 degrees below the horizon.
 constexpr int kGroundRings = 11;
 constexpr int kGroundSectors = 48;
-Mesh makeGround() {
+Mesh makeGround(double exemplarAspect) {
   constexpr double kFirstRadius = 0.5; // metres; the last is 512
   Mesh mesh;
   const auto addVertex = [&](double x, double z) {
     mesh.positions.push_back({float(x), 0.0f, float(z)});
     mesh.normals.push_back({0.0f, 1.0f, 0.0f});
     mesh.tangents.push_back({1.0f, 0.0f, 0.0f, 1.0f});
-    mesh.uvs.push_back({float(x * kExemplarsPerMetre), float(z * kExemplarsPerMetre)});
+    mesh.uvs.push_back(
+        {float(x * kExemplarsPerMetre), float(exemplarAspect * z * kExemplarsPerMetre)});
   };
   addVertex(0.0, 0.0);
   for (int r = 0; r < kGroundRings; ++r)
@@ -150,9 +152,11 @@ bool any(const std::vector<bool>& values) {
 }
 
 /// The ground, divided like a cake between the materials that `needsTangents` has elements for.
-void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>& needsTangents) {
+void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
+               double exemplarAspect) {
   const std::size_t materials = needsTangents.size();
-  const OrderedJson attributes = addAttributes(builder, makeGround(), any(needsTangents));
+  const OrderedJson attributes =
+      addAttributes(builder, makeGround(exemplarAspect), any(needsTangents));
   OrderedJson mesh = {{"name", "ground"}};
   for (std::size_t i = 0; i < materials; ++i) {
     const auto sector = [&](std::size_t part) {
@@ -167,8 +171,8 @@ void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>&
 
 /// One ball a material, side by side.
 void addBalls(OrderedJson& root, GltfBuilder& builder, const std::array<double, 3>& eye,
-              const std::vector<bool>& needsTangents) {
-  const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}));
+              const std::vector<bool>& needsTangents, double exemplarAspect) {
+  const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}), exemplarAspect);
   const OrderedJson attributes = addAttributes(builder, ball, any(needsTangents));
   const std::size_t indices = builder.addIndices(ball.indices);
   for (std::size_t i = 0; i < needsTangents.size(); ++i) {
@@ -220,7 +224,7 @@ void addCameraAndSun(OrderedJson& root, const std::array<double, 3>& eye) {
 } // namespace
 
 void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
-                     const std::vector<bool>& needsTangents) {
+                     const std::vector<bool>& needsTangents, double exemplarAspect) {
   if (shape == PreviewShape::none)
     return;
   const bool withBalls = shape == PreviewShape::sphere;
@@ -231,11 +235,11 @@ void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape
   root["nodes"] = OrderedJson::array();
   root["meshes"] = OrderedJson::array();
   if (withBalls)
-    addGround(root, builder, {needsTangents.front()});
+    addGround(root, builder, {needsTangents.front()}, exemplarAspect);
   else
-    addGround(root, builder, needsTangents);
+    addGround(root, builder, needsTangents, exemplarAspect);
   if (withBalls)
-    addBalls(root, builder, eye, needsTangents);
+    addBalls(root, builder, eye, needsTangents, exemplarAspect);
   addCameraAndSun(root, eye);
   OrderedJson nodeIndices = OrderedJson::array();
   for (std::size_t i = 0; i < root["nodes"].size(); ++i)

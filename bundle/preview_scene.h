@@ -10,8 +10,10 @@ namespace lichen {
 
 /// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Every material,
 /// as many as needsTangents has elements, is shown; a primitive has TANGENT exactly where its
-/// material's needsTangents is set. Nothing for PreviewShape::none.
+/// material's needsTangents is set. `exemplarAspect`, width over height, keeps the exemplar's
+/// proportions, since it spans one unit of texture coordinates each way; all share the geometry, so
+/// it is the first noise's. Nothing for PreviewShape::none.
 void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
-                     const std::vector<bool>& needsTangents);
+                     const std::vector<bool>& needsTangents, double exemplarAspect);
 
 } // namespace lichen

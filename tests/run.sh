@@ -59,4 +59,4 @@ step 'Result'
 [[ ${#skipped[@]} -eq 0 ]] || printf 'skipped: %s\n' "${skipped[@]}"
 [[ ${#failed[@]} -eq 0 ]] || printf 'FAILED: %s\n' "${failed[@]}"
 printf '%d passed, %d failed\n' "$passed" "${#failed[@]}"
-[[ ${#failed[@]} -eq 0 ]]
+[[ $passed -gt 0 && ${#failed[@]} -eq 0 ]]

@@ -3,6 +3,7 @@
 #include "command.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <charconv>
 #include <cstdio>
@@ -77,6 +78,10 @@ Result<void> checkOutput(const std::filesystem::path& output,
                  fmt::format("{}: the folder {} does not exist; make it first", output.string(),
                              folder.string())};
   return {};
+}
+
+std::string toText(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 void say(const SharedOptions& options, const std::string& line) {

@@ -5,6 +5,7 @@
 #include <lichen/result.h>
 
 #include <CLI/App.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <filesystem>
@@ -49,6 +50,9 @@ using Runner = std::function<Result<int>()>;
 /// folder that is absent (environment).
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
                                        const std::array<std::string, 2>& extensions);
+
+/// Indented JSON; bytes that are not UTF-8, as file names may have, are replaced.
+[[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 
 /// One line on standard output unless `quiet` or `json`.
 void say(const SharedOptions& options, const std::string& line);

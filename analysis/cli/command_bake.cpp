@@ -21,6 +21,9 @@ namespace {
 /// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
 constexpr int kTilesPerPreview = 2;
 
+/// What README.md recommends at most.
+constexpr int kPlentyOfPixels = 1024;
+
 struct Arguments {
   SharedOptions shared;
   std::string input;
@@ -86,7 +89,7 @@ void report(const Arguments& arguments, const BundleFile& file, bool periodic,
                                       {"tableBytes", tableBytes},
                                       {"notes", notes},
                                       {"seconds", seconds}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", toText(json));
     return;
   }
   for (const std::string& line : notes)
@@ -106,6 +109,13 @@ Result<int> run(const Arguments& arguments) {
     return image.error();
   std::vector<std::string> notes;
   const MapExemplar exemplar = baseColorExemplar(image.value(), notes);
+  // Before the work, which takes minutes: the user may rather shrink the photograph.
+  if (std::max(exemplar.width, exemplar.height) > kPlentyOfPixels)
+    note(
+        arguments.shared,
+        fmt::format("{} x {} pixels take long to bake and much memory to use; 256 to {} a side are "
+                    "plenty",
+                    exemplar.width, exemplar.height, kPlentyOfPixels));
   const std::string name = arguments.name.empty()
                                ? std::filesystem::path(arguments.input).stem().string()
                                : arguments.name;

@@ -42,7 +42,7 @@ Result<int> run(const Arguments& arguments) {
                                         {"errors", errors},
                                         {"warnings", findings.value().size() - errors},
                                         {"findings", list}};
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", toText(report));
   }
   say(arguments.shared, fmt::format("{}: {} errors, {} warnings", arguments.bundle, errors,
                                     findings.value().size() - errors));

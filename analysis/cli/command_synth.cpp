@@ -85,7 +85,7 @@ Result<int> run(Arguments& arguments) {
                                         {"width", arguments.synthesis.width},
                                         {"height", arguments.synthesis.height},
                                         {"seconds", seconds.count()}};
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", toText(report));
   }
   say(arguments.shared,
       fmt::format("{}: {} x {}, {:.2f} s", arguments.output, arguments.synthesis.width,
@@ -106,7 +106,7 @@ Runner addSynth(CLI::App& app) {
   verb->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   verb->add_option("--texels-per-tile", arguments->synthesis.texelsPerTile,
                    "Pixels across one exemplar; its own texels by default")
-      ->check(CLI::PositiveNumber);
+      ->check(numberIn(0x1p-10, 0x1p24));
   verb->add_option("--origin", arguments->origin,
                    "X,Y of the top left corner in tiles; large integer parts are exact")
       ->capture_default_str();

@@ -31,7 +31,7 @@ MapExemplar baseColorExemplar(const ImageFile& file, std::vector<std::string>& n
   MapExemplar map;
   map.target = MapTarget::baseColor;
   map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  notes = file.notes;
+  notes.insert(notes.end(), file.notes.begin(), file.notes.end());
   std::visit(
       [&](const auto& image) {
         map.width = image.width;

@@ -54,7 +54,21 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
     if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
       return usage("a map of " + std::to_string(map.channels.size()) +
                    " channels: 1 to 3 are accepted");
+    if (map.values.size() != std::size_t(map.width) * std::size_t(map.height) * map.channels.size())
+      return usage("a map with " + std::to_string(map.values.size()) +
+                   " values: width x height x channels are needed");
+    if (!std::all_of(map.values.begin(), map.values.end(),
+                     [](float v) { return std::isfinite(v); }))
+      return usage("a map with a value that is not finite: finite values are accepted");
+    if (!(map.quantum > 0.0) || !(map.quantum <= 1.0))
+      return usage("a quantum of " + std::to_string(map.quantum) +
+                   ": above 0 and at most 1 is accepted");
   }
+  const TransportOptions& transport = options.transport;
+  if (transport.trees < 1 || transport.trees > 256 || transport.blockSize < 2 ||
+      transport.blockSize > 256 || transport.swapRounds < 0 || transport.exactRounds < 0)
+    return usage("transport options: 1 to 256 trees, blocks of 2 to 256 points and no negative "
+                 "number of rounds are accepted");
   return {};
 }
 

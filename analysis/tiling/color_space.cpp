@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lichen::tiling {
 namespace {
@@ -36,20 +37,29 @@ void blur(std::vector<float>& values, std::vector<float>& scratch, int width, in
   values.swap(scratch);
 }
 
-/// Sum over scales s of 2^-s (blurred by 2^s texels), normalised: small scales decide first.
+/// Average over scales s, with weights 2^-s, of the image blurred by 2^s texels: small scales
+/// decide first. A side too short for a scale is not blurred along it.
 std::vector<float> surroundings(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   std::vector<float> blurred = map.values;
   std::vector<float> scratch(blurred.size());
   std::vector<float> sum(blurred.size(), 0.0f);
   float weight = 0.5f;
-  // Up to a quarter of the shorter side: beyond it the wrapped kernel averages the whole image.
-  for (int step = 1; 4 * step <= std::min(map.width, map.height); step *= 2, weight *= 0.5f) {
-    blur(blurred, scratch, map.width, map.height, channels, step, 0);
-    blur(blurred, scratch, map.width, map.height, channels, 0, step);
+  float total = 0.0f;
+  // Up to a quarter of a side: beyond it the wrapped kernel averages the whole of it.
+  for (int step = 1; 4 * step <= std::max(map.width, map.height); step *= 2, weight *= 0.5f) {
+    if (4 * step <= map.width)
+      blur(blurred, scratch, map.width, map.height, channels, step, 0);
+    if (4 * step <= map.height)
+      blur(blurred, scratch, map.width, map.height, channels, 0, step);
     for (std::size_t i = 0; i < sum.size(); ++i)
       sum[i] += weight * blurred[i];
+    total += weight;
   }
+  if (total == 0.0f)
+    return map.values;
+  for (float& value : sum)
+    value /= total;
   return sum;
 }
 
@@ -101,7 +111,9 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
 std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space) {
   const int channels = int(map.channels.size());
   const std::vector<float> around = surroundings(map);
-  const auto tieBreak = float(0.5 * map.quantum);
+  const auto [low, high] = std::minmax_element(map.values.begin(), map.values.end());
+  const float range = std::max(*high - *low, std::numeric_limits<float>::min());
+  const auto tieBreak = float(0.5 * map.quantum) / range;
   std::vector<Point> points(map.values.size() / std::size_t(channels));
   tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
     ChannelVector d(channels);

@@ -90,6 +90,10 @@ ChannelMatrix autocovariance(const std::vector<float>& values, int width, int he
   return 0.5 * (covariance + covariance.transpose());
 }
 
+/// A Gaussian image with less than this variance, of 1/36, is constant up to the rounding of the
+/// sums.
+constexpr double kNoVariance = 1e-12;
+
 /// A bilinear fetch at a uniform sub-texel position averages neighbours with E[w^2] = 1/3 each and
 /// E[w (1 - w)] = 1/6: its covariance is sum b(k) R(k) with b = (1/6, 2/3, 1/6) on each axis.
 constexpr std::array<double, 3> kBilinearAutocorrelation{1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
@@ -156,13 +160,13 @@ LostVariance lostVariance(const Table& gaussian) {
       const auto lossAt = [&](int dx, int dy) {
         return std::clamp(2.0 * (1.0 - covarianceAt(dx, dy).trace() / variance), 0.0, 4.0);
       };
-      if (variance > 0.0)
+      if (variance > kNoVariance)
         lost.bilinear = {lossAt(1, 0), lossAt(0, 1)};
     }
     const double variance = full.trace() / double(n);
     const ChannelMatrix kept = bilinearCovariance(values, width, height, stride, channels);
-    lost.perMip.push_back(variance > 0.0 ? ChannelMatrix((full - kept) / variance)
-                                         : ChannelMatrix(ChannelMatrix::Zero(n, n)));
+    lost.perMip.push_back(variance > kNoVariance ? ChannelMatrix((full - kept) / variance)
+                                                 : ChannelMatrix(ChannelMatrix::Zero(n, n)));
   }
   return lost;
 }

@@ -13,8 +13,8 @@
 namespace lichen::tiling {
 
 /// The image as an R8, RG8, RGBA8 (bits 8) or R16F, RG16F, RGBA16F (bits 16) table with all mips
-/// down to 1 x 1. Each texel of a level is the area average of level 0 over it, so odd sides lose
-/// no row; D = 3 is stored with alpha 1.
+/// down to 1 x 1. Each texel of a level is the area average of the level above, so odd sides
+/// lose no row; D = 3 is stored with alpha 1.
 [[nodiscard]] Table gaussianTable(const Gaussianized& gaussianized, int bits);
 
 /// What fetches of the stored table lose of its level 0's covariance.

@@ -15,6 +15,10 @@ namespace {
 constexpr int kMaxSide = 16384;
 constexpr double kMaxOrigin = 0x1p40;
 constexpr int kMaxPreviewSide = 1024;
+/// One pixel then spans 1,024 tiles, far beyond the last mip; a footprint must stay a finite float.
+constexpr double kLeastTexelsPerTile = 0x1p-10;
+/// A smaller periodic lattice would need less than three columns and four rows.
+constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
@@ -26,9 +30,15 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (options.noise >= bundle.noises.size())
     return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
-  if (!(options.texelsPerTile >= 0.0) || !(options.texelsPerTile <= 0x1p24))
+  if (options.texelsPerTile != 0.0 &&
+      !(options.texelsPerTile >= kLeastTexelsPerTile && options.texelsPerTile <= 0x1p24))
     return usage("texels per tile " + std::to_string(options.texelsPerTile) +
-                 ": a number above 0 and at most 2^24 is accepted");
+                 ": from 1/1024 to 2^24 is accepted");
+  if (!(options.blendSharpness >= 0.25 && options.blendSharpness <= 16.0))
+    return usage("blend sharpness " + std::to_string(options.blendSharpness) +
+                 ": from 0.25 to 16 is accepted");
+  if (!(options.contrast >= 0.0 && options.contrast <= 4.0))
+    return usage("contrast " + std::to_string(options.contrast) + ": from 0 to 4 is accepted");
   for (const double coordinate : options.origin)
     if (!(std::abs(coordinate) <= kMaxOrigin))
       return usage("origin " + std::to_string(coordinate) +
@@ -112,12 +122,21 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
                  std::string(nameOf(options.map)));
   const Table& gaussian = gaussianOf(bundle, options.noise, *map);
   const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
-  return evaluateInMemory(bundle, options, {pixels, pixels * gaussian.height / gaussian.width},
-                          *map);
+  const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
+  if (options.tileable &&
+      std::min(options.width / perTile[0], options.height / perTile[1]) < kLeastPeriodTiles)
+    return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+                 " is under half a tile: a tileable image of at least " +
+                 std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
+                 std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) + " is accepted");
+  return evaluateInMemory(bundle, options, perTile, *map);
 }
 
 Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, MapTarget target,
                                       std::uint32_t seed, int tiles) {
+  if (noise >= bundle.noises.size() || tiles < 1 || tiles > kMaxPreviewSide)
+    return usage("a preview of noise " + std::to_string(noise) + " with " + std::to_string(tiles) +
+                 " tiles a side: a noise of the bundle and 1 to 1024 tiles are accepted");
   const std::optional<std::size_t> map = findMap(bundle.noises[noise], target);
   if (!map)
     return usage("noise '" + bundle.noises[noise].name + "' has no map " +

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <vector>
 
 namespace lichen::transport {
 namespace {
 
+/// Below this, a part is too short to be worth a task of its own.
 constexpr std::size_t kTaskSize = 8192;
 
 using Frame = std::array<Point, 3>;
@@ -37,8 +37,8 @@ struct Member {
   std::uint32_t index;
 };
 
-/// Reorders members[first, last) so that runs of at most blockSize are spatial neighbours, and
-/// appends nothing: the run boundaries follow from the counts alone (blockBoundary).
+/// The pairs, ordered so that runs of at most blockSize are spatial neighbours; where the runs end
+/// follows from the counts alone.
 class BlockPartition {
 public:
   BlockPartition(const PointPair& points, std::span<const std::uint32_t> assignment, int blockSize,
@@ -130,12 +130,17 @@ struct Gathered {
   }
 };
 
+/// Squared relative rounding error of a three-term product of floats, (2^-20)^2 with room to spare.
+constexpr float kRoundingOfProduct = 1e-12f;
+
 struct SwapWork {
   Gathered points;
 
   void improve(std::span<const Member> block, std::span<std::uint32_t> assignment) {
     const std::size_t n = block.size();
-    for (bool changed = true; changed;) {
+    // Exchanges that rounding alone calls improvements could go in circles: the passes are counted.
+    bool changed = true;
+    for (std::size_t pass = 0; changed && pass < n; ++pass) {
       changed = false;
       for (std::size_t i = 0; i + 1 < n; ++i)
         for (std::size_t j = i + 1; j < n; ++j) {
@@ -145,8 +150,9 @@ struct SwapWork {
           const Point dt{points.target[i].x - points.target[j].x,
                          points.target[i].y - points.target[j].y,
                          points.target[i].z - points.target[j].z};
-          // Strictly below rounding's reach, so that the loop ends.
-          if (dot(ds, dt) < -1e-9f) {
+          const float product = dot(ds, dt);
+          if (product < 0.0f &&
+              product * product > kRoundingOfProduct * dot(ds, ds) * dot(dt, dt)) {
             std::swap(points.target[i], points.target[j]);
             std::swap(points.targetIndex[i], points.targetIndex[j]);
             changed = true;

@@ -7,6 +7,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lichen::transport {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <lichen/transport.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include <lichen/headless_device.h>
 
 #include <algorithm>
+#include <utility>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -95,13 +96,16 @@ int preference(VkPhysicalDeviceType type) {
 /// The chosen index, or `names.size()` when `choice` fits none.
 std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
                        const std::string& choice) {
-  if (choice.empty())
-    return std::size_t(std::min_element(devices.begin(), devices.end(),
-                                        [](const auto& a, const auto& b) {
-                                          return preference(a.deviceType) <
-                                                 preference(b.deviceType);
-                                        }) -
-                       devices.begin());
+  if (choice.empty()) {
+    // A device that is too old comes last, whatever its type.
+    const auto rank = [](const VkPhysicalDeviceProperties& device) {
+      return std::pair(device.apiVersion < VK_API_VERSION_1_3, preference(device.deviceType));
+    };
+    const auto best =
+        std::min_element(devices.begin(), devices.end(),
+                         [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return std::size_t(best - devices.begin());
+  }
   std::size_t index = 0;
   const char* end = choice.data() + choice.size();
   if (const auto parsed = std::from_chars(choice.data(), end, index);

@@ -29,7 +29,7 @@ class PanoramaPyramid {
 public:
   explicit PanoramaPyramid(const LinearImage& panorama) {
     levels_.push_back(panorama);
-    while (levels_.back().height > 2) {
+    while (std::min(levels_.back().width, levels_.back().height) > 2) {
       const LinearImage& fine = levels_.back();
       LinearImage coarse(fine.width / 2, fine.height / 2, 3);
       for (int y = 0; y < coarse.height; ++y)

@@ -73,10 +73,10 @@ float lichenTilingLevel(LichenTaps taps, LichenNoise noise, LichenMap map) {
   vec2 texelsX = taps.gradientX * size;
   vec2 texelsY = taps.gradientY * size;
   vec2 squared = vec2(dot(texelsX, texelsX), dot(texelsY, texelsY));
-  float major = max(squared.x, squared.y);
+  const float kLeast = 1.0e-20; // texels^2; keeps log2 and the ratio defined where nothing changes
+  float major = max(max(squared.x, squared.y), kLeast);
   float level = 0.5 * log2(major);
 #if LICHEN_ANISOTROPIC
-  const float kLeast = 1.0e-20; // texels^2; keeps 0 / 0 away
   float minor = max(min(squared.x, squared.y), kLeast);
   level -= 0.25 * log2(clamp(major / minor, 1.0, noise.maxAnisotropy * noise.maxAnisotropy));
 #endif

@@ -277,6 +277,23 @@ TEST_CASE("an exemplar that tiles is told from a crop that does not") {
   }
 }
 
+TEST_CASE("a strip too short to judge across is judged along") {
+  MapExemplar ramp = test::threeMaterials(256, 6, 1, 1);
+  for (std::size_t i = 0; i < ramp.values.size(); ++i)
+    ramp.values[i] = float(i / 3 % 256) / 255.0f;
+  CHECK_FALSE(isPeriodic(ramp));
+}
+
+TEST_CASE("the seam itself shows the displaced image alone, at every size") {
+  for (const int side : {8, 16, 64}) {
+    const Baked b = baked(test::threeMaterials(side, side, 2, 1));
+    const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, side, side);
+    // Beside the corner both cross-fades have weight 1: half a side away on both axes.
+    const Point& corner = b.gaussian.matched[std::size_t(side / 2 * side + side / 2)];
+    CHECK(faded[0].x == Approx(corner.x).margin(1e-5));
+  }
+}
+
 TEST_CASE("blended borders continue each other as neighbours inside do") {
   const Baked b = baked(test::cropped(test::threeMaterials(128, 128, 6, 5), 5, 5, 96, 80));
   const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, 96, 80);
@@ -396,4 +413,26 @@ TEST_CASE("options and maps out of range are refused") {
   REQUIRE_FALSE(result);
   CHECK(result.error().kind == ErrorKind::usage);
   CHECK_FALSE(bakeTiling("x", {}, TilingOptions{}));
+  const auto refused = [](const MapExemplar& given, const TilingOptions& with) {
+    const Result<TilingBake> bake = bakeTiling("x", {&given, 1}, with);
+    return !bake && bake.error().kind == ErrorKind::usage;
+  };
+  options = TilingOptions{};
+  options.transport.blockSize = 0;
+  CHECK(refused(map, options));
+  MapExemplar broken = map;
+  broken.values.pop_back();
+  CHECK(refused(broken, TilingOptions{}));
+  broken = map;
+  broken.values[7] = std::nanf("");
+  CHECK(refused(broken, TilingOptions{}));
+  broken = map;
+  broken.channels.clear();
+  CHECK(refused(broken, TilingOptions{}));
+  broken = map;
+  broken.width = 0;
+  CHECK(refused(broken, TilingOptions{}));
+  broken = map;
+  broken.quantum = 0.0;
+  CHECK(refused(broken, TilingOptions{}));
 }

@@ -274,6 +274,26 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
   options = sized(8, 8);
   options.noise = 3;
   CHECK(refused(options));
+  for (const double texels : {1e-40, 1e-4, -1.0, 1e30, std::nan("")}) {
+    options = sized(8, 8);
+    options.texelsPerTile = texels;
+    CHECK(refused(options));
+  }
+  for (const double sharpness : {0.0, 1000.0, std::nan("")}) {
+    options = sized(8, 8);
+    options.blendSharpness = sharpness;
+    CHECK(refused(options));
+  }
+  for (const double contrast : {-0.1, 4.1, std::nan("")}) {
+    options = sized(8, 8);
+    options.contrast = contrast;
+    CHECK(refused(options));
+  }
+  options = sized(63, 128); // under half of the tile's 128 texels
+  options.tileable = true;
+  CHECK(refused(options));
+  CHECK_FALSE(synthesizePreview(exampleBundle(), 0, MapTarget::baseColor, 1, 0));
+  CHECK_FALSE(synthesizePreview(exampleBundle(), 1, MapTarget::baseColor, 1, 1));
 }
 
 TEST_CASE("a noise that this version cannot evaluate is refused by name") {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -131,4 +132,27 @@ TEST_CASE("the seed decides the matching") {
   TransportOptions other = rough;
   other.seed = 2;
   CHECK(assign(source, target, rough) != assign(source, target, other));
+}
+
+TEST_CASE("exchanges that only rounding calls better come to an end") {
+  // Two clusters; in each the sources lie on a line and the targets on an orthogonal one, so that
+  // every product of differences is rounding.
+  std::vector<Point> source;
+  std::vector<Point> target;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<float> uniform(-0.5f, 0.5f);
+  for (int i = 0; i < 2048; ++i) {
+    const float spread = 10.0f;
+    const float u = spread * uniform(generator);
+    const float v = spread * uniform(generator);
+    const float z = i % 2 == 0 ? spread : -spread;
+    // An orthonormal frame that no coordinate axis belongs to.
+    const auto place = [](float x, float y, float d) {
+      return Point{0.6f * x - 0.8f * (0.6f * y + 0.8f * d), 0.8f * x + 0.6f * (0.6f * y + 0.8f * d),
+                   -0.8f * y + 0.6f * d};
+    };
+    source.push_back(i % 2 == 0 ? place(u, 0.0f, z) : place(0.0f, u, z));
+    target.push_back(i % 2 == 0 ? place(0.0f, v, z) : place(v, 0.0f, z));
+  }
+  CHECK(assign(source, target, TransportOptions{}).size() == source.size());
 }

@@ -17,12 +17,13 @@ struct SynthesisOptions {
   MapTarget map = MapTarget::baseColor;
   int width = 0;  ///< pixels, [1, 16384]
   int height = 0; ///< pixels, [1, 16384]
-  /// Pixels across one exemplar's width; 0 for the exemplar's own texels, one a pixel.
+  /// Pixels across one exemplar's width, [1/1024, 2^24]; 0 for the exemplar's own, one texel a
+  /// pixel.
   double texelsPerTile = 0.0;
   /// Of the image's top left corner, in tiles. The integer part may be as large as 2^40.
   std::array<double, 2> origin{0.0, 0.0};
   std::uint32_t seed = 1;
-  bool tileable = false; ///< opposite borders continue each other; `origin` then has no meaning
+  bool tileable = false;       ///< opposite borders continue each other; at least half a tile
   double blendSharpness = 1.0; ///< [0.25, 16]
   double contrast = 1.0;       ///< [0, 4]
   BlendOperator blend = BlendOperator::histogramPreserving;
@@ -35,7 +36,8 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
 /// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
-/// glTF material. At most 1024 pixels a side, at least one a tile.
+/// glTF material. At most 1024 pixels a side. Errors: usage for
+/// an index out of range, a map that the noise has not, or tiles outside [1, 1024].
 [[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
                                                     MapTarget map, std::uint32_t seed, int tiles);
 

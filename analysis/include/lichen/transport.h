@@ -32,7 +32,7 @@ struct TransportOptions {
 /// A bijection p that makes sum |source[i] - target[p[i]]|^2 small: near the optimum for every
 /// distribution, exact in one dimension. Both sets have the same size N < 2^32 and finite
 /// coordinates. Directions in which the sources do not vary are matched arbitrarily.
-/// O(N log N) time, about 60 bytes a point beyond the arguments. The same result for any number of
+/// O(N log N) time, about 80 bytes a point beyond the arguments. The same result for any number of
 /// threads. Source: binary-partition trees as in BSP-OT [Genest et al. 2025], on the pair of sets
 /// made alike by the closed-form map between their covariances (docs/theory.md).
 [[nodiscard]] std::vector<std::uint32_t> assign(std::span<const Point> source,

@@ -79,7 +79,7 @@ void applyNoise(inout Surface surface, LichenTaps taps) {
   if (material.noiseMaps[NOISE_BASE_COLOR] >= 0)
     surface.baseColor.rgb *= NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
   if (material.noiseMaps[NOISE_NORMAL] >= 0) {
-    vec2 slopes = NOISE_VALUE(NOISE_NORMAL, normal, taps).xy;
+    vec2 slopes = material.factors.z * NOISE_VALUE(NOISE_NORMAL, normal, taps).xy;
     surface.tangentNormal = lichenNormalFromSlopes(lichenSlopesToUv(slopes, noiseData.noise));
   }
   if (material.noiseMaps[NOISE_ORM] >= 0) {
