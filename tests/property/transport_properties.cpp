@@ -136,23 +136,25 @@ TEST_CASE("the seed decides the matching") {
 
 TEST_CASE("exchanges that only rounding calls better come to an end") {
   // Two clusters; in each the sources lie on a line and the targets on an orthogonal one, so that
-  // every product of differences is rounding.
+  // the products of their differences are rounding.
+  const Point a{0.26726124f, 0.53452248f, 0.80178373f};
+  const Point b{0.49099025f, -0.82594490f, 0.38696659f}; // orthogonal to a
+  const Point c{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  const auto place = [&](float alongA, float alongB, float alongC) {
+    return Point{alongA * a.x + alongB * b.x + alongC * c.x,
+                 alongA * a.y + alongB * b.y + alongC * c.y,
+                 alongA * a.z + alongB * b.z + alongC * c.z};
+  };
+  std::mt19937 generator(3);
+  std::normal_distribution<float> spread(0.0f, 5.0f);
   std::vector<Point> source;
   std::vector<Point> target;
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<float> uniform(-0.5f, 0.5f);
   for (int i = 0; i < 2048; ++i) {
-    const float spread = 10.0f;
-    const float u = spread * uniform(generator);
-    const float v = spread * uniform(generator);
-    const float z = i % 2 == 0 ? spread : -spread;
-    // An orthonormal frame that no coordinate axis belongs to.
-    const auto place = [](float x, float y, float d) {
-      return Point{0.6f * x - 0.8f * (0.6f * y + 0.8f * d), 0.8f * x + 0.6f * (0.6f * y + 0.8f * d),
-                   -0.8f * y + 0.6f * d};
-    };
-    source.push_back(i % 2 == 0 ? place(u, 0.0f, z) : place(0.0f, u, z));
-    target.push_back(i % 2 == 0 ? place(0.0f, v, z) : place(v, 0.0f, z));
+    const float s = spread(generator);
+    const float t = spread(generator);
+    const bool first = i % 2 == 1;
+    source.push_back(first ? place(s, 0.0f, 15.0f) : place(0.0f, s, -15.0f));
+    target.push_back(first ? place(0.0f, t, 15.0f) : place(t, 0.0f, -15.0f));
   }
   CHECK(assign(source, target, TransportOptions{}).size() == source.size());
 }
