@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <limits>
@@ -26,12 +27,14 @@ struct Choice {
   std::uint32_t place = 0;
   double cost = std::numeric_limits<double>::infinity();
   double nextCost = std::numeric_limits<double>::infinity();
+  double highestCost = -std::numeric_limits<double>::infinity(); ///< on the list
 };
 
 Choice choose(const Point& buyer, const PriceTree& sites, const Shortlist& list) {
   Choice choice;
   for (std::size_t k = 0; k < list.count; ++k) {
     const double cost = sites.cost(buyer, list.places[k]);
+    choice.highestCost = std::max(choice.highestCost, cost);
     if (cost < choice.cost) {
       choice.nextCost = choice.cost;
       choice.cost = cost;
@@ -60,7 +63,7 @@ void runAuction(std::span<const Point> buyers, PriceTree& sites, double incremen
     waiting.pop_front();
     Choice choice = choose(buyers[buyer], sites, lists[buyer]);
     if (choice.nextCost > lists[buyer].othersCost) {
-      lists[buyer] = sites.cheapest(buyers[buyer]);
+      lists[buyer] = sites.cheapest(buyers[buyer], choice.highestCost);
       choice = choose(buyers[buyer], sites, lists[buyer]);
     }
     sites.setPrice(choice.place,

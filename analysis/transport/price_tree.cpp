@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -155,10 +156,14 @@ void PriceTree::visit(Search<kWanted>& search, std::size_t node) const {
     visit(search, nearer ^ 1u);
 }
 
-Shortlist PriceTree::cheapest(const Point& x) const {
+Shortlist PriceTree::cheapest(const Point& x, double limit) const {
   Search<Shortlist::kCapacity> search(x);
+  // One above: sites at the limit itself are still wanted.
+  search.cost.fill(std::nextafter(limit, std::numeric_limits<double>::infinity()));
   visit(search, 1);
-  return {search.place, std::min(sites_.size(), Shortlist::kCapacity), search.cost.back()};
+  if (sites_.size() <= Shortlist::kCapacity)
+    return {search.place, sites_.size(), std::numeric_limits<double>::infinity()};
+  return {search.place, Shortlist::kCapacity, search.cost.back()};
 }
 
 double PriceTree::leastCost(const Point& x) const {

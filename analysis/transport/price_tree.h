@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,10 @@ public:
   /// At least one site, finite, and a price for each. Fast while prices stay near those given.
   PriceTree(std::span<const Point> sites, std::span<const double> prices);
 
-  /// About O(log N). Thread-safe while no price changes.
-  [[nodiscard]] Shortlist cheapest(const Point& x) const;
+  /// About O(log N). Thread-safe while no price changes. A search is the faster the lower `limit`:
+  /// a cost that at least Shortlist::kCapacity sites are known not to exceed, or all there are.
+  [[nodiscard]] Shortlist cheapest(const Point& x,
+                                   double limit = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] double leastCost(const Point& x) const;
 
   [[nodiscard]] double cost(const Point& x, std::uint32_t place) const;

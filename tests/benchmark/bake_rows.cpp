@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Time and peak memory of bakes.
+#include "exemplars.h"
+#include "rows.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <materials.h>
+#include <memory>
+#include <optional>
+#include <tiling/gaussianize.h>
+#include <tiling/inverse_table.h>
+#include <tiling/mip_chain.h>
+#include <tiling/prefilter.h>
+
+namespace lichen::bench {
+namespace {
+
+constexpr int kRuns = 5;
+
+struct ChildBake {
+  double seconds = 0.0;
+  double megabytes = 0.0;
+};
+
+/// Bakes in a process of its own, whose peak memory nothing else has raised.
+std::optional<ChildBake> bakeInChild(int sidePixels) {
+  std::error_code none;
+  const std::string command = "'" + std::filesystem::read_symlink("/proc/self/exe", none).string() +
+                              "' --peak-memory-of-bake " + std::to_string(sidePixels);
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  ChildBake bake;
+  if (pipe == nullptr || std::fscanf(pipe.get(), "%lf %lf", &bake.seconds, &bake.megabytes) != 2)
+    return std::nullopt;
+  return bake;
+}
+
+void appendChildBake(std::vector<Row>& rows, int sidePixels, double secondsTarget,
+                     double megabytesTarget) {
+  const std::string size = std::to_string(sidePixels) + " x " + std::to_string(sidePixels);
+  const std::optional<ChildBake> bake = bakeInChild(sidePixels);
+  if (!bake) {
+    rows.push_back({"bake of " + size, 0.0, secondsTarget, "s", "the child process failed", true});
+    return;
+  }
+  rows.push_back({"bake of " + size + " RGB, once, in a process of its own", bake->seconds,
+                  secondsTarget, "s", "rust"});
+  rows.push_back({"its peak memory", bake->megabytes, megabytesTarget, "MB",
+                  "the whole process, VmHWM; the exemplar's generation included"});
+}
+
+/// Time of the prefiltered levels alone.
+double levelSeconds(const SrgbImage& image) {
+  using namespace tiling;
+  const MapExemplar map = baseColorMap(image);
+  const ColorSpace space = colorSpaceOf(map);
+  const std::vector<Point> points = transportPoints(map, space);
+  const Gaussianized gaussian =
+      gaussianize(map, points, space.dimensions(), true, Precision::bits8, {});
+  const Table table = gaussianTable(gaussian, 8);
+  const LostVariance lost = lostVariance(table);
+  std::vector<float> light;
+  for (const float value : map.values)
+    light.push_back(srgbToLinear(value));
+  const InverseTable inverse = fitInverseTable(gaussian, points, light, 3, {});
+  return medianSeconds(kRuns, [&] { return prefilteredSlabs(inverse, lost); });
+}
+
+} // namespace
+
+double bakeOnce(int sidePixels) {
+  const SrgbImage image = exemplars::rust(sidePixels);
+  const double start = secondsNow();
+  const Bundle bundle = bakedBundle(image);
+  return secondsNow() - start;
+}
+
+std::vector<Row> bakeRows() {
+  constexpr int kSide = 256;
+  std::vector<Row> rows;
+  const SrgbImage image = exemplars::rust(kSide);
+  rows.push_back({"bake of 256 x 256 RGB with its table and levels",
+                  medianSeconds(kRuns, [&] { return bakedBundle(image); }), 0.7, "s",
+                  "rust, median of 5"});
+  const std::optional<ChildBake> child = bakeInChild(kSide);
+  rows.push_back({"its peak memory", child ? child->megabytes : 0.0, 64.0, "MB",
+                  child ? "the whole process, VmHWM" : "the child process failed", !child});
+  rows.push_back(
+      {"all prefiltered levels of the table", levelSeconds(image), 0.3, "s", "rust, median of 5"});
+  return rows;
+}
+
+std::vector<Row> growthRows() {
+  // Close to linear from the 0.7 s of 256 x 256 to the 14 s of 1024 x 1024.
+  std::vector<Row> rows;
+  appendChildBake(rows, 512, 3.5, 150.0);
+  appendChildBake(rows, 1024, 14.0, 400.0);
+  return rows;
+}
+
+} // namespace lichen::bench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The images that lichen-bench measures with.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/image.h>
+#include <lichen/tiling.h>
+
+#include <string>
+#include <vector>
+
+namespace lichen::bench {
+
+struct Exemplar {
+  std::string name;
+  SrgbImage image;
+};
+
+/// The generated materials at 256 x 256, then crops of that size from the photographs in
+/// ../shared/exemplars, if that folder is there.
+[[nodiscard]] std::vector<Exemplar> exemplars256();
+
+[[nodiscard]] MapExemplar baseColorMap(const SrgbImage& image);
+
+/// The bundle of one baked exemplar, with its material. Ends the program with the bake's message if
+/// it fails: there is nothing to measure then.
+[[nodiscard]] Bundle bakedBundle(const SrgbImage& image);
+
+} // namespace lichen::bench

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What lichen-bench prints: a number beside its target, and the families that measure them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lichen::bench {
+
+/// One measurement. Every target of TARGETS.md is an upper limit.
+struct Row {
+  std::string what;
+  double measured = 0.0;
+  double target = 0.0;
+  std::string unit; ///< empty for a ratio
+  /// How it was measured, or why it could not be, for the reader of a missed target.
+  std::string note;
+  bool skipped = false; ///< the machine lacks something, said in `note`
+
+  [[nodiscard]] bool met() const { return !skipped && measured <= target; }
+};
+
+/// Median of an unsorted list; the lower of the two middle ones for an even count.
+[[nodiscard]] double median(std::vector<double> values);
+
+/// Seconds that `work` takes, the median of `runs`.
+template <class Work>
+[[nodiscard]] double medianSeconds(int runs, Work&& work);
+
+[[nodiscard]] double secondsNow();
+
+/// Peak resident memory of this process so far, in MB (VmHWM of /proc/self/status).
+[[nodiscard]] double peakMemoryMegabytes();
+
+std::vector<Row> bakeRows();      ///< time and memory of a bake, time of the table's levels
+std::vector<Row> growthRows();    ///< time and memory of larger bakes
+std::vector<Row> transportRows(); ///< cost over the certified bound, speckle
+std::vector<Row> synthRows();     ///< speed of the CPU twin
+std::vector<Row> resultRows();    ///< the quality measures
+std::vector<Row> filterRows();    ///< mean colour from magnified to far away
+std::vector<Row> shaderRows();    ///< ratios to a plain texture fetch
+
+/// Bakes a generated exemplar of this side, for `lichen-bench --peak-memory-of-bake SIDE`, which
+/// the bake and growth families run as processes of their own. Returns seconds.
+double bakeOnce(int sidePixels);
+
+template <class Work>
+double medianSeconds(int runs, Work&& work) {
+  std::vector<double> seconds;
+  for (int run = 0; run < runs; ++run) {
+    const double start = secondsNow();
+    std::forward<Work>(work)();
+    seconds.push_back(secondsNow() - start);
+  }
+  return median(std::move(seconds));
+}
+
+} // namespace lichen::bench

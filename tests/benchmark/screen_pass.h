@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A pipeline that draws one rectangle over a whole image, for timing a fragment shader.
+#pragma once
+
+#include <lichen/headless_device.h>
+
+#include <cstdint>
+#include <span>
+
+namespace lichen::bench {
+
+/// What view.vert reads.
+struct ScreenView {
+  float uvPerScreenX = 1.0f;
+  float uvPerScreenY = 1.0f;
+  float farDistance = 1.0f;
+};
+
+inline constexpr VkFormat kScreenFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+class ScreenPass {
+public:
+  /// `layout` is of set 0. Throws std::runtime_error with the device's message.
+  ScreenPass(HeadlessDevice& device, std::span<const std::uint32_t> vertex,
+             std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
+  ~ScreenPass();
+  ScreenPass(const ScreenPass&) = delete;
+  ScreenPass& operator=(const ScreenPass&) = delete;
+
+  /// Draws into `target` (kScreenFormat, a colour attachment) and waits: seconds from submission to
+  /// the end.
+  [[nodiscard]] double draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view);
+
+private:
+  HeadlessDevice& device_;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+} // namespace lichen::bench

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Cost of the tiling shader in units of one plain trilinear fetch, frame by frame in turn.
+#include "exemplars.h"
+#include "rows.h"
+#include "screen_pass.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/image_io.h>
+
+#include <materials.h>
+#include <plain.frag.h>
+#include <plugin_host.h>
+#include <stdexcept>
+#include <tiling.frag.h>
+#include <view.vert.h>
+
+namespace lichen::bench {
+namespace {
+
+constexpr std::uint32_t kWidth = 1920;
+constexpr std::uint32_t kHeight = 1080;
+constexpr int kExemplarSide = 256;
+constexpr int kFrames = 31;
+/// The first draws of a pipeline compile it.
+constexpr int kWarmUpFrames = 3;
+
+std::vector<std::byte> exemplarGlb() {
+  BundleFile file;
+  file.bundle = bakedBundle(exemplars::rust(kExemplarSide));
+  PreviewImages preview;
+  preview.baseColor = encodePng(SrgbImage(1, 1, 3), 8).value();
+  file.previews = {preview};
+  file.shape = PreviewShape::none;
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  if (!glb)
+    throw std::runtime_error(glb.error().message);
+  return std::move(glb).value();
+}
+
+/// Uploads the bundle and writes its uniforms.
+void prepare(test::PluginHost& host) {
+  LichenUniformInfo uniforms;
+  LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
+  const std::vector<test::Point> point(1);
+  (void)host.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
+}
+
+Row ratioRow(const std::string& what, double target, ScreenPass& tiling, ScreenPass& plain,
+             const DeviceImage& image, VkDescriptorSet set, const ScreenView& view,
+             const std::string& device) {
+  std::vector<double> tilingSeconds, plainSeconds;
+  for (int frame = -kWarmUpFrames; frame < kFrames; ++frame) {
+    const double plainTime = plain.draw(image, set, view);
+    const double tilingTime = tiling.draw(image, set, view);
+    if (frame < 0)
+      continue;
+    plainSeconds.push_back(plainTime);
+    tilingSeconds.push_back(tilingTime);
+  }
+  const double unit = median(plainSeconds);
+  char note[160];
+  std::snprintf(note, sizeof note, "%s; plain %.1f ms, medians of %d", device.c_str(), 1e3 * unit,
+                kFrames);
+  return {what, median(tilingSeconds) / unit, target, "", note};
+}
+
+std::vector<Row> measure() {
+  Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
+  if (!device)
+    throw std::runtime_error(device.error().message);
+  HeadlessDevice& gpu = *device.value();
+  test::PluginHost host(gpu, exemplarGlb());
+  prepare(host);
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
+    throw std::runtime_error("no set layout");
+  DeviceImageInfo info;
+  info.format = kScreenFormat;
+  info.extent = {kWidth, kHeight, 1};
+  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  Result<DeviceImage> image = gpu.createImage(info);
+  if (!image)
+    throw std::runtime_error(image.error().message);
+  ScreenPass plain(gpu, view_vert, plain_frag, layout);
+  ScreenPass tiling(gpu, view_vert, tiling_frag, layout);
+  // Flat: one texel a pixel. Perspective: a floor, 1/4 of a texel a pixel at the near edge, 16
+  // times as far at the other.
+  const ScreenView flat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
+  const ScreenView floor{0.25f * flat.uvPerScreenX, 0.25f * flat.uvPerScreenX, 16.0f};
+  const std::string name = gpu.properties().deviceName;
+  return {ratioRow("tiling with joint table over one plain fetch, 1920 x 1080, flat", 3.6, tiling,
+                   plain, image.value(), host.set(), flat, name),
+          ratioRow("the same, perspective", 4.3, tiling, plain, image.value(), host.set(), floor,
+                   name)};
+}
+
+} // namespace
+
+std::vector<Row> shaderRows() {
+  try {
+    return measure();
+  } catch (const std::exception& problem) {
+    return {{"tiling with joint table over one plain fetch, 1920 x 1080", 0.0, 3.6, "",
+             problem.what(), true}};
+  }
+}
+
+} // namespace lichen::bench

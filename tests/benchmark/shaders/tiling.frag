@@ -1,0 +1,16 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Tiling and blending with the joint table, as a material's base colour uses it.
+
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "lichen.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  LichenTaps taps = lichenTilingUvGrad(uv, dFdx(uv), dFdy(uv), lichenUniforms.noise);
+  colour = LICHEN_TILING(0, taps);
+}
