@@ -42,6 +42,18 @@ Result<void> checkParts(const BundleFile& file) {
 }
 
 /// The whole document but its buffer's place.
+/// Width over height of the first noise's exemplar. 1 where the bundle has none, or is at fault,
+/// which is found when the finished file is checked.
+double exemplarAspect(const Bundle& bundle) {
+  if (bundle.noises.empty() || bundle.noises.front().maps.empty())
+    return 1.0;
+  const std::size_t index = bundle.noises.front().maps.front().gaussian;
+  if (index >= bundle.tables.size())
+    return 1.0;
+  const Table& gaussian = bundle.tables[index];
+  return double(std::max(gaussian.width, 1u)) / double(std::max(gaussian.height, 1u));
+}
+
 OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
   const Bundle& bundle = file.bundle;
   OrderedJson root;
@@ -57,12 +69,7 @@ OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
                 bundle.noises[i], *bundle.materials[i], file.previews[i]);
     needsTangents.push_back(!file.previews[i].normal.empty());
   }
-  double aspect = 1.0;
-  if (!bundle.noises.empty()) {
-    const Table& gaussian = bundle.tables[bundle.noises.front().maps.front().gaussian];
-    aspect = double(gaussian.width) / double(gaussian.height);
-  }
-  addPreviewScene(root, builder, file.shape, needsTangents, aspect);
+  addPreviewScene(root, builder, file.shape, needsTangents, exemplarAspect(bundle));
   if (!builder.accessors.empty())
     root["accessors"] = std::move(builder.accessors);
   root["bufferViews"] = std::move(builder.bufferViews);
