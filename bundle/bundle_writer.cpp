@@ -8,6 +8,7 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/files.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -41,7 +42,6 @@ Result<void> checkParts(const BundleFile& file) {
   return {};
 }
 
-/// The whole document but its buffer's place.
 /// Width over height of the first noise's exemplar. 1 where the bundle has none, or is at fault,
 /// which is found when the finished file is checked.
 double exemplarAspect(const Bundle& bundle) {
@@ -54,6 +54,7 @@ double exemplarAspect(const Bundle& bundle) {
   return double(std::max(gaussian.width, 1u)) / double(std::max(gaussian.height, 1u));
 }
 
+/// The whole document but its buffer's place.
 OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
   const Bundle& bundle = file.bundle;
   OrderedJson root;
