@@ -13,8 +13,8 @@ namespace {
 constexpr int kFewestForDetection = 8;
 
 /// A seam shows when its mean difference leaves the spread of the interior's means: this many
-/// times their 90th percentile. The tiling exemplars of tests/property/tiling_bake.cpp and the
-/// photographs tried stay below it, crops of them exceed it.
+/// times their 90th percentile. The exemplars of tests/property/tiling_bake.cpp stay below it and
+/// their crops exceed it; photographs have not been tabulated.
 constexpr double kSeamThreshold = 1.25;
 constexpr double kPercentile = 0.9;
 

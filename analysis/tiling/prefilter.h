@@ -9,8 +9,7 @@
 
 namespace lichen::tiling {
 
-/// Slabs of a table: steps of 1/7 in kept amplitude, close enough for the mean colour of any view
-/// (docs/decisions/002-inverse-table.md).
+/// Slabs of a table: steps of 1/7 in kept amplitude (docs/decisions/002-inverse-table.md).
 inline constexpr int kTableLevels = 8;
 
 /// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k.
