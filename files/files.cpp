@@ -4,10 +4,10 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <new>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace lichen {
@@ -37,7 +37,7 @@ private:
   int value_;
 };
 
-std::string reason(int code) { return std::strerror(code); }
+std::string reason(int code) { return std::generic_category().message(code); }
 
 ErrorKind writeErrorKind(int code) {
   return code == ENOSPC || code == EDQUOT || code == EFBIG || code == ENOMEM
@@ -64,6 +64,22 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
   std::filesystem::path temporary = path;
   temporary += ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   return temporary;
+}
+
+/// A new file without a name, which vanishes with the process however that ends; -1 where the
+/// system has none, as on NFS and FAT.
+int openNameless([[maybe_unused]] const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+  if (::access("/proc/self/fd", X_OK) == 0) // needed to name it later
+    return ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+#endif
+  return -1;
+}
+
+/// Names a nameless file. No call names it over another file, so a name of its own comes first.
+bool giveName(int descriptor, const std::filesystem::path& name) {
+  const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
+  return ::linkat(AT_FDCWD, link.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 } // namespace
@@ -112,10 +128,15 @@ Result<void> replaceFile(const std::filesystem::path& path, std::span<const std:
     ::unlink(temporary.c_str());
     return Error{writeErrorKind(code), path.string() + ": cannot be written: " + reason(code)};
   };
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  const int nameless = openNameless(path.parent_path());
+  const bool named = nameless < 0;
+  Descriptor file(named ? ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
+                        : nameless);
   if (file.get() < 0)
     return Error{writeErrorKind(errno), path.string() + ": cannot be written: " + reason(errno)};
   if (!writeAll(file.get(), bytes) || ::fsync(file.get()) != 0)
+    return failure(errno);
+  if (!named && !giveName(file.get(), temporary))
     return failure(errno);
   if (file.close() != 0)
     return failure(errno);

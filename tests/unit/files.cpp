@@ -118,3 +118,24 @@ TEST_CASE("a write that does not fit leaves the old file whole and no partial on
   CHECK(readFile(folder / "file").value() == patternOf(100));
   CHECK(folder.entryCount() == 1);
 }
+
+TEST_CASE("a process that is killed while it writes leaves the old file whole and no other") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(100)));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Without a handler the signal of the write beyond the limit ends the process in its midst.
+    std::signal(SIGXFSZ, SIG_DFL);
+    const rlimit limit = {4096, 4096};
+    const rlimit noCore = {0, 0};
+    if (::setrlimit(RLIMIT_CORE, &noCore) == 0 && ::setrlimit(RLIMIT_FSIZE, &limit) == 0)
+      static_cast<void>(replaceFile(folder / "file", patternOf(100000)));
+    ::_exit(100);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGXFSZ);
+  CHECK(readFile(folder / "file").value() == patternOf(100));
+  CHECK(folder.entryCount() == 1);
+}

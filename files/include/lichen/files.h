@@ -11,14 +11,17 @@
 
 namespace lichen {
 
-/// Reads a regular file. Errors: badInput when it is absent, a folder or unreadable, or longer than
-/// `maxBytes`; resources when memory does not suffice.
+/// Reads a regular file of at most `maxBytes`. Errors: badInput when it is absent,
+/// a folder or unreadable, or longer; resources when memory does not suffice. Thread-safe.
 [[nodiscard]] Result<std::vector<std::byte>> readFile(const std::filesystem::path& path,
                                                       std::size_t maxBytes = std::size_t(4) << 30);
 
-/// Writes `bytes` to a temporary file beside `path`, flushes it, and renames it over `path`.
-/// Errors: environment when the folder is absent or cannot be written, resources when the disk is
-/// full; in both the old file, if any, is untouched and the temporary one is removed.
+/// Writes `bytes` to a new file in the folder of `path`, flushes it to the disk, and renames it
+/// over `path`. Errors: environment when the folder is absent or cannot be written, resources when
+/// the disk is full; in both the old file, if any, is untouched and nothing is left beside it. A
+/// process that is killed leaves nothing either, where the file system has files without a name
+/// (ext4, XFS, Btrfs, tmpfs; not NFS, FAT); elsewhere a file PATH.part-* may stay. Thread-safe; of
+/// several calls for one path at the same time one wins, whole.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
 
