@@ -156,6 +156,12 @@ Runner addBake(CLI::App& app) {
   verb->add_option("--periodic", arguments->tiling.periodic,
                    "Whether the exemplar's borders fit together: auto, yes or no")
       ->transform(CLI::CheckedTransformer(periodic));
+  const std::map<std::string, TransportEffort> efforts{{"fast", TransportEffort::fast},
+                                                       {"default", TransportEffort::standard},
+                                                       {"exact", TransportEffort::exact}};
+  verb->add_option("--transport", arguments->tiling.transport,
+                   "How near to optimal colours are matched: fast, default or exact")
+      ->transform(CLI::CheckedTransformer(efforts));
   verb->add_option("--precision", arguments->tiling.bits, "Bits per channel of the tables")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str();

@@ -18,6 +18,7 @@ namespace lichen {
 namespace {
 
 using namespace tiling;
+using transport::TransportOptions;
 
 constexpr int kMaxSide = 16384;
 
@@ -64,11 +65,6 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
       return usage("a quantum of " + std::to_string(map.quantum) +
                    ": above 0 and at most 1 is accepted");
   }
-  const TransportOptions& transport = options.transport;
-  if (transport.trees < 1 || transport.trees > 256 || transport.blockSize < 2 ||
-      transport.blockSize > 256 || transport.swapRounds < 0 || transport.exactRounds < 0)
-    return usage("transport options: 1 to 256 trees, blocks of 2 to 256 points and no negative "
-                 "number of rounds are accepted");
   return {};
 }
 
@@ -89,9 +85,20 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
       to.push_back(matrix(row, column));
 }
 
+/// What the table and its levels take, in units of transporting a pixel: nearly the same for every
+/// exemplar. Measured on 256 x 256.
+constexpr double kTableWork = 65536.0;
+
+double gaussianizeWork(const MapExemplar& map, bool periodic) {
+  return (periodic ? 1.0 : 2.0) * double(map.width) * double(map.height);
+}
+
 /// Bakes one map and appends its two tables.
 void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
-             const TilingOptions& options, TilingBake& bake) {
+             const TilingOptions& options, ProgressPart progress, TilingBake& bake) {
+  const double work = gaussianizeWork(map, periodic);
+  const double gaussianized = work / (work + kTableWork);
+  TransportOptions transport = transport::optionsFor(options.transport);
   const Precision precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
   const ColorSpace space = colorSpaceOf(map);
   const std::vector<float> values = decodedValues(map);
@@ -101,12 +108,14 @@ void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
     gaussian = constantGaussian(map);
   } else {
     points = transportPoints(map, space);
-    gaussian = gaussianize(map, points, space.dimensions(), periodic, precision, options.transport);
+    transport.progress = progress.part(0.0, gaussianized);
+    gaussian = gaussianize(map, points, space.dimensions(), periodic, precision, transport);
   }
   Table image = gaussianTable(gaussian, options.bits);
   const LostVariance lost = lostVariance(image);
+  transport.progress = progress.part(gaussianized, 1.0);
   const InverseTable table =
-      fitInverseTable(gaussian, points, values, int(map.channels.size()), options.transport);
+      fitInverseTable(gaussian, points, values, int(map.channels.size()), transport);
   Table inverse = inverseTableTexels(prefilteredSlabs(table, lost), map.encoding, options.bits);
 
   NoiseMap result;
@@ -128,6 +137,7 @@ void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
   result.inverseTable = bake.tables.size();
   bake.tables.push_back(std::move(inverse));
   bake.noise.maps.push_back(std::move(result));
+  progress.reach(1.0);
 }
 
 } // namespace
@@ -142,9 +152,19 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
     bake.exemplarWasPeriodic =
         options.periodic == Periodic::yes ||
         (options.periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+    double whole = 0.0;
     for (const MapExemplar& map : maps)
-      bakeMap(map, bake.exemplarWasPeriodic, name, options, bake);
+      whole += gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
+    double done = 0.0;
+    for (const MapExemplar& map : maps) {
+      const double after = done + gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
+      bakeMap(map, bake.exemplarWasPeriodic, name, options,
+              ProgressPart(options.progress).part(done / whole, after / whole), bake);
+      done = after;
+    }
     return bake;
+  } catch (const Interrupted&) {
+    return Error{ErrorKind::environment, name + ": interrupted"};
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::resources, name + ": not enough memory to bake " +
                                            std::to_string(maps.front().width) + " x " +

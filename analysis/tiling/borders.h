@@ -2,6 +2,8 @@
 // Whether an exemplar tiles, and what makes it tile if it does not.
 #pragma once
 
+#include "transport/point.h"
+
 #include <lichen/tiling.h>
 
 #include <vector>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "transport/covariance_map.h"
+#include "transport/point.h"
 
 #include <lichen/tiling.h>
 

@@ -3,7 +3,7 @@
 // three deviations each way.
 #pragma once
 
-#include <lichen/transport.h>
+#include "transport/point.h"
 
 #include <cstddef>
 #include <vector>

@@ -6,23 +6,30 @@
 
 namespace lichen::tiling {
 
+using transport::TransportOptions;
+
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
-                         bool periodic, Precision precision, const TransportOptions& transport) {
+                         bool periodic, Precision precision, const TransportOptions& options) {
   Gaussianized result;
   result.width = map.width;
   result.height = map.height;
   result.dimensions = dimensions;
   const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
-  const auto matchTo = [&](const std::vector<Point>& sources) {
-    const std::vector<std::uint32_t> assignment = assign(sources, stratified, transport);
+  const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
+    TransportOptions part = options;
+    part.progress = options.progress.part(begin, end);
+    const std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
       matched[i] = stratified[assignment[i]];
     return matched;
   };
-  result.matched = matchTo(points);
-  result.image =
-      periodic ? result.matched : matchTo(crossFadeBorders(result.matched, map.width, map.height));
+  if (periodic) {
+    result.image = result.matched = matchTo(points, 0.0, 1.0);
+    return result;
+  }
+  result.matched = matchTo(points, 0.0, 0.5);
+  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height), 0.5, 1.0);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "color_space.h"
 #include "gaussian_distribution.h"
+#include "transport/assignment.h"
 
 #include <lichen/tiling.h>
 
@@ -28,6 +29,6 @@ struct Gaussianized {
 /// are then cross-faded and the image is matched to the set once more.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, Precision precision,
-                                       const TransportOptions& transport);
+                                       const transport::TransportOptions& options);
 
 } // namespace lichen::tiling

@@ -11,6 +11,8 @@
 namespace lichen::tiling {
 namespace {
 
+using transport::TransportOptions;
+
 std::size_t power(int base, int exponent) {
   std::size_t result = 1;
   for (int k = 0; k < exponent; ++k)
@@ -126,7 +128,7 @@ InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> d
 /// trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-table.md).
 InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point> points,
                             std::span<const float> decoded, int channels,
-                            const TransportOptions& transport) {
+                            const TransportOptions& options) {
   InverseTable table{
       gaussian.dimensions, kTableSide[std::size_t(gaussian.dimensions - 1)], channels, {}};
   const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
@@ -144,11 +146,12 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
     chosenGaussian[m] = gaussian.matched[chosen[m]];
   }
 
-  TransportOptions alike = transport; // Gaussian to Gaussian: nearly the identity
+  TransportOptions alike = options; // Gaussian to Gaussian: nearly the identity
   alike.trees = 2;
   alike.exactRounds = 0;
-  const std::vector<std::uint32_t> cellOf =
-      improveAssignment(chosenPoints, middles, assign(chosenGaussian, middles, alike), transport);
+  alike.progress = {};
+  const std::vector<std::uint32_t> cellOf = transport::improveAssignment(
+      chosenPoints, middles, transport::assign(chosenGaussian, middles, alike), options);
 
   table.values.resize(middles.size() * std::size_t(channels));
   for (std::size_t m = 0; m < middles.size(); ++m)
@@ -186,10 +189,10 @@ Moments interpolatedMoments(const InverseTable& table) {
 
 InverseTable fitInverseTable(const Gaussianized& gaussian, std::span<const Point> points,
                              std::span<const float> decoded, int channels,
-                             const TransportOptions& transport) {
+                             const TransportOptions& options) {
   InverseTable table = gaussian.dimensions == 1
                            ? fitQuantiles(gaussian, decoded, channels)
-                           : fitByTransport(gaussian, points, decoded, channels, transport);
+                           : fitByTransport(gaussian, points, decoded, channels, options);
   matchMoments(table, decoded);
   return table;
 }

@@ -37,6 +37,6 @@ struct InverseTable {
 [[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
                                            std::span<const Point> points,
                                            std::span<const float> decoded, int channels,
-                                           const TransportOptions& transport);
+                                           const transport::TransportOptions& options);
 
 } // namespace lichen::tiling

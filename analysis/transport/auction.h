@@ -2,9 +2,8 @@
 // Dual prices of the assignment problem by auction.
 #pragma once
 
+#include "point.h"
 #include "price_tree.h"
-
-#include <lichen/transport.h>
 
 #include <span>
 

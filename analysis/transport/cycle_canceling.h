@@ -2,7 +2,7 @@
 // Exact assignment of a few points, starting from a nearly optimal one.
 #pragma once
 
-#include <lichen/transport.h>
+#include "point.h"
 
 #include <cstdint>
 #include <span>

@@ -2,12 +2,13 @@
 // Lower bound of the transport cost; N points, N points and a matching -> a bound.
 // Prices are found for a small random subset of the matched pairs and carried over to a larger one,
 // up to all pairs: a step of the coarse auction crosses what would take the fine one many.
+#include "lower_bound.h"
+
+#include "assignment.h"
 #include "auction.h"
 #include "precondition.h"
 #include "price_tree.h"
 #include "random.h"
-
-#include <lichen/transport_bound.h>
 
 #include <tbb/parallel_for.h>
 
@@ -17,11 +18,8 @@
 #include <numeric>
 #include <vector>
 
-namespace lichen {
+namespace lichen::transport {
 namespace {
-
-using transport::PointPair;
-using transport::PriceTree;
 
 /// Pairs in a subset over pairs in the next smaller: distances between neighbours double.
 constexpr std::size_t kRefinement = 8;
@@ -45,7 +43,7 @@ PointPair shuffledPairs(const PointPair& points, std::span<const std::uint32_t> 
   std::vector<std::uint32_t> order(assignment.size());
   std::iota(order.begin(), order.end(), 0u);
   for (std::size_t i = order.size(); i-- > 1;)
-    std::swap(order[i], order[transport::randomBits(kSubsetStream, i) % (i + 1)]);
+    std::swap(order[i], order[randomBits(kSubsetStream, i) % (i + 1)]);
   PointPair pairs;
   for (const std::uint32_t i : order) {
     pairs.source.push_back(points.source[i]);
@@ -78,7 +76,7 @@ std::vector<double> pricesAfterAuction(std::span<const Point> buyers,
                                        std::span<const Point> targets,
                                        std::span<const double> prices, double increment) {
   PriceTree sites(targets, prices);
-  transport::runAuction(buyers, sites, increment);
+  runAuction(buyers, sites, increment);
   std::vector<double> raised(targets.size());
   for (std::uint32_t place = 0; place < targets.size(); ++place)
     raised[sites.siteAt(place)] = sites.price(place);
@@ -173,7 +171,7 @@ TransportBound boundTransportCost(std::span<const Point> source, std::span<const
     return bound;
 
   // sum |x - y|^2 = sum |x|^2 + sum |y|^2 - 2 sum <x, y>, about the means; <x, y> = <x', y'>.
-  const PointPair points = transport::precondition(source, target);
+  const PointPair points = precondition(source, target);
   const double dual =
       bestDualValue(shuffledPairs(points, assignment), tolerance * bound.centredCost);
   const double squares = sumOfSquares(points.source) + sumOfSquares(points.target);
@@ -185,4 +183,4 @@ TransportBound boundTransportCost(std::span<const Point> source, std::span<const
   return bound;
 }
 
-} // namespace lichen
+} // namespace lichen::transport

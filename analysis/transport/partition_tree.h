@@ -2,7 +2,7 @@
 // One random binary-partition matching of two point sets.
 #pragma once
 
-#include <lichen/transport.h>
+#include "point.h"
 
 #include <cstdint>
 #include <span>

@@ -2,7 +2,7 @@
 // Makes two point sets alike before they are matched, without changing the optimal matching.
 #pragma once
 
-#include <lichen/transport.h>
+#include "point.h"
 
 #include <span>
 #include <vector>

@@ -2,7 +2,7 @@
 // The cheapest site for a buyer: a k-d tree over points that each carry a price.
 #pragma once
 
-#include <lichen/transport.h>
+#include "point.h"
 
 #include <array>
 #include <cstddef>

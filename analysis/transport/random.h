@@ -2,7 +2,7 @@
 // Counter-based random numbers: the value depends on (seed, counter) alone, not on call order.
 #pragma once
 
-#include <lichen/transport.h>
+#include "point.h"
 
 #include <algorithm>
 #include <cmath>

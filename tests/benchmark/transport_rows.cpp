@@ -3,15 +3,17 @@
 #include "exemplars.h"
 #include "rows.h"
 
-#include <lichen/transport_bound.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <tiling/color_space.h>
 #include <tiling/gaussian_distribution.h>
+#include <transport/assignment.h>
+#include <transport/lower_bound.h>
 
 namespace lichen::bench {
 namespace {
+
+using namespace transport;
 
 /// Rounds of exact blocks after which hardly anything changes.
 constexpr int kNearlyExactRounds = 60;

@@ -79,6 +79,7 @@ TEST_CASE("unknown options and numbers outside their range are refused by every 
 
 TEST_CASE("bake refuses option values that it does not know") {
   checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision", "9", "8", "16"});
+  checkBakeRefuses({"--transport", "slow"}, kUsage, {"--transport", "slow", "fast", "exact"});
   checkBakeRefuses({"--method", "magic"}, kUsage, {"--method", "magic", "tiling"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage, {"--periodic", "maybe", "auto"});
   checkBakeRefuses({"--preview", "teapot"}, kUsage, {"--preview", "teapot", "sphere"});

@@ -72,8 +72,8 @@ struct Baked {
 Baked baked(MapExemplar map, bool periodic = true, Precision precision = Precision::bits16) {
   const ColorSpace space = colorSpaceOf(map);
   std::vector<Point> points = transportPoints(map, space);
-  Gaussianized gaussian =
-      gaussianize(map, points, space.dimensions(), periodic, precision, TransportOptions{});
+  Gaussianized gaussian = gaussianize(map, points, space.dimensions(), periodic, precision,
+                                      transport::TransportOptions{});
   return {std::move(map), std::move(points), std::move(gaussian)};
 }
 
@@ -125,7 +125,8 @@ TEST_CASE("the Gaussianized image is a permutation of the stratified set") {
 TEST_CASE("lookups in the table have the exemplar's mean and covariance") {
   const Baked b = baked(test::threeMaterials(160, 160, 3));
   const std::vector<float> values = light(b.map);
-  const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
   const Moments found = interpolatedMoments(table);
   const Moments wanted = momentsOf(values, 3);
   // Clamping to the exemplar's range leaves at most a thousandth.
@@ -149,7 +150,8 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours") {
   for (const std::uint64_t seed : {5u, 6u}) {
     const Baked b = baked(test::threeMaterials(128, 128, seed));
     const std::vector<float> values = light(b.map);
-    const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+    const InverseTable table =
+        fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
     for (std::uint64_t k = 0; k < 200; ++k) {
       const Point direction = transport::randomDirection(31, k);
       const auto extent = [&](const std::vector<float>& colours) {
@@ -173,7 +175,8 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours") {
 TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
   const Baked b = baked(test::threeMaterials(128, 128, 9));
   const std::vector<float> values = light(b.map);
-  const InverseTable table = fitInverseTable(b.gaussian, b.points, values, 3, TransportOptions{});
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
   double squares = 0.0;
   constexpr std::size_t kStep = 61; // a sample of the pixels: slowLookup visits every cell
   std::size_t count = 0;
@@ -221,7 +224,7 @@ TEST_CASE("each mip texel is the average of the area it covers, for any size") {
 TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
   const Baked b = baked(test::threeMaterials(96, 96, 4));
   const InverseTable table =
-      fitInverseTable(b.gaussian, b.points, light(b.map), 3, TransportOptions{});
+      fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
   LostVariance lost; // half of everything, with channels that lose differently and together
   ChannelMatrix half(3, 3);
   half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
@@ -417,9 +420,6 @@ TEST_CASE("options and maps out of range are refused") {
     const Result<TilingBake> bake = bakeTiling("x", {&given, 1}, with);
     return !bake && bake.error().kind == ErrorKind::usage;
   };
-  options = TilingOptions{};
-  options.transport.blockSize = 0;
-  CHECK(refused(map, options));
   MapExemplar broken = map;
   broken.values.pop_back();
   CHECK(refused(broken, TilingOptions{}));

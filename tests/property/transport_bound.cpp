@@ -3,16 +3,17 @@
 #include "transport_exact.h"
 #include "transport_sets.h"
 
-#include <lichen/transport_bound.h>
-
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <numeric>
+#include <transport/assignment.h>
+#include <transport/lower_bound.h>
 
 using namespace lichen;
 using namespace lichen::test;
+using namespace lichen::transport;
 
 namespace {
 

@@ -4,6 +4,9 @@
 #include <limits>
 
 namespace lichen::test {
+
+using transport::transportCost;
+
 namespace {
 
 double squaredDistance(const Point& a, const Point& b) {

@@ -2,10 +2,9 @@
 // The oracle of the transport tests: the assignment problem solved exactly, and obviously.
 #pragma once
 
-#include <lichen/transport.h>
-
 #include <cstdint>
 #include <span>
+#include <transport/assignment.h>
 #include <vector>
 
 namespace lichen::test {

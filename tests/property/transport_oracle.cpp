@@ -3,15 +3,15 @@
 #include "transport_exact.h"
 #include "transport_sets.h"
 
-#include <lichen/transport.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <numeric>
+#include <transport/assignment.h>
 
 using namespace lichen;
 using namespace lichen::test;
+using namespace lichen::transport;
 
 namespace {
 

@@ -3,8 +3,6 @@
 #include "transport_exact.h"
 #include "transport_sets.h"
 
-#include <lichen/transport.h>
-
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
@@ -12,9 +10,11 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <transport/assignment.h>
 
 using namespace lichen;
 using namespace lichen::test;
+using namespace lichen::transport;
 
 namespace {
 

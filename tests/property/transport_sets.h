@@ -2,10 +2,9 @@
 // Point sets that the transport tests share. The same points on every run and machine.
 #pragma once
 
-#include <lichen/transport.h>
-
 #include <cstddef>
 #include <string>
+#include <transport/assignment.h>
 #include <vector>
 
 namespace lichen::test {

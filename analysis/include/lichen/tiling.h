@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/progress.h>
 #include <lichen/result.h>
 #include <lichen/transport.h>
 
@@ -32,7 +33,8 @@ enum class Periodic { detect, yes, no };
 struct TilingOptions {
   Periodic periodic = Periodic::detect;
   int bits = 8; ///< 8 or 16 per channel of the tables
-  TransportOptions transport;
+  TransportEffort transport = TransportEffort::standard;
+  Progress progress; ///< empty: nobody watches
 };
 
 /// What a bake made: tables numbered from 0 in the maps of `noise`.
@@ -44,7 +46,8 @@ struct TilingBake {
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
 /// prefiltered slabs. Maps have sides of 1 to 16,384 pixels. Errors: usage for options or maps
-/// outside their ranges, resources when memory does not suffice. Deterministic for any number of
+/// outside their ranges, resources when memory does not suffice,
+/// environment when `options.progress` stops it. Deterministic for any number of
 /// threads. O(N log N) in the number of pixels.
 [[nodiscard]] Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                                             const TilingOptions& options);

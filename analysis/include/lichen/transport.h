@@ -1,52 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Optimal transport between two point sets of equal size in the plane or in space.
+// What a bake spends on optimal transport, and what it can prove of the result.
 #pragma once
-
-#include <cstdint>
-#include <span>
-#include <vector>
 
 namespace lichen {
 
-/// A point of R^3; a problem of fewer dimensions leaves the rest 0.
-struct Point {
-  float x = 0.0f;
-  float y = 0.0f;
-  float z = 0.0f;
+/// How near to the optimum a transport is brought.
+enum class TransportEffort {
+  fast,     ///< for a first look
+  standard, ///< for production
+  exact,    ///< minutes rather than seconds; proves how near
 };
 
-[[nodiscard]] inline float dot(const Point& a, const Point& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+/// Cost of a matching and a certified lower bound of every matching's. All in squared units of the
+/// points, means over the pairs.
+struct TransportBound {
+  double lowerBound = 0.0; ///< no bijection costs less
+  double cost = 0.0;       ///< mean squared distance over the pairs matched
+  /// `cost` less the squared distance of the two means, which every bijection pays.
+  double centredCost = 0.0;
 
-/// How much work assign() does. The defaults cost about 8 microseconds a point and core and leave
-/// the transport cost a few tenths of a per cent above the optimum.
-struct TransportOptions {
-  int trees = 8;       ///< [1, 256] random binary-partition trees, merged
-  int swapRounds = 6;  ///< rounds of two-opt inside small blocks
-  int exactRounds = 6; ///< rounds of exact assignment inside blocks of `blockSize`
-  int blockSize = 48;  ///< [2, 256] points
-  std::uint64_t seed = 1;
+  /// The part of centredCost that a better matching might save, at most.
+  [[nodiscard]] double excess() const {
+    return centredCost > 0.0 ? (cost - lowerBound) / centredCost : 0.0;
+  }
 };
-
-/// A bijection p that makes sum |source[i] - target[p[i]]|^2 small: near the optimum for every
-/// distribution, exact in one dimension. Both sets have the same size N < 2^32 and finite
-/// coordinates. Directions in which the sources do not vary are matched arbitrarily.
-/// O(N log N) time, about 80 bytes a point beyond the arguments. The same result for any number of
-/// threads. Source: binary-partition trees as in BSP-OT [Genest et al. 2025], on the pair of sets
-/// made alike by the closed-form map between their covariances (docs/theory.md).
-[[nodiscard]] std::vector<std::uint32_t> assign(std::span<const Point> source,
-                                                std::span<const Point> target,
-                                                const TransportOptions& options);
-
-/// As above, improving the bijection `start` instead of growing trees.
-[[nodiscard]] std::vector<std::uint32_t> improveAssignment(std::span<const Point> source,
-                                                           std::span<const Point> target,
-                                                           std::vector<std::uint32_t> start,
-                                                           const TransportOptions& options);
-
-/// Mean of |source[i] - target[p[i]]|^2.
-[[nodiscard]] double transportCost(std::span<const Point> source, std::span<const Point> target,
-                                   std::span<const std::uint32_t> assignment);
 
 } // namespace lichen

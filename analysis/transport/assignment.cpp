@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Transport between equal point sets: N points and N points -> a permutation.
 // Random partition trees on preconditioned points, merged; then two-opt and exact blocks.
+#include "assignment.h"
+
 #include "local_blocks.h"
 #include "partition_tree.h"
 #include "precondition.h"
 #include "random.h"
 
-#include <lichen/transport.h>
-
 #include <cassert>
 
-namespace lichen {
+namespace lichen::transport {
 namespace {
-
-using transport::PointPair;
 
 /// Pairs that swapInsideBlocks compares with each other: cheap, so more rounds of fewer.
 constexpr int kSwapBlockSize = 16;
@@ -24,7 +22,7 @@ constexpr std::uint64_t kSwapStream = 2;
 constexpr std::uint64_t kExactStream = 3;
 
 std::uint64_t streamSeed(std::uint64_t seed, std::uint64_t stream, int round) {
-  return transport::randomBits(seed * 4 + stream, std::uint64_t(round));
+  return randomBits(seed * 4 + stream, std::uint64_t(round));
 }
 
 /// Takes over what a second matching does better: each of its pairs is tried as an exchange.
@@ -48,8 +46,8 @@ void merge(const PointPair& points, std::vector<std::uint32_t>& assignment,
 
 std::vector<std::uint32_t> mergedTrees(const PointPair& points, const TransportOptions& options) {
   const auto tree = [&](int round) {
-    return transport::partitionTreeMatching(points.source, points.target,
-                                            streamSeed(options.seed, kTreeStream, round));
+    return partitionTreeMatching(points.source, points.target,
+                                 streamSeed(options.seed, kTreeStream, round));
   };
   std::vector<std::uint32_t> assignment = tree(0);
   std::vector<std::uint32_t> sourceOf(assignment.size());
@@ -63,21 +61,35 @@ std::vector<std::uint32_t> mergedTrees(const PointPair& points, const TransportO
 void improve(const PointPair& points, std::vector<std::uint32_t>& assignment,
              const TransportOptions& options) {
   for (int round = 0; round < options.swapRounds; ++round)
-    transport::swapInsideBlocks(points, assignment, kSwapBlockSize,
-                                streamSeed(options.seed, kSwapStream, round));
-  for (int round = 0; round < options.exactRounds; ++round)
-    transport::solveInsideBlocks(points, assignment, options.blockSize,
-                                 streamSeed(options.seed, kExactStream, round));
+    swapInsideBlocks(points, assignment, kSwapBlockSize,
+                     streamSeed(options.seed, kSwapStream, round));
+  for (int round = 0; round < options.exactRounds; ++round) {
+    options.progress.reach(double(round) / options.exactRounds);
+    solveInsideBlocks(points, assignment, options.blockSize,
+                      streamSeed(options.seed, kExactStream, round));
+  }
 }
 
 } // namespace
+
+TransportOptions optionsFor(TransportEffort effort) {
+  switch (effort) {
+  case TransportEffort::fast:
+    return {.trees = 4, .swapRounds = 4, .exactRounds = 0};
+  case TransportEffort::standard:
+    break;
+  case TransportEffort::exact:
+    return {.exactRounds = 60};
+  }
+  return {};
+}
 
 std::vector<std::uint32_t> assign(std::span<const Point> source, std::span<const Point> target,
                                   const TransportOptions& options) {
   assert(source.size() == target.size());
   if (source.empty())
     return {};
-  const PointPair points = transport::precondition(source, target);
+  const PointPair points = precondition(source, target);
   std::vector<std::uint32_t> assignment = mergedTrees(points, options);
   improve(points, assignment, options);
   return assignment;
@@ -90,7 +102,7 @@ std::vector<std::uint32_t> improveAssignment(std::span<const Point> source,
   assert(source.size() == target.size() && source.size() == start.size());
   if (source.empty())
     return {};
-  improve(transport::precondition(source, target), start, options);
+  improve(precondition(source, target), start, options);
   return start;
 }
 
@@ -108,4 +120,4 @@ double transportCost(std::span<const Point> source, std::span<const Point> targe
   return source.empty() ? 0.0 : sum / double(source.size());
 }
 
-} // namespace lichen
+} // namespace lichen::transport

@@ -2,25 +2,14 @@
 // How far a matching is from the optimum: a certified lower bound of the transport cost.
 #pragma once
 
+#include "point.h"
+
 #include <lichen/transport.h>
 
 #include <cstdint>
 #include <span>
 
-namespace lichen {
-
-/// All in squared units of the points, means over the pairs.
-struct TransportBound {
-  double lowerBound = 0.0; ///< no bijection has a transportCost() below this
-  double cost = 0.0;       ///< transportCost() of the matching given
-  /// `cost` less the squared distance of the two means, which every bijection pays.
-  double centredCost = 0.0;
-
-  /// The part of centredCost that a better matching might save, at most.
-  [[nodiscard]] double excess() const {
-    return centredCost > 0.0 ? (cost - lowerBound) / centredCost : 0.0;
-  }
-};
+namespace lichen::transport {
 
 /// Bounds the cost of every bijection between two sets of one size N < 2^31 by the dual of the
 /// assignment problem: for any prices, sum_i min_j (|x_i - y_j|^2 + price_j) - sum_j price_j. The
@@ -35,4 +24,4 @@ struct TransportBound {
                                                 std::span<const std::uint32_t> assignment,
                                                 double tolerance = 5e-4);
 
-} // namespace lichen
+} // namespace lichen::transport
