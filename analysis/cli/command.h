@@ -10,13 +10,9 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace lichen::cli {
-
-inline constexpr const char* kVersion = "0.1.0";
 
 /// Exit codes beside those of ErrorKind.
 inline constexpr int kDone = 0;
@@ -28,23 +24,13 @@ struct SharedOptions {
   bool quiet = false;
   int threads = 0; ///< 0: as many as there are processors
 };
-void addSharedOptions(CLI::App& verb, SharedOptions& options);
 
-/// Declares a verb on `app`. When the verb was given, the returned function runs it: the exit code,
-/// or the error that ended it.
+/// Declares the options of a verb. When the verb was given, the returned function runs it: the exit
+/// code, or the error that ended it. `shared`, whose options main.cpp declares, outlives both.
 using Runner = std::function<Result<int>()>;
-[[nodiscard]] Runner addBake(CLI::App& app);
-[[nodiscard]] Runner addCheck(CLI::App& app);
-[[nodiscard]] Runner addSynth(CLI::App& app);
-
-/// Accepts numbers in [smallest, largest]. CLI::Range accepts NaN too.
-[[nodiscard]] CLI::Validator numberIn(double smallest, double largest);
-
-/// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Errors: usage.
-[[nodiscard]] Result<std::array<int, 2>> parseSize(const std::string& text);
-/// "10,-2.5" -> {10.0, -2.5}. Errors: usage.
-[[nodiscard]] Result<std::array<double, 2>> parsePair(const std::string& option,
-                                                      const std::string& text);
+[[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addCheck(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);
 
 /// What can be refused before the work is done: a name with none of the two extensions (usage), a
 /// folder that is absent (environment).

@@ -2,6 +2,7 @@
 // lichen bake: a photograph to a glTF with the noise and a scene to look at it.
 #include "command.h"
 #include "exemplar.h"
+#include "options.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/synthesize.h>
@@ -12,7 +13,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 namespace lichen::cli {
@@ -25,15 +25,17 @@ constexpr int kTilesPerPreview = 2;
 constexpr int kPlentyOfPixels = 1024;
 
 struct Arguments {
-  SharedOptions shared;
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
   std::string input;
   std::string output;
-  std::string method = "tiling";
+  std::string method;
   std::string name;
-  std::uint32_t seed = 1;
-  double tileMetres = 1.0;
+  std::uint32_t seed = 0;
+  double tileMetres = 0.0;
   TilingOptions tiling;
-  PreviewShape preview = PreviewShape::sphere;
+  PreviewShape preview{};
 };
 
 Result<void> checkInput(const std::filesystem::path& input) {
@@ -48,7 +50,7 @@ Result<void> checkInput(const std::filesystem::path& input) {
 Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   BundleFile file;
   file.shape = arguments.preview;
-  file.generator = fmt::format("lichen {}", kVersion);
+  file.generator = "lichen " LICHEN_VERSION;
   bake.noise.tileSizeMetres = arguments.tileMetres;
   MaterialNoise material;
   material.seed = arguments.seed;
@@ -137,40 +139,33 @@ Result<int> run(const Arguments& arguments) {
 
 } // namespace
 
-Runner addBake(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* verb = app.add_subcommand("bake", "Turn a photograph of a material into noise");
-  verb->add_option("INPUT", arguments->input, "An image: PNG, JPEG or EXR")->required();
-  verb->add_option("-o,--output", arguments->output, "OUT.glb or OUT.gltf")->required();
-  verb->add_option("--method", arguments->method, "The noise method")
-      ->check(CLI::IsMember({"tiling"}))
-      ->capture_default_str();
-  verb->add_option("--name", arguments->name, "Name of noise and material; the file's by default");
-  verb->add_option("--seed", arguments->seed, "Seed of the material's pattern")
-      ->capture_default_str();
-  verb->add_option("--tile", arguments->tileMetres, "Width of the exemplar in metres")
-      ->check(numberIn(1e-6, 1e6))
-      ->capture_default_str();
-  const std::map<std::string, Periodic> periodic{
+Runner addBake(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addText(verb, "INPUT", arguments->input, "", "The photograph: PNG, JPEG or EXR")->required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
+  addValue(verb, "--method", arguments->method, oneOf<std::string>({{"tiling", "tiling"}}),
+           "tiling", "The noise method");
+  addText(verb, "--name", arguments->name, "NAME",
+          "Name of noise and material [default: the input's]");
+  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
+  addValue(verb, "--tile", arguments->tileMetres, number(1e-6, 1e6), "1",
+           "Width of the exemplar in metres");
+  const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
-  verb->add_option("--periodic", arguments->tiling.periodic,
-                   "Whether the exemplar's borders fit together: auto, yes or no")
-      ->transform(CLI::CheckedTransformer(periodic));
-  const std::map<std::string, TransportEffort> efforts{{"fast", TransportEffort::fast},
-                                                       {"default", TransportEffort::standard},
-                                                       {"exact", TransportEffort::exact}};
-  verb->add_option("--transport", arguments->tiling.transport,
-                   "How near to optimal colours are matched: fast, default or exact")
-      ->transform(CLI::CheckedTransformer(efforts));
-  verb->add_option("--precision", arguments->tiling.bits, "Bits per channel of the tables")
-      ->check(CLI::IsMember({8, 16}))
-      ->capture_default_str();
-  const std::map<std::string, PreviewShape> shapes{{"sphere", PreviewShape::sphere},
-                                                   {"plane", PreviewShape::plane},
-                                                   {"none", PreviewShape::none}};
-  verb->add_option("--preview", arguments->preview, "The scene: sphere, plane or none")
-      ->transform(CLI::CheckedTransformer(shapes));
-  addSharedOptions(*verb, arguments->shared);
+  addValue(verb, "--periodic", arguments->tiling.periodic, oneOf(periodic), "auto",
+           "Whether the exemplar's opposite borders fit together");
+  const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
+                                         {"default", TransportEffort::standard},
+                                         {"exact", TransportEffort::exact}};
+  addValue(verb, "--transport", arguments->tiling.transport, oneOf(efforts), "default",
+           "How near to optimal colours are matched");
+  addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
+           "Bits per channel of the tables");
+  const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
+                                     {"plane", PreviewShape::plane},
+                                     {"none", PreviewShape::none}};
+  addValue(verb, "--preview", arguments->preview, oneOf(shapes), "sphere",
+           "The scene around the material");
   return [arguments] { return run(*arguments); };
 }
 

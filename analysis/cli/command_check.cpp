@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen check: our extension against its schema, index ranges, table headers and sizes.
 #include "command.h"
+#include "options.h"
 
 #include <lichen/bundle.h>
 
@@ -13,7 +14,9 @@ namespace lichen::cli {
 namespace {
 
 struct Arguments {
-  SharedOptions shared;
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
   std::string bundle;
 };
 
@@ -28,12 +31,13 @@ Result<int> run(const Arguments& arguments) {
   std::size_t errors = 0;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings.value()) {
-    errors += finding.severity == Finding::Severity::error ? 1 : 0;
+    const bool isError = finding.severity == Finding::Severity::error;
+    errors += isError ? 1 : 0;
     list.push_back({{"severity", severityName(finding.severity)},
                     {"code", finding.code},
                     {"pointer", finding.pointer},
                     {"message", finding.message}});
-    if (!arguments.shared.json)
+    if (!arguments.shared.json && (isError || !arguments.shared.quiet))
       fmt::print("{}: {} [{}] at {}\n", severityName(finding.severity), finding.message,
                  finding.code, finding.pointer.empty() ? "/" : finding.pointer);
   }
@@ -51,11 +55,9 @@ Result<int> run(const Arguments& arguments) {
 
 } // namespace
 
-Runner addCheck(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* verb = app.add_subcommand("check", "Check a bundle's extension and tables");
-  verb->add_option("BUNDLE", arguments->bundle, "A .glb or .gltf")->required();
-  addSharedOptions(*verb, arguments->shared);
+Runner addCheck(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf")->required();
   return [arguments] { return run(*arguments); };
 }
 

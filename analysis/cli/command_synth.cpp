@@ -1,67 +1,61 @@
 // SPDX-License-Identifier: MIT
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
+#include "options.h"
 
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
-#include <map>
 #include <memory>
 
 namespace lichen::cli {
 namespace {
 
 struct Arguments {
-  SharedOptions shared;
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
   std::string bundle;
   std::string output;
   std::string noise;
-  std::string map = "baseColor";
-  std::string size = "1024x1024";
-  std::string origin = "0,0";
+  std::string map;
+  std::array<int, 2> size{};
   SynthesisOptions synthesis;
 };
 
-Result<std::size_t> noiseIndex(const Bundle& bundle, const Arguments& arguments) {
-  if (arguments.noise.empty())
-    return std::size_t(0);
-  std::string names;
-  for (std::size_t n = 0; n < bundle.noises.size(); ++n) {
-    if (bundle.noises[n].name == arguments.noise)
-      return n;
-    names += (names.empty() ? "" : ", ") + bundle.noises[n].name;
-  }
+/// The place of `wanted` among `names`, the first if it is empty.
+Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::string>& names,
+                            const std::string& option, const std::string& owner) {
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (wanted.empty() || found != names.end())
+    return wanted.empty() ? 0 : std::size_t(found - names.begin());
   return Error{ErrorKind::usage,
-               fmt::format("--noise {}: {} has {}", arguments.noise, arguments.bundle, names)};
+               fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
 }
 
+/// Finds the noise and the map that were named.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   if (bundle.noises.empty())
     return Error{ErrorKind::badInput, arguments.bundle + ": has no noise"};
-  const Result<std::size_t> index = noiseIndex(bundle, arguments);
-  if (!index)
-    return index.error();
-  const std::optional<MapTarget> target = mapTargetFrom(arguments.map);
-  if (!target)
-    return Error{ErrorKind::usage,
-                 fmt::format("--map {}: baseColor, normal, occlusionRoughnessMetallic, emissive, "
-                             "height or opacity is accepted",
-                             arguments.map)};
-  const Result<std::array<int, 2>> size = parseSize(arguments.size);
-  if (!size)
-    return size.error();
-  const Result<std::array<double, 2>> origin = parsePair("--origin", arguments.origin);
-  if (!origin)
-    return origin.error();
-  arguments.synthesis.noise = index.value();
-  arguments.synthesis.map = *target;
-  arguments.synthesis.width = size.value()[0];
-  arguments.synthesis.height = size.value()[1];
-  arguments.synthesis.origin = origin.value();
+  std::vector<std::string> noises, maps;
+  for (const Noise& noise : bundle.noises)
+    noises.push_back(noise.name);
+  const Result<std::size_t> noise = placeOf(arguments.noise, noises, "--noise", arguments.bundle);
+  if (!noise)
+    return noise.error();
+  for (const NoiseMap& map : bundle.noises[noise.value()].maps)
+    maps.emplace_back(nameOf(map.target));
+  const Result<std::size_t> map =
+      placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", noises[noise.value()]));
+  if (!map)
+    return map.error();
+  arguments.synthesis.noise = noise.value();
+  arguments.synthesis.map = bundle.noises[noise.value()].maps[map.value()].target;
   return {};
 }
 
@@ -72,6 +66,8 @@ Result<int> run(Arguments& arguments) {
   const Result<Bundle> bundle = readBundle(arguments.bundle);
   if (!bundle)
     return bundle.error();
+  arguments.synthesis.width = arguments.size[0];
+  arguments.synthesis.height = arguments.size[1];
   if (Result<void> resolved = resolve(bundle.value(), arguments); !resolved)
     return resolved.error();
   const Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
@@ -95,40 +91,33 @@ Result<int> run(Arguments& arguments) {
 
 } // namespace
 
-Runner addSynth(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* verb = app.add_subcommand("synth", "Make an image of a noise, without a GPU");
-  verb->add_option("BUNDLE", arguments->bundle, "A .glb or .gltf made by 'lichen bake'")
+Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  SynthesisOptions& synthesis = arguments->synthesis;
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
       ->required();
-  verb->add_option("-o,--output", arguments->output, "OUT.png or OUT.exr")->required();
-  verb->add_option("--noise", arguments->noise, "Name of the noise; the first one by default");
-  verb->add_option("--map", arguments->map, "Which map")->capture_default_str();
-  verb->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  verb->add_option("--texels-per-tile", arguments->synthesis.texelsPerTile,
-                   "Pixels across one exemplar; its own texels by default")
-      ->check(numberIn(0x1p-10, 0x1p24));
-  verb->add_option("--origin", arguments->origin,
-                   "X,Y of the top left corner in tiles; large integer parts are exact")
-      ->capture_default_str();
-  verb->add_option("--seed", arguments->synthesis.seed, "Another seed, another pattern")
-      ->capture_default_str();
-  verb->add_flag("--tileable", arguments->synthesis.tileable,
-                 "Opposite borders of the image continue each other");
-  verb->add_option("--sharpness", arguments->synthesis.blendSharpness,
-                   "Exponent of the blend weights")
-      ->check(numberIn(0.25, 16.0))
-      ->capture_default_str();
-  verb->add_option("--contrast", arguments->synthesis.contrast, "Scale of the variation")
-      ->check(numberIn(0.0, 4.0))
-      ->capture_default_str();
-  const std::map<std::string, BlendOperator> operators{
-      {"histogram", BlendOperator::histogramPreserving},
-      {"variance", BlendOperator::variancePreserving},
-      {"linear", BlendOperator::linear}};
-  verb->add_option("--blend", arguments->synthesis.blend,
-                   "histogram (the method), or variance or linear for comparison")
-      ->transform(CLI::CheckedTransformer(operators));
-  addSharedOptions(*verb, arguments->shared);
+  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image")->required();
+  addText(verb, "--noise", arguments->noise, "NAME",
+          "Which noise of the bundle [default: the first]");
+  addText(verb, "--map", arguments->map, "MAP",
+          "Which map of the noise, such as baseColor [default: the first]");
+  addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024", "In pixels");
+  addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(0.001, 0x1p24), "",
+           "Pixels across one exemplar [default: its own width]");
+  addValue(verb, "--origin", synthesis.origin, coordinates(0x1p40), "0,0",
+           "The top left corner in tiles; large integer parts are exact");
+  addValue(verb, "--seed", synthesis.seed, seedNumber(), "1", "Another seed, another pattern");
+  verb.add_flag("--tileable", synthesis.tileable,
+                "Opposite borders of the image continue each other")
+      ->disable_flag_override();
+  addValue(verb, "--sharpness", synthesis.blendSharpness, number(0.25, 16.0), "1",
+           "Exponent of the blend weights");
+  addValue(verb, "--contrast", synthesis.contrast, number(0.0, 4.0), "1", "Scale of the variation");
+  const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
+                                         {"variance", BlendOperator::variancePreserving},
+                                         {"linear", BlendOperator::linear}};
+  addValue(verb, "--blend", synthesis.blend, oneOf(operators), "histogram",
+           "histogram is the method; the others show what it mends");
   return [arguments] { return run(*arguments); };
 }
 

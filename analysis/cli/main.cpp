@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // lichen: the verbs, and how each way of ending becomes an exit code and one line.
 #include "command.h"
+#include "options.h"
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <CLI/Validators.hpp>
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -18,49 +17,101 @@ namespace {
 
 struct Verb {
   const char* name;
-  Runner (*add)(CLI::App&);
+  const char* help;
+  Runner (*add)(CLI::App&, const SharedOptions&);
 };
-constexpr Verb kVerbs[] = {{"bake", addBake}, {"synth", addSynth}, {"check", addCheck}};
+constexpr Verb kVerbs[] = {
+    {"bake", "Turn a photograph of a material into noise", addBake},
+    {"synth", "Make an image of a noise, without a GPU", addSynth},
+    {"check", "Look for faults in a bundle", addCheck},
+};
+
+std::string verbNames() {
+  std::vector<std::string> names;
+  for (const Verb& verb : kVerbs)
+    names.push_back(verb.name);
+  return alternatives(names);
+}
 
 int fail(const Error& error) {
-  fmt::print(stderr, "lichen: {}\n", error.message);
+  std::string line = error.message;
+  std::replace(line.begin(), line.end(), '\n', ' '); // of a file's name or an option's text
+  fmt::print(stderr, "lichen: {}\n", line);
   return int(error.kind);
 }
 
-/// The first line of what CLI11 says, with where to read more.
-int failUsage(const CLI::ParseError& error) {
-  std::string message = error.what();
-  for (char& character : message)
-    character = character == '\n' ? ' ' : character;
-  return fail({ErrorKind::usage, message + "; see 'lichen --help' or 'lichen VERB --help'"});
+/// An error in the words of the command line, with where to read more.
+int failUsage(const CLI::App& app, const std::string& message) {
+  const auto given = app.get_subcommands();
+  return fail(
+      {ErrorKind::usage, fmt::format("{}; see 'lichen {}--help'", message,
+                                     given.empty() ? "" : given.front()->get_name() + " ")});
+}
+
+/// What is wrong with arguments that nothing has taken.
+std::string unexpected(const CLI::App& app) {
+  const std::string first = app.remaining(true).front();
+  if (first.starts_with("-"))
+    return first + ": no such option";
+  return app.get_subcommands().empty()
+             ? fmt::format("{}: no such verb; {} is accepted", first, verbNames())
+             : first + ": one argument too many";
+}
+
+/// An option with too few values or a flag with one, of which the parser says
+/// "--option: 1 required TYPE missing" and "flag was given a disallowed flag override".
+std::string mismatched(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  return colon != std::string::npos ? text.substr(0, colon) + ": a value is missing"
+                                    : "--" + text.substr(0, text.find(' ')) + ": takes no value";
+}
+
+void addSharedOptions(CLI::App& verb, SharedOptions& options) {
+  verb.add_flag("--json", options.json, "One JSON object on standard output, nothing else there")
+      ->disable_flag_override();
+  verb.add_flag("--quiet", options.quiet, "No notes and no report; errors only")
+      ->disable_flag_override();
+  addValue(verb, "--threads", options.threads, wholeNumber(0, 1024), "0",
+           "Threads to use; 0 for one a processor");
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Lichen turns a photograph of a material into noise: an endless, seamless texture."};
-  app.set_version_flag("--version", std::string("lichen ") + kVersion);
+  CLI::App app{"Lichen turns a photograph of a material into noise: an endless, seamless texture.",
+               "lichen"};
+  app.set_version_flag("--version", "lichen " LICHEN_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this page and exit");
   app.require_subcommand(0, 1); // none is refused below: CLI11 would not name an unknown one
-  std::vector<Runner> runners;
-  for (const Verb& verb : kVerbs)
-    runners.push_back(verb.add(app));
+  app.formatter(helpFormatter());
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  SharedOptions shared;
+  std::vector<std::pair<const CLI::App*, Runner>> verbs;
+  for (const Verb& verb : kVerbs) {
+    CLI::App* added = app.add_subcommand(verb.name, verb.help)->group("Verbs");
+    verbs.emplace_back(added, verb.add(*added, shared));
+    addSharedOptions(*added, shared);
+  }
+  app.footer("'lichen VERB --help' has the options of a verb."); // verbs added later would have it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // --help and --version
     return app.exit(success);
+  } catch (const CLI::ExtrasError&) {
+    return failUsage(app, unexpected(app));
+  } catch (const CLI::ArgumentMismatch& error) {
+    return failUsage(app, mismatched(error.what()));
   } catch (const CLI::ParseError& error) {
-    return failUsage(error);
+    return failUsage(app, error.what());
   }
-  if (app.get_subcommands().empty())
-    return failUsage(CLI::RequiredError("A verb"));
-  const auto threads = app.get_subcommands().front()->get_option("--threads")->as<std::size_t>();
-  const tbb::global_control control(
-      tbb::global_control::max_allowed_parallelism,
-      threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
-  for (std::size_t v = 0; v < runners.size(); ++v)
-    if (app.got_subcommand(kVerbs[v].name)) {
-      const Result<int> result = runners[v]();
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    shared.threads > 0
+                                        ? std::size_t(shared.threads)
+                                        : std::max(1u, std::thread::hardware_concurrency()));
+  for (const auto& [verb, runner] : verbs)
+    if (verb->parsed()) {
+      const Result<int> result = runner();
       return result ? result.value() : fail(result.error());
     }
-  return kDone;
+  return failUsage(app, "a verb is missing; " + verbNames() + " is accepted");
 }
 
 } // namespace

@@ -44,20 +44,23 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 
 } // namespace
 
-TEST_CASE("a missing or unknown verb is refused with where to read more") {
-  checkRefusal({}, kUsage, {"lichen --help"});
-  checkRefusal({"frobnicate"}, kUsage, {"frobnicate", "lichen --help"});
-  checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate", "lichen --help"});
+TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
+  checkRefusal({}, kUsage, {"a verb is missing; bake, synth or check", "'lichen --help'"});
+  checkRefusal(
+      {"chek"}, kUsage,
+      {"lichen: chek: no such verb; bake, synth or check is accepted; see 'lichen --help'"});
+  checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
 TEST_CASE("a verb without its arguments, or with too many, is refused") {
   const Made& m = made();
-  checkRefusal({"bake"}, kUsage, {"lichen VERB --help"});
-  checkRefusal({"bake", m.image}, kUsage, {"--output"});
-  checkRefusal({"synth", m.bundle}, kUsage, {"--output"});
-  checkRefusal({"check"}, kUsage, {"BUNDLE"});
-  checkRefusal({"check", m.bundle, m.bundle}, kUsage, {m.bundle});
-  checkRefusal({"bake", m.image, "-o"}, kUsage, {"--output"});
+  checkRefusal({"bake"}, kUsage, {"INPUT is required; see 'lichen bake --help'"});
+  checkRefusal({"bake", m.image}, kUsage, {"--output is required"});
+  checkRefusal({"synth", m.bundle}, kUsage, {"--output is required"});
+  checkRefusal({"check"}, kUsage, {"BUNDLE is required"});
+  checkRefusal({"check", m.bundle, "second.glb"}, kUsage, {"second.glb: one argument too many"});
+  checkRefusal({"bake", m.image, "-o"}, kUsage, {"--output: a value is missing"});
+  checkRefusal({"check", m.bundle, "--json=3"}, kUsage, {"--json: takes no value"});
 }
 
 TEST_CASE("unknown options and numbers outside their range are refused by every verb") {
@@ -70,46 +73,77 @@ TEST_CASE("unknown options and numbers outside their range are refused by every 
       all.insert(all.end(), more.begin(), more.end());
       return all;
     };
-    checkRefusal(with({"--frobnicate"}), kUsage, {"--frobnicate"});
-    checkRefusal(with({"--threads", "-1"}), kUsage, {"--threads", "-1"});
-    checkRefusal(with({"--threads", "100000"}), kUsage, {"--threads", "100000"});
-    checkRefusal(with({"--threads", "two"}), kUsage, {"--threads", "two"});
+    checkRefusal(with({"--frobnicate", "8"}), kUsage, {"--frobnicate: no such option"});
+    for (const std::string threads : {"-1", "100000", "two", "1.5"})
+      checkRefusal(with({"--threads", threads}), kUsage,
+                   {"--threads " + threads + ": a whole number from 0 to 1024 is accepted"});
   }
 }
 
-TEST_CASE("bake refuses option values that it does not know") {
-  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision", "9", "8", "16"});
-  checkBakeRefuses({"--transport", "slow"}, kUsage, {"--transport", "slow", "fast", "exact"});
-  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method", "magic", "tiling"});
-  checkBakeRefuses({"--periodic", "maybe"}, kUsage, {"--periodic", "maybe", "auto"});
-  checkBakeRefuses({"--preview", "teapot"}, kUsage, {"--preview", "teapot", "sphere"});
-  for (const char* seed : {"-1", "4294967296", "one", "1.5"})
-    checkBakeRefuses({"--seed", seed}, kUsage, {"--seed", seed});
-  for (const char* metres : {"0", "-1", "nan", "inf", "wide"})
-    checkBakeRefuses({"--tile", metres}, kUsage, {"--tile", metres});
+TEST_CASE("bake refuses option values that it does not know, with those that it does") {
+  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: 8 or 16 is accepted"});
+  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: tiling is accepted"});
+  checkBakeRefuses({"--periodic", "maybe"}, kUsage,
+                   {"--periodic maybe: auto, yes or no is accepted; see 'lichen bake --help'"});
+  checkBakeRefuses({"--transport", "slow"}, kUsage,
+                   {"--transport slow: fast, default or exact is accepted"});
+  checkBakeRefuses({"--preview", "teapot"}, kUsage,
+                   {"--preview teapot: sphere, plane or none is accepted"});
+  for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
+    checkBakeRefuses({"--seed", seed}, kUsage,
+                     {"--seed " + seed + ": a whole number from 0 to 4294967295 is accepted"});
+  for (const std::string metres : {"0", "-1", "nan", "inf", "wide"})
+    checkBakeRefuses({"--tile", metres}, kUsage,
+                     {"--tile " + metres + ": a number from 1e-06 to 1000000 is accepted"});
 }
 
 TEST_CASE("synth refuses sizes that are not two numbers from 1 to 16384") {
-  for (const char* size :
+  for (const std::string size :
        {"0x0", "abc", "99999x1", "1x99999", "12x", "x12", "1x2x3", "", "12.5x4", "99999999999x1"})
-    checkSynthRefuses({"--size", size}, kUsage, {"size", size});
+    checkSynthRefuses({"--size", size}, kUsage,
+                      {"--size " + size + ": a size from 1x1 to 16384x16384 is accepted"});
 }
 
-TEST_CASE("synth refuses option values that it does not know") {
-  checkSynthRefuses({"--noise", "granite"}, kUsage, {"--noise granite", "stone"});
-  checkSynthRefuses({"--map", "depth"}, kUsage, {"--map depth", "baseColor"});
-  checkSynthRefuses({"--map", "normal"}, kUsage, {"normal", "stone"});
-  checkSynthRefuses({"--blend", "add"}, kUsage, {"--blend", "add", "histogram"});
-  for (const char* origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
-    checkSynthRefuses({"--origin", origin}, kUsage, {"origin"});
-  for (const char* texels : {"0", "-4", "nan", "inf", "1e30", "many"})
-    checkSynthRefuses({"--texels-per-tile", texels}, kUsage, {"texels"});
-  for (const char* sharpness : {"0", "17", "nan"})
-    checkSynthRefuses({"--sharpness", sharpness}, kUsage, {"--sharpness", sharpness});
-  for (const char* contrast : {"-1", "5", "nan"})
-    checkSynthRefuses({"--contrast", contrast}, kUsage, {"--contrast", contrast});
-  for (const char* seed : {"-1", "4294967296"})
-    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed", seed});
+TEST_CASE("synth refuses option values that it does not know, with those that it does") {
+  checkSynthRefuses({"--noise", "granite"}, kUsage, {"--noise granite: ", "has stone"});
+  for (const std::string map : {"depth", "normal"})
+    checkSynthRefuses({"--map", map}, kUsage, {"--map " + map + ": noise 'stone' has baseColor"});
+  checkSynthRefuses({"--blend", "add"}, kUsage,
+                    {"--blend add: histogram, variance or linear is accepted"});
+  for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
+    checkSynthRefuses({"--origin", origin}, kUsage, {"--origin " + origin + ": X,Y with numbers"});
+  for (const std::string texels : {"0", "-4", "nan", "inf", "1e30", "many"})
+    checkSynthRefuses({"--texels-per-tile", texels}, kUsage,
+                      {"--texels-per-tile " + texels + ": a number from 0.001 to 16777216"});
+  for (const std::string sharpness : {"0", "17", "nan"})
+    checkSynthRefuses({"--sharpness", sharpness}, kUsage,
+                      {"--sharpness " + sharpness + ": a number from 0.25 to 16"});
+  for (const std::string contrast : {"-1", "5", "nan"})
+    checkSynthRefuses({"--contrast", contrast}, kUsage,
+                      {"--contrast " + contrast + ": a number from 0 to 4"});
+  for (const std::string seed : {"-1", "4294967296"})
+    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed " + seed + ": a whole number"});
+}
+
+TEST_CASE("of an option given twice the last value counts") {
+  const Made& m = made();
+  const std::string picture = m.workplace.path("twice.png");
+  const Ended ended = runLichen({"synth", m.bundle, "-o", m.workplace.path("absent/a.png"), "-o",
+                                 picture, "--size", "1x1", "--size", "5x4", "--json"});
+  CHECK(ended.code == 0);
+  CHECK(std::filesystem::exists(picture));
+  CHECK_THAT(ended.output, Catch::Contains("\"width\": 5"));
+}
+
+TEST_CASE("help and messages have no word of the parser's own types") {
+  for (const Arguments& verb : {Arguments{}, {"bake"}, {"synth"}, {"check"}}) {
+    Arguments arguments = verb;
+    arguments.push_back("--help");
+    const Ended ended = runLichen(arguments);
+    CHECK(ended.code == 0);
+    for (const char* word : {"ENUM", "TEXT:", "UINT", "FLOAT", "INT:", "->", "{", "SUBCOMMAND"})
+      CHECK_THAT(ended.output, !Catch::Contains(word));
+  }
 }
 
 TEST_CASE("an output that cannot be is refused before the work, with the cure") {

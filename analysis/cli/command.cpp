@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Checks and lines that verbs share.
+#include "command.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace lichen::cli {
+
+Result<void> checkOutput(const std::filesystem::path& output,
+                         const std::array<std::string, 2>& extensions) {
+  const std::string extension = output.extension().string();
+  if (extension != extensions[0] && extension != extensions[1])
+    return Error{ErrorKind::usage, fmt::format("{}: the extension {} or {} is accepted",
+                                               output.string(), extensions[0], extensions[1])};
+  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    return Error{ErrorKind::environment,
+                 fmt::format("{}: the folder {} does not exist; make it first", output.string(),
+                             folder.string())};
+  return {};
+}
+
+std::string toText(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void say(const SharedOptions& options, const std::string& line) {
+  if (!options.quiet && !options.json)
+    fmt::print("{}\n", line);
+}
+
+void note(const SharedOptions& options, const std::string& line) {
+  if (!options.quiet)
+    fmt::print(stderr, "note: {}\n", line);
+}
+
+} // namespace lichen::cli

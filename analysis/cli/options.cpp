@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Texts of options -> values, and the page that --help prints.
+#include "options.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+namespace lichen::cli {
+namespace {
+
+/// Wide enough for most placeholders; descriptions of longer ones begin on the next line.
+constexpr std::size_t kLeftColumn = 32;
+
+template <class Number>
+std::optional<Number> parseNumber(std::string_view text) {
+  Number value{};
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size())
+    return std::nullopt;
+  return value;
+}
+
+/// As above, in [smallest, largest]; not a number is in no range.
+template <class Number>
+std::optional<Number> parseNumber(std::string_view text, Number smallest, Number largest) {
+  const std::optional<Number> value = parseNumber<Number>(text);
+  return value && *value >= smallest && *value <= largest ? value : std::nullopt;
+}
+
+template <class Number>
+Accepted<Number> numberBetween(const std::string& kind, Number smallest, Number largest) {
+  return {"N", fmt::format("{} from {} to {}", kind, smallest, largest),
+          [=](const std::string& text) { return parseNumber(text, smallest, largest); }};
+}
+
+/// Two numbers with a character between them.
+template <class Number>
+std::optional<std::array<Number, 2>> parsePair(std::string_view text, char separator,
+                                               Number smallest, Number largest) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string_view::npos)
+    return std::nullopt;
+  const std::optional<Number> first = parseNumber(text.substr(0, at), smallest, largest);
+  const std::optional<Number> second = parseNumber(text.substr(at + 1), smallest, largest);
+  if (!first || !second)
+    return std::nullopt;
+  return std::array<Number, 2>{*first, *second};
+}
+
+class HelpFormatter : public CLI::Formatter {
+public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string text = option->get_description();
+    if (!option->get_default_str().empty())
+      text += fmt::format(" [default: {}]", option->get_default_str());
+    if (option->get_required() && option->nonpositional())
+      text += " (required)";
+    return text;
+  }
+};
+
+} // namespace
+
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t w = 0; w < words.size(); ++w)
+    text += (w == 0 ? "" : w + 1 == words.size() ? " or " : ", ") + words[w];
+  return text;
+}
+
+Accepted<int> wholeNumber(int smallest, int largest) {
+  return numberBetween("a whole number", smallest, largest);
+}
+
+Accepted<double> number(double smallest, double largest) {
+  return numberBetween("a number", smallest, largest);
+}
+
+Accepted<std::uint32_t> seedNumber() {
+  return numberBetween("a whole number", std::uint32_t(0),
+                       std::numeric_limits<std::uint32_t>::max());
+}
+
+Accepted<std::array<int, 2>> imageSize(int largest) {
+  return {"WxH", fmt::format("a size from 1x1 to {0}x{0}", largest),
+          [=](const std::string& text) -> std::optional<std::array<int, 2>> {
+            if (const std::optional<int> side = parseNumber(text, 1, largest))
+              return std::array<int, 2>{*side, *side};
+            return parsePair(text, 'x', 1, largest);
+          }};
+}
+
+Accepted<std::array<double, 2>> coordinates(double largest) {
+  return {"X,Y", fmt::format("X,Y with numbers from {} to {}", -largest, largest),
+          [=](const std::string& text) { return parsePair(text, ',', -largest, largest); }};
+}
+
+void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                   const std::string& sentence, std::function<bool(const std::string&)> take,
+                   const std::string& preset, const std::string& help) {
+  const auto read = [=](const std::string& text) {
+    if (!take(text))
+      throw CLI::ValidationError(name + " " + text, sentence + " is accepted");
+  };
+  verb.add_option_function<std::string>(name, read, help)
+      ->type_name(placeholder)
+      ->default_str(preset);
+}
+
+CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
+                     const std::string& placeholder, const std::string& help) {
+  return verb.add_option(name, value, help)->type_name(placeholder);
+}
+
+std::shared_ptr<CLI::FormatterBase> helpFormatter() {
+  auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(kLeftColumn);
+  formatter->label("Positionals", "Arguments");
+  formatter->label("SUBCOMMAND", "VERB");
+  return formatter;
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Options whose text is read by rules of our own, so that help and messages speak of options and
+// not of the parser's types.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lichen::cli {
+
+/// What the text of an option may be.
+template <class Value>
+struct Accepted {
+  std::string placeholder; ///< as help shows it: "N", "auto|yes|no"
+  std::string sentence;    ///< as a message names it: "a number from 0 to 4", "auto, yes or no"
+  std::function<std::optional<Value>(const std::string& text)> read; ///< nothing: not accepted
+};
+
+/// "a", "a or b", "a, b or c".
+[[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
+
+/// A number in [smallest, largest].
+[[nodiscard]] Accepted<int> wholeNumber(int smallest, int largest);
+[[nodiscard]] Accepted<double> number(double smallest, double largest);
+/// Any 32 bits.
+[[nodiscard]] Accepted<std::uint32_t> seedNumber();
+/// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Sides in [1, largest].
+[[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
+/// "10,-2.5" -> {10.0, -2.5}. Both in [-largest, largest].
+[[nodiscard]] Accepted<std::array<double, 2>> coordinates(double largest);
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <class Value>
+[[nodiscard]] Accepted<Value> oneOf(const Choices<Value>& choices) {
+  std::vector<std::string> names;
+  std::string placeholder;
+  for (const auto& [name, value] : choices) {
+    names.push_back(name);
+    placeholder += (placeholder.empty() ? "" : "|") + name;
+  }
+  return {placeholder, alternatives(names),
+          [choices](const std::string& text) -> std::optional<Value> {
+            for (const auto& [name, value] : choices)
+              if (name == text)
+                return value;
+            return std::nullopt;
+          }};
+}
+
+/// Declares an option of which `take` reads the text; where it returns false, the parse ends with
+/// CLI::ValidationError("NAME TEXT: SENTENCE is accepted").
+void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                   const std::string& sentence, std::function<bool(const std::string& text)> take,
+                   const std::string& preset, const std::string& help);
+
+/// Declares an option of a verb. `value`, which must outlive the parse, is set to what `preset`
+/// says, unless that is empty, and to what the user says.
+template <class Value>
+void addValue(CLI::App& verb, const std::string& name, Value& value,
+              const Accepted<Value>& accepted, const std::string& preset, const std::string& help) {
+  const auto take = [&value, read = accepted.read](const std::string& text) {
+    const std::optional<Value> result = read(text);
+    if (result)
+      value = *result;
+    return result.has_value();
+  };
+  [[maybe_unused]] const bool presetIsAccepted = preset.empty() || take(preset);
+  assert(presetIsAccepted);
+  addReadOption(verb, name, accepted.placeholder, accepted.sentence, take, preset, help);
+}
+
+/// An option or argument that is taken as it stands.
+CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
+                     const std::string& placeholder, const std::string& help);
+
+/// Help with placeholders in the left column, defaults and requirements in the right one.
+[[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();
+
+} // namespace lichen::cli
