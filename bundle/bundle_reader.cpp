@@ -37,10 +37,6 @@ Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path
                                         (first->pointer.empty() ? "" : ": ") + first->message};
 }
 
-std::filesystem::path folderOf(const std::filesystem::path& path) {
-  return path.has_parent_path() ? path.parent_path() : ".";
-}
-
 } // namespace
 
 Result<Bundle> readBundle(const std::filesystem::path& path) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A bundle and its preview -> GLB, or .gltf and .bin. Source: glTF 2.0 specification, section 4.
 #include "extension_writer.h"
-#include "gltf_file.h"
+#include "findings.h"
 #include "preview_material.h"
 #include "preview_scene.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/files.h>
+#include <lichen/gltf_container.h>
 
-#include <algorithm>
-#include <cstring>
 #include <limits>
 #include <new>
 
@@ -78,31 +77,6 @@ OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
   return root;
 }
 
-void appendWord(std::vector<std::byte>& bytes, std::size_t value) {
-  const auto narrow = std::uint32_t(value);
-  const auto view = std::as_bytes(std::span(&narrow, 1));
-  bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary) {
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  const std::size_t padding = (4 - binary.size() % 4) % 4;
-  std::vector<std::byte> glb;
-  appendWord(glb, kGlbMagic);
-  appendWord(glb, 2);
-  appendWord(glb,
-             kGlbHeaderBytes + 2 * kGlbChunkHeaderBytes + text.size() + binary.size() + padding);
-  appendWord(glb, text.size());
-  appendWord(glb, kGlbChunkJson);
-  const auto textBytes = std::as_bytes(std::span(text));
-  glb.insert(glb.end(), textBytes.begin(), textBytes.end());
-  appendWord(glb, binary.size() + padding);
-  appendWord(glb, kGlbChunkBin);
-  glb.insert(glb.end(), binary.begin(), binary.end());
-  glb.resize(glb.size() + padding);
-  return glb;
-}
-
 Result<std::vector<std::byte>> encode(const BundleFile& file) {
   if (Result<void> parts = checkParts(file); !parts)
     return parts.error();
@@ -138,25 +112,26 @@ std::string uriOf(const std::string& fileName) {
   return uri;
 }
 
+Error outOfMemory() { return Error{ErrorKind::resources, "bundle: not enough memory to encode"}; }
+
 /// Splits a GLB that encode() made, so that both forms are checked by the same code.
 Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::byte> glb) {
-  std::uint32_t textBytes = 0;
-  std::memcpy(&textBytes, glb.data() + kGlbHeaderBytes, sizeof textBytes);
-  const auto text = glb.subspan(kGlbHeaderBytes + kGlbChunkHeaderBytes, textBytes);
-  const auto binary = glb.subspan(kGlbHeaderBytes + 2 * kGlbChunkHeaderBytes + textBytes);
-  const auto* begin = reinterpret_cast<const char*>(text.data());
-  OrderedJson root = OrderedJson::parse(begin, begin + text.size());
+  const std::variant<GltfContainer, Finding> opened = openGltf(glb);
+  const auto* container = std::get_if<GltfContainer>(&opened);
+  if (container == nullptr)
+    return outOfMemory();
+  const auto* begin = reinterpret_cast<const char*>(container->text.data());
+  OrderedJson root = OrderedJson::parse(begin, begin + container->text.size());
   const std::filesystem::path binaryPath = std::filesystem::path(path).replace_extension(".bin");
   root["buffers"][0]["uri"] = uriOf(binaryPath.filename().string());
   const std::string pretty = root.dump(2) + "\n";
   const std::size_t length = root["buffers"][0]["byteLength"];
   // The binary first: a .gltf then never names a file that is not there.
-  if (Result<void> written = replaceFile(binaryPath, binary.first(length)); !written)
+  if (Result<void> written = replaceFile(binaryPath, container->binaryChunk->first(length));
+      !written)
     return written;
   return replaceFile(path, std::as_bytes(std::span(pretty)));
 }
-
-Error outOfMemory() { return Error{ErrorKind::resources, "bundle: not enough memory to encode"}; }
 
 } // namespace
 

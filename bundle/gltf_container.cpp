@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Frame of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting depth
+// is checked before it is used.
+#include <lichen/gltf_container.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint32_t kGlbMagic = 0x46546C67u;     // "glTF"
+constexpr std::uint32_t kGlbChunkJson = 0x4E4F534Au; // "JSON"
+constexpr std::uint32_t kGlbChunkBin = 0x004E4942u;  // "BIN"
+constexpr std::uint32_t kGlbVersion = 2;
+constexpr std::size_t kGlbHeaderBytes = 12;
+constexpr std::size_t kGlbChunkHeaderBytes = 8;
+constexpr std::size_t kGlbAlignment = 4; // of chunks
+
+/// The parsed form of JSON takes up to some 20 times its bytes; 64 MiB stay near 1 GiB. Exporters
+/// stay below unless they embed large buffers as data URIs, which take 1 time theirs.
+constexpr std::size_t kMaxJsonBytes = std::size_t(64) << 20;
+/// glTF itself nests 8 deep; extensions and extras somewhat deeper.
+constexpr int kMaxJsonDepth = 64;
+
+std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+void appendWord(std::vector<std::byte>& bytes, std::size_t value) {
+  const auto narrow = std::uint32_t(value);
+  const auto view = std::as_bytes(std::span(&narrow, 1));
+  bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+bool nestsTooDeep(std::span<const std::byte> text) {
+  int depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = char(text[i]);
+    if (inString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        inString = false;
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxJsonDepth)
+        return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+/// Ends the reading of a container.
+struct Fault {
+  Finding finding;
+};
+
+[[noreturn]] void fail(const char* code, const std::string& message,
+                       const std::string& pointer = "") {
+  throw Fault{{Finding::Severity::error, code, pointer, message}};
+}
+
+/// Sets `text` and `binaryChunk`.
+void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
+  if (file.size() < kGlbHeaderBytes)
+    fail("glb-length", "the GLB ends inside its header");
+  if (const std::uint32_t version = word(file, 4); version != kGlbVersion)
+    fail("glb-version", "GLB version " + std::to_string(version) + "; 2 is accepted");
+  if (const std::uint32_t length = word(file, 8); length != file.size())
+    fail("glb-length", "the GLB header says " + std::to_string(length) + " bytes, the file has " +
+                           std::to_string(file.size()));
+  std::size_t offset = kGlbHeaderBytes;
+  for (int chunk = 0; offset < file.size(); ++chunk) {
+    if (file.size() - offset < kGlbChunkHeaderBytes)
+      fail("glb-chunk", "the GLB ends inside the header of chunk " + std::to_string(chunk));
+    const std::uint32_t length = word(file, offset);
+    const std::uint32_t type = word(file, offset + 4);
+    offset += kGlbChunkHeaderBytes;
+    if (length > file.size() - offset || length % kGlbAlignment != 0)
+      fail("glb-chunk", "GLB chunk " + std::to_string(chunk) + " of " + std::to_string(length) +
+                            " bytes; a multiple of 4, at most " +
+                            std::to_string(file.size() - offset) + ", is accepted");
+    if ((chunk == 0) != (type == kGlbChunkJson))
+      fail("glb-chunk", "the first chunk of a GLB must be its only JSON");
+    if (chunk == 0)
+      container.text = file.subspan(offset, length);
+    else if (chunk == 1 && type == kGlbChunkBin)
+      container.binaryChunk = file.subspan(offset, length);
+    offset += length;
+  }
+  if (offset == kGlbHeaderBytes)
+    fail("glb-chunk", "the GLB has no JSON chunk");
+}
+
+void splitText(std::span<const std::byte> file, GltfContainer& container) {
+  const auto first = std::find_if(file.begin(), file.end(), [](std::byte b) {
+    return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
+  });
+  if (first == file.end() || char(*first) != '{')
+    fail("not-gltf", "neither a GLB (first bytes glTF) nor a JSON object; a .glb or .gltf is "
+                     "accepted");
+  container.text = file;
+}
+
+json parseJson(std::span<const std::byte> text) {
+  if (text.size() > kMaxJsonBytes)
+    fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; at most " +
+                          std::to_string(kMaxJsonBytes) + " are accepted");
+  if (nestsTooDeep(text))
+    fail("json-depth",
+         "JSON nested deeper than the accepted " + std::to_string(kMaxJsonDepth) + " levels");
+  json document;
+  try {
+    const auto* begin = reinterpret_cast<const char*>(text.data());
+    document = json::parse(begin, begin + text.size());
+  } catch (const json::parse_error& error) {
+    fail("json-syntax", "JSON syntax error at byte " + std::to_string(error.byte));
+  } catch (const json::exception&) { // a number beyond the range of double
+    fail("json-syntax", "JSON with a number that is out of range");
+  }
+  if (!document.is_object())
+    fail("json-syntax", "the JSON document is not an object");
+  const auto asset = document.find("asset");
+  if (asset == document.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string() ||
+      (*asset)["version"].get_ref<const std::string&>().rfind("2.", 0) != 0)
+    fail("asset-version", "absent or not 2.x; \"2.0\" is accepted", "/asset/version");
+  return document;
+}
+
+} // namespace
+
+std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file) {
+  try {
+    GltfContainer container;
+    container.isGlb = file.size() >= sizeof kGlbMagic && word(file, 0) == kGlbMagic;
+    if (container.isGlb)
+      splitGlb(file, container);
+    else
+      splitText(file, container);
+    container.document = parseJson(container.text);
+    return container;
+  } catch (Fault& fault) {
+    return std::move(fault.finding);
+  } catch (const std::bad_alloc&) {
+    return Finding{Finding::Severity::error, "memory", "", "not enough memory to read it"};
+  }
+}
+
+std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary) {
+  const auto padded = [](std::size_t size) {
+    return (size + kGlbAlignment - 1) / kGlbAlignment * kGlbAlignment;
+  };
+  text.resize(padded(text.size()), ' ');
+  const std::size_t binarySize = padded(binary.size());
+  const std::size_t binaryChunkSize = binary.empty() ? 0 : kGlbChunkHeaderBytes + binarySize;
+  std::vector<std::byte> glb;
+  appendWord(glb, kGlbMagic);
+  appendWord(glb, kGlbVersion);
+  appendWord(glb, kGlbHeaderBytes + kGlbChunkHeaderBytes + text.size() + binaryChunkSize);
+  appendWord(glb, text.size());
+  appendWord(glb, kGlbChunkJson);
+  const auto textBytes = std::as_bytes(std::span(text));
+  glb.insert(glb.end(), textBytes.begin(), textBytes.end());
+  if (!binary.empty()) {
+    appendWord(glb, binarySize);
+    appendWord(glb, kGlbChunkBin);
+    glb.insert(glb.end(), binary.begin(), binary.end());
+    glb.resize(glb.size() + binarySize - binary.size());
+  }
+  return glb;
+}
+
+std::optional<std::filesystem::path> fileInside(const std::filesystem::path& folder,
+                                                const std::filesystem::path& relative) {
+  if (folder.empty() || relative.empty() || relative.has_root_path())
+    return std::nullopt;
+  std::error_code error;
+  const auto root = std::filesystem::weakly_canonical(folder, error);
+  if (error)
+    return std::nullopt;
+  const auto target = std::filesystem::weakly_canonical(root / relative, error);
+  if (error)
+    return std::nullopt;
+  const auto [rootEnd, targetEnd] =
+      std::mismatch(root.begin(), root.end(), target.begin(), target.end());
+  if (rootEnd != root.end() || targetEnd == target.end())
+    return std::nullopt;
+  return target;
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+} // namespace lichen

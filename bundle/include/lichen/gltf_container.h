@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The container of a glTF asset: GLB chunks or a .gltf text <-> JSON document and binary chunk, and
+// the files beside it. What includes this links nlohmann_json.
+// Sources: glTF 2.0 specification, section 4 (GLB), 3.6.1 (URIs).
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <nlohmann/json.hpp>
+
+#include <variant>
+
+namespace lichen {
+
+struct GltfContainer {
+  nlohmann::json document; ///< an object; asset.version is 2.x
+  bool isGlb = false;
+  std::span<const std::byte> text; ///< of the document, borrowed from the file's bytes
+  /// Of a GLB that has one; borrowed too.
+  std::optional<std::span<const std::byte>> binaryChunk;
+};
+
+/// Takes the frame off a .glb or .gltf and parses its JSON, up to 64 MiB of it, 64 levels deep; or
+/// says what is wrong. The fault's code is "memory" when memory did not suffice.
+[[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);
+
+/// A GLB of a JSON text and a binary chunk, which may be empty. Both below 4 GiB together.
+[[nodiscard]] std::vector<std::byte> frameGlb(std::string json, std::span<const std::byte> binary);
+
+/// The file that a relative path names, or nothing when it lies outside the folder, by its words or
+/// through a link. `folder` empty: nothing lies inside it.
+[[nodiscard]] std::optional<std::filesystem::path>
+fileInside(const std::filesystem::path& folder, const std::filesystem::path& relative);
+
+/// The folder of a file, "." for a bare name.
+[[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& file);
+
+} // namespace lichen
