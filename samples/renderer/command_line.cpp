@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.h"
 
-#include "gltf_file.h"
+#include "printable.h"
 #include "renderer.h"
 
 #include <CLI/CLI.hpp>

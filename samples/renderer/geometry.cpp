@@ -100,9 +100,13 @@ Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model,
   return indices;
 }
 
+bool isStripOrFan(int mode) {
+  return mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
 /// Strips and fans as a list; a list loses an incomplete last triangle.
 std::vector<std::uint32_t> asTriangleList(const std::vector<std::uint32_t>& indices, int mode) {
-  if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+  if (!isStripOrFan(mode)) {
     const auto whole = std::ptrdiff_t(indices.size() - indices.size() % 3);
     return {indices.begin(), indices.begin() + whole};
   }
@@ -144,7 +148,7 @@ glm::vec3 anyPerpendicular(glm::vec3 n) {
   return normalizedOr(axis - n * glm::dot(n, axis), glm::vec3(0, 0, 1));
 }
 
-void makeTangents(Primitive& primitive) {
+void makeTangents(Primitive& primitive, glm::vec2 Vertex::*texCoord) {
   std::vector<glm::vec3> alongU(primitive.vertices.size(), glm::vec3(0.0f));
   std::vector<glm::vec3> alongV(primitive.vertices.size(), glm::vec3(0.0f));
   const auto& vertices = primitive.vertices;
@@ -154,8 +158,8 @@ void makeTangents(Primitive& primitive) {
     const Vertex& c = vertices[primitive.indices[i + 2]];
     const glm::vec3 e1 = b.position - a.position;
     const glm::vec3 e2 = c.position - a.position;
-    const glm::vec2 t1 = b.texCoord0 - a.texCoord0;
-    const glm::vec2 t2 = c.texCoord0 - a.texCoord0;
+    const glm::vec2 t1 = b.*texCoord - a.*texCoord;
+    const glm::vec2 t2 = c.*texCoord - a.*texCoord;
     const float area = t1.x * t2.y - t1.y * t2.x;
     if (std::abs(area) < std::numeric_limits<float>::min())
       continue;
@@ -230,8 +234,21 @@ Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int access
   return values;
 }
 
-Result<std::optional<Primitive>>
-readPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& source, bool needsTangents) {
+std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive& source) {
+  const auto position = source.attributes.find("POSITION");
+  if (position == source.attributes.end())
+    return 0;
+  const std::size_t vertices = model.accessors[std::size_t(position->second)].count;
+  const std::size_t stored =
+      source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : vertices;
+  const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
+  const bool flat = source.attributes.count("NORMAL") == 0; // a vertex for each index
+  return vertices + indices + (flat ? indices : 0);
+}
+
+Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
+                                               const tinygltf::Primitive& source,
+                                               const Material& material) {
   const auto position = source.attributes.find("POSITION");
   if (position == source.attributes.end() ||
       (source.mode >= TINYGLTF_MODE_POINTS && source.mode < TINYGLTF_MODE_TRIANGLES))
@@ -272,11 +289,17 @@ readPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& source, b
   for (const Result<bool>& result : present)
     if (!result)
       return result.error();
-  if (!present[1].value())
+  const bool hasNormals = present[1].value();
+  const bool hasTangents = present[2].value();
+  if (!hasNormals)
     makeFlat(target);
-  // Tangents of the file mean nothing without its normals.
-  if (needsTangents && (!present[1].value() || !present[2].value()))
-    makeTangents(target);
+  const TextureSlot& texture = material.normalTexture;
+  if (material.noiseNormalTexCoord || texture.image) {
+    const int texCoord = material.noiseNormalTexCoord.value_or(texture.texCoord);
+    // Tangents of the file mean nothing without its normals, and belong to the normal texture.
+    if (!hasNormals || !hasTangents || texCoord != texture.texCoord)
+      makeTangents(target, texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
+  }
   return std::optional<Primitive>(std::move(target));
 }
 

@@ -16,11 +16,16 @@ namespace lichen::renderer {
 /// outside the accessor.
 [[nodiscard]] Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int accessor);
 
+/// Vertices and indices that readPrimitive() makes of a primitive, and needs on the way.
+[[nodiscard]] std::size_t expandedSize(const tinygltf::Model& model,
+                                       const tinygltf::Primitive& primitive);
+
 /// A glTF primitive as indexed triangles with normals (flat where the file has none), and tangents
-/// when `needsTangents`. Nothing for points, lines, and primitives without positions or triangles.
+/// where `material` has normals of a texture or a noise. Nothing for points, lines, and primitives
+/// without positions or triangles. Primitive::material is left to the caller.
 /// Errors: badInput for an index beyond the vertices.
 [[nodiscard]] Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
                                                              const tinygltf::Primitive& primitive,
-                                                             bool needsTangents);
+                                                             const Material& material);
 
 } // namespace lichen::renderer

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Checks of single JSON values; see json_place.h.
 #include "json_place.h"
 
-#include "gltf_file.h"
+#include "printable.h"
 
 #include <cmath>
 #include <limits>
@@ -62,6 +63,9 @@ void Place::each(const char* key,
     return;
   if (!array->value_->is_array() || array->value_->empty())
     array->fail(shown(*array->value_) + " is not accepted, a non-empty array is");
+  if (array->value_->size() > kMaxElements)
+    array->fail(std::to_string(array->value_->size()) + " elements are not accepted, up to " +
+                std::to_string(kMaxElements) + " are");
   for (std::size_t i = 0; i < array->value_->size(); ++i)
     visit(Place((*array->value_)[i], array->pointer_ + "/" + std::to_string(i)), i);
 }

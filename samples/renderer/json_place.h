@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -12,6 +13,10 @@
 #include <string>
 
 namespace lichen::renderer {
+
+/// More than the largest scenes in the wild have of anything. An empty object of 3 bytes takes up
+/// to 2 KiB when loaded, so that a small file could otherwise fill the memory.
+inline constexpr std::size_t kMaxElements = std::size_t(1) << 18;
 
 /// A fault of the document, as one line without the file's name.
 struct Fault {
@@ -31,7 +36,7 @@ public:
   [[nodiscard]] std::optional<Place> find(const char* key) const;
   [[nodiscard]] Place member(const char* key) const; ///< fails when absent
   /// Calls `visit` for each element of the array `key`, or not at all when the member is absent.
-  /// An empty array fails, as glTF's schema has it.
+  /// An empty array fails, as glTF's schema has it, and so does one of more than kMaxElements.
   void each(const char* key, const std::function<void(const Place&, std::size_t)>& visit) const;
   [[nodiscard]] std::size_t countOf(const char* key) const; ///< of an array; 0 when absent
 

@@ -57,6 +57,34 @@ glm::vec2 pairIn(const tinygltf::Value& object, const char* key, glm::vec2 absen
   return {float(pair.Get(0).GetNumberAsDouble()), float(pair.Get(1).GetNumberAsDouble())};
 }
 
+/// Members and elements of a value that may be anything; a null value where there is none.
+const tinygltf::Value& at(const tinygltf::Value& value, const char* key) {
+  static const tinygltf::Value kNull;
+  return value.Has(key) ? value.Get(key) : kNull;
+}
+const tinygltf::Value& at(const tinygltf::Value& value, int index) {
+  static const tinygltf::Value kNull;
+  return index >= 0 && std::size_t(index) < value.ArrayLen() ? value.Get(index) : kNull;
+}
+
+/// Where the normals of a material's noise take their texture coordinates; nothing without normals.
+/// The extension is the plugin's to check, later: here a fault counts as absence.
+std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinygltf::Value& use) {
+  const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
+  const tinygltf::Value& index = at(use, "noise");
+  if (root == nullptr || !index.IsInt())
+    return std::nullopt;
+  const tinygltf::Value& maps = at(at(at(*root, "noises"), index.GetNumberAsInt()), "maps");
+  for (int m = 0; m < int(maps.ArrayLen()); ++m) {
+    const tinygltf::Value& target = at(at(maps, m), "target");
+    if (target.IsString() && target.Get<std::string>() == nameOf(MapTarget::normal)) {
+      const tinygltf::Value& texCoord = at(use, "texCoord");
+      return texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Info is one of tinygltf's three textureInfo structs. An image's index stays that of the file.
 template <class Info>
 TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
@@ -104,7 +132,10 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   result.normalTexture = readSlot(model, source.normalTexture);
   result.occlusionTexture = readSlot(model, source.occlusionTexture);
   result.emissiveTexture = readSlot(model, source.emissiveTexture);
-  result.hasNoise = extension(source.extensions, kExtensionName.data()) != nullptr;
+  if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
+    result.hasNoise = true;
+    result.noiseNormalTexCoord = noiseNormalTexCoord(model, *use);
+  }
   return result;
 }
 

@@ -18,7 +18,7 @@ namespace lichen::renderer {
 struct Vertex {
   glm::vec3 position{0.0f};
   glm::vec3 normal{0.0f};
-  glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; zero without a normal map
+  glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; unset without a normal map
   glm::vec2 texCoord0{0.0f};
   glm::vec2 texCoord1{0.0f};
   glm::vec4 color{1.0f}; ///< linear
@@ -87,6 +87,8 @@ struct Material {
   TextureSlot occlusionTexture;
   TextureSlot emissiveTexture;
   bool hasNoise = false; ///< carries LICHEN_materials_exemplar_noise, which the plugin reads
+  /// Texture coordinates of the noise, where it has normals.
+  std::optional<int> noiseNormalTexCoord;
 };
 
 enum class LightKind { directional, point, spot };
@@ -128,11 +130,15 @@ struct Scene {
 };
 
 /// Reads and checks a .gltf or .glb. Errors: badInput for every fault of the file, with the JSON
-/// pointer of the place; resources when the scene is larger than kMaxSceneVertices.
+/// pointer of the place; resources when the scene is larger than the bounds below.
 [[nodiscard]] Result<Scene> readScene(const std::filesystem::path& path);
 
-/// Vertices after every primitive is expanded: 64 Mi, 4.5 GiB of memory.
+/// Vertices and indices of all primitives after their expansion: 64 Mi, at most 4.5 GiB of memory.
 inline constexpr std::size_t kMaxSceneVertices = std::size_t(1) << 26;
+/// Primitives placed in the world, each a draw call a pass.
+inline constexpr std::size_t kMaxSceneInstances = std::size_t(1) << 18;
+/// Vertices and indices of all instances together: what a small file could make a frame last for.
+inline constexpr std::size_t kMaxDrawnVertices = std::size_t(1) << 28;
 /// Texels of all images together, 1 GiB of memory before mip levels.
 inline constexpr std::size_t kMaxSceneTexels = std::size_t(1) << 28;
 

@@ -3,6 +3,7 @@
 #include "geometry.h"
 #include "gltf_file.h"
 #include "material_load.h"
+#include "printable.h"
 #include "scene.h"
 #include "scene_validate.h"
 
@@ -30,9 +31,13 @@ bool keepImageBytes(tinygltf::Image* image, const int, std::string*, std::string
   return true;
 }
 
-bool fileExists(const std::string& name, void* gltfPath) {
-  const auto& path = *static_cast<const std::filesystem::path*>(gltfPath);
-  const auto file = fileOfUri(path, name);
+/// The file beside the scene that a decoded URI names.
+std::optional<std::filesystem::path> fileBeside(void* scenePath, const std::string& name) {
+  return fileInside(folderOf(*static_cast<const std::filesystem::path*>(scenePath)), name);
+}
+
+bool fileExists(const std::string& name, void* scenePath) {
+  const auto file = fileBeside(scenePath, name);
   std::error_code ignored;
   return file && std::filesystem::is_regular_file(*file, ignored);
 }
@@ -40,8 +45,8 @@ bool fileExists(const std::string& name, void* gltfPath) {
 std::string sameName(const std::string& name, void*) { return name; }
 
 bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const std::string& name,
-                   void* gltfPath) {
-  const auto file = fileOfUri(*static_cast<const std::filesystem::path*>(gltfPath), name);
+                   void* scenePath) {
+  const auto file = fileBeside(scenePath, name);
   // tinygltf counts bytes with int in its callbacks.
   Result<std::vector<std::byte>> bytes =
       file ? readFile(*file, std::numeric_limits<int>::max())
@@ -66,7 +71,7 @@ Result<tinygltf::Model> loadModel(GltfFile& file) {
   const auto* text = reinterpret_cast<const char*>(file.bytes.data());
   const auto* bytes = reinterpret_cast<const unsigned char*>(file.bytes.data());
   // The callbacks find files beside the scene, so tinygltf is given no folder of its own.
-  const bool loaded = file.binary
+  const bool loaded = file.container.isGlb
                           ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, "")
                           : loader.LoadASCIIFromString(&model, &error, &warning, text, size, "");
   if (!loaded)
@@ -214,26 +219,28 @@ private:
         if (Result<void> loaded = loadPrimitive(mesh, source); !loaded)
           return loaded;
     }
-    for (const std::size_t primitive : *primitivesOfMesh_[mesh])
+    for (const std::size_t primitive : *primitivesOfMesh_[mesh]) {
+      const Primitive& p = scene_.primitives[primitive];
+      drawn_ += p.vertices.size() + p.indices.size();
+      if (scene_.instances.size() == kMaxSceneInstances || drawn_ > kMaxDrawnVertices)
+        return Error{ErrorKind::resources,
+                     "/nodes: the scene draws more than " + std::to_string(kMaxSceneInstances) +
+                         " primitives, or " + std::to_string(kMaxDrawnVertices) +
+                         " vertices and indices; a smaller scene is accepted"};
       scene_.instances.push_back({primitive, world});
+    }
     return {};
   }
 
   Result<void> loadPrimitive(std::size_t mesh, const tinygltf::Primitive& source) {
     const std::size_t material =
         source.material >= 0 ? std::size_t(source.material) : scene_.materials.size() - 1;
-    const Material& m = scene_.materials[material];
-    if (const auto position = source.attributes.find("POSITION");
-        position != source.attributes.end()) {
-      vertices_ += model_.accessors[std::size_t(position->second)].count;
-      if (source.indices >= 0)
-        vertices_ += model_.accessors[std::size_t(source.indices)].count;
-    }
+    vertices_ += expandedSize(model_, source);
     if (vertices_ > kMaxSceneVertices)
       return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
                                              " vertices and indices; a smaller scene is accepted"};
     Result<std::optional<Primitive>> primitive =
-        readPrimitive(model_, source, m.normalTexture.image.has_value() || m.hasNoise);
+        readPrimitive(model_, source, scene_.materials[material]);
     if (!primitive)
       return primitive.error();
     if (!primitive.value()) {
@@ -255,15 +262,16 @@ private:
   Scene& scene_;
   std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_;
   std::vector<Pending> pending_;
-  std::size_t vertices_ = 0;
+  std::size_t vertices_ = 0; ///< and indices, of the primitives loaded so far
+  std::size_t drawn_ = 0;    ///< the same, of the instances
 };
 
 /// What the noise plugin reads: the file itself when it holds all its buffers, or else a GLB of its
 /// JSON and its buffers one behind the other.
 std::vector<std::byte> noiseBundle(GltfFile& file, const tinygltf::Model& model) {
-  if (file.binary && model.buffers.size() == 1 && model.buffers[0].uri.empty())
+  if (file.container.isGlb && model.buffers.size() == 1 && model.buffers[0].uri.empty())
     return std::move(file.bytes);
-  nlohmann::json json = file.json;
+  nlohmann::json json = file.container.document;
   std::vector<std::byte> binary;
   std::vector<std::size_t> offsets;
   for (const tinygltf::Buffer& buffer : model.buffers) {
@@ -279,7 +287,7 @@ std::vector<std::byte> noiseBundle(GltfFile& file, const tinygltf::Model& model)
     view["buffer"] = 0;
   }
   json["buffers"] = {{{"byteLength", binary.size()}}};
-  return makeGlb(json, binary);
+  return frameGlb(json.dump(), binary);
 }
 
 Result<Scene> loadScene(GltfFile& file) {

@@ -4,6 +4,7 @@
 #include "scene_validate.h"
 
 #include "json_place.h"
+#include "printable.h"
 
 #include <lichen/bundle.h>
 
@@ -38,7 +39,7 @@ struct Accessor {
 class Validator {
 public:
   Validator(const GltfFile& file, std::vector<std::string>& notes)
-      : file_(file), root_(file.json, ""), notes_(notes) {}
+      : file_(file), root_(file.container.document, ""), notes_(notes) {}
 
   void run() {
     asset();
@@ -59,6 +60,7 @@ public:
     noCycles();
     root_.each("skins", [&](const Place& p, std::size_t) { skin(p); });
     root_.each("scenes", [&](const Place& p, std::size_t) { scene(p); });
+    root_.each("animations", [](const Place&, std::size_t) {}); // loaded, but not used
     (void)root_.index("scene", root_.countOf("scenes"));
   }
 
@@ -97,11 +99,12 @@ private:
   void buffer(const Place& place, std::size_t index) {
     const std::uint64_t length = place.integer("byteLength", 1, kMaxBytes);
     const std::optional<std::string> uri = place.string("uri");
-    if (!uri && (!file_.binary || index != 0))
-      place.fail("a buffer without uri is accepted only as the first of a .glb");
-    if (!uri && length > file_.binaryChunkSize)
+    const auto& chunk = file_.container.binaryChunk;
+    if (!uri && (!chunk || index != 0))
+      place.fail("a buffer without uri is accepted only as the first of a .glb with a BIN chunk");
+    if (!uri && length > chunk->size())
       place.fail("byteLength " + std::to_string(length) + " is more than the BIN chunk's " +
-                 std::to_string(file_.binaryChunkSize));
+                 std::to_string(chunk->size()));
     bufferLengths_.push_back(length);
   }
 
@@ -302,16 +305,22 @@ private:
     };
     constexpr double kSmallest = 1e-6;
     const double near = required("znear", perspective ? kSmallest : 0, kLargest);
+    double far = kLargest;
     if (perspective) {
       constexpr double kWidest = 3.1; // radians; glTF asks for less than pi
       required("yfov", kSmallest, kWidest);
       lens.number("aspectRatio", kSmallest, kLargest, 1);
-      lens.number("zfar", std::nextafter(near, kLargest), kLargest, kLargest);
+      far = lens.number("zfar", 0, kLargest, kLargest);
     } else {
       required("xmag", kSmallest, kLargest);
       required("ymag", kSmallest, kLargest);
-      required("zfar", std::nextafter(near, kLargest), kLargest);
+      far = required("zfar", 0, kLargest);
     }
+    // As floats, in which the projection divides by their difference.
+    if (!(float(far) - float(near) >= float(kSmallest)))
+      lens.fail(
+          "zfar does not lie beyond znear; at least 1e-6 beyond is accepted, and as much as a "
+          "float can tell");
   }
 
   static void light(const Place& place) {

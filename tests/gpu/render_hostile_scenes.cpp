@@ -204,6 +204,16 @@ const std::vector<Fault> kFaults{
      [](GltfScene& s) { s.json["cameras"][0]["perspective"]["znear"] = 0; }},
     {"a far plane before the near one", "/cameras/0/perspective",
      [](GltfScene& s) { s.json["cameras"][0]["perspective"]["zfar"] = 0.05; }},
+    {"an orthographic camera whose planes are one as floats", "/cameras/0/orthographic",
+     [](GltfScene& s) {
+       s.json["cameras"][0] = {
+           {"type", "orthographic"},
+           {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 1}, {"zfar", 1.00000000001}}}};
+     }},
+    {"more materials than any scene has", "/materials",
+     [](GltfScene& s) {
+       s.json["materials"] = json(std::vector<json>((1u << 18) + 1, json::object()));
+     }},
     {"a light of unknown type", "/extensions/KHR_lights_punctual/lights/0",
      [](GltfScene& s) {
        s.json["extensions"]["KHR_lights_punctual"]["lights"][0]["type"] = "area";
@@ -306,6 +316,98 @@ TEST_CASE("a scene with any bit flipped is read or refused, never a crash") {
     refused += renderer::readScene(writeInto(folder, "flipped.glb", flipped)).ok() ? 0u : 1u;
   }
   CHECK(refused > 0);
+}
+
+namespace {
+
+Error refusalOf(const TemporaryFolder& folder, const GltfScene& scene) {
+  const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+  REQUIRE_FALSE(read.ok());
+  INFO(read.error().message);
+  CHECK(read.error().message.find('\n') == std::string::npos);
+  return read.error();
+}
+
+} // namespace
+
+TEST_CASE("a small file that draws without end is refused for its size") {
+  const TemporaryFolder folder;
+  const auto placed = [](GltfScene scene, std::size_t times) {
+    json nodes = json::array();
+    for (std::size_t i = 0; i < times; ++i)
+      nodes.push_back(i);
+    scene.json["nodes"] = json(std::vector<json>(times, json{{"mesh", 0}}));
+    scene.json["scenes"][0]["nodes"] = std::move(nodes);
+    return scene;
+  };
+  GltfScene twoPrimitives = triangleScene();
+  json& primitives = twoPrimitives.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  const Error instances =
+      refusalOf(folder, placed(twoPrimitives, renderer::kMaxSceneInstances / 2 + 1));
+  CHECK(instances.kind == ErrorKind::resources);
+  CHECK(instances.message.find(std::to_string(renderer::kMaxSceneInstances)) != std::string::npos);
+
+  // A mesh of zeros takes no bytes.
+  constexpr std::size_t kZeros = std::size_t(1) << 16;
+  GltfScene large = triangleScene();
+  large.json["accessors"].push_back(
+      {{"componentType", 5126}, {"type", "VEC3"}, {"count", 3 * kZeros}});
+  large.json["meshes"][0]["primitives"] = {
+      {{"attributes", {{"POSITION", large.json["accessors"].size() - 1}}}}};
+  const Error drawn = refusalOf(folder, placed(large, renderer::kMaxDrawnVertices / kZeros));
+  CHECK(drawn.kind == ErrorKind::resources);
+  CHECK(drawn.message.find(std::to_string(renderer::kMaxDrawnVertices)) != std::string::npos);
+}
+
+TEST_CASE("a strip counts as the triangles that it becomes") {
+  const TemporaryFolder folder;
+  GltfScene scene = triangleScene();
+  // Fits as it is stored, and not when each triangle has three vertices and indices of its own.
+  const std::size_t count = renderer::kMaxSceneVertices / 6;
+  scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+  scene.json["meshes"][0]["primitives"] = {
+      {{"attributes", {{"POSITION", scene.json["accessors"].size() - 1}}}, {"mode", 5}}};
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
+}
+
+TEST_CASE("a buffer is read from inside the scene's folder only, by whatever way") {
+  const TemporaryFolder folder;
+  const std::filesystem::path inside = folder.path() / "scene";
+  std::filesystem::create_directory(inside);
+  std::filesystem::create_directory(inside / "sub");
+  GltfScene scene = triangleScene();
+  (void)writeInto(folder, "outside.bin", scene.binary);
+  (void)writeInto(folder, "scene/inside.bin", scene.binary);
+  std::filesystem::create_symlink(folder.path() / "outside.bin", inside / "link.bin");
+  std::filesystem::create_directory_symlink(folder.path(), inside / "way");
+  const auto readsFrom = [&](const char* uri) {
+    scene.json["buffers"][0]["uri"] = uri;
+    const std::string text = scene.json.dump();
+    return renderer::readScene(
+               writeInto(folder, "scene/scene.gltf", std::as_bytes(std::span(text))))
+        .ok();
+  };
+  CHECK(readsFrom("inside.bin"));
+  CHECK(readsFrom("sub/../inside.bin"));
+  CHECK_FALSE(readsFrom("../outside.bin"));
+  CHECK_FALSE(readsFrom("%2E%2E/outside.bin"));
+  CHECK_FALSE(readsFrom("link.bin"));
+  CHECK_FALSE(readsFrom("way/outside.bin"));
+  CHECK_FALSE(readsFrom((folder.path() / "outside.bin").c_str()));
+  CHECK_FALSE(readsFrom("sub"));
+}
+
+TEST_CASE("a file that is no glTF is named, with what would be accepted") {
+  const TemporaryFolder folder;
+  const std::string text = "a photograph";
+  const auto path = writeInto(folder, "photo.jpg", std::as_bytes(std::span(text)));
+  const auto scene = renderer::readScene(path);
+  REQUIRE_FALSE(scene.ok());
+  CHECK(scene.error().message == path.string() + ": neither a GLB (first bytes glTF) nor a JSON "
+                                                 "object; a .glb or .gltf is accepted");
 }
 
 TEST_CASE("deep nesting and text that is no glTF are refused") {

@@ -36,6 +36,8 @@ const std::vector<float> kQuad{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
 const std::vector<glm::vec3> kQuadCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
                                           {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
 
+const std::vector<float> kQuadAcrossX{0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1};
+
 GltfScene quadScene(std::size_t indexBytes) {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());
@@ -135,6 +137,80 @@ TEST_CASE("a mesh without normals is flat, and its tangents follow the texture")
     // The bitangent, cross(n, t) w, points up: against v, as glTF has it.
     CHECK(v.tangent == glm::vec4(1, 0, 0, 1));
   }
+}
+
+namespace {
+
+/// A quad across x, with normals: u of the first texture coordinates along y, of the second along
+/// z.
+GltfScene quadOfTwoCoordinates() {
+  GltfScene scene = quadScene(2);
+  nlohmann::json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["NORMAL"] = scene.addFloats({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, 3);
+  scene.json["accessors"][0]["bufferView"] = scene.addView(std::as_bytes(std::span(kQuadAcrossX)));
+  attributes["TEXCOORD_0"] = scene.addFloats({0, 0, 1, 0, 0, 1, 1, 1}, 2); // u along y
+  attributes["TEXCOORD_1"] = scene.addFloats({0, 0, 0, 1, 1, 0, 1, 1}, 2); // u along z
+  return scene;
+}
+
+glm::vec3 tangentOf(const GltfScene& scene) {
+  return glm::vec3(load(scene).primitives[0].vertices[0].tangent);
+}
+
+} // namespace
+
+TEST_CASE("tangents follow the texture coordinates that the normals are read with") {
+  const glm::vec3 alongY(0, 1, 0);
+  const glm::vec3 alongZ(0, 0, 1);
+  GltfScene scene = quadOfTwoCoordinates();
+  nlohmann::json& material = scene.json["materials"][0];
+  material["normalTexture"] = {{"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})}};
+  CHECK(tangentOf(scene) == alongY);
+  material["normalTexture"]["texCoord"] = 1;
+  CHECK(tangentOf(scene) == alongZ);
+
+  // A noise with normals takes the place of the texture.
+  nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
+  nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
+  root["noises"] = {{{"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
+  use["noise"] = 0;
+  CHECK(tangentOf(scene) == alongY);
+  use["texCoord"] = 1;
+  material["normalTexture"]["texCoord"] = 0;
+  CHECK(tangentOf(scene) == alongZ);
+  root["noises"][0]["maps"].erase(1);
+  CHECK(tangentOf(scene) == alongY);
+  // Whatever the extension holds instead, the plugin is the one to refuse it.
+  for (const nlohmann::json& fault : {nlohmann::json(7), nlohmann::json(-1), nlohmann::json(0.5),
+                                      nlohmann::json("x"), nlohmann::json::array({1})}) {
+    use["noise"] = fault;
+    CHECK(tangentOf(scene) == alongY);
+    use["noise"] = 0;
+    root["noises"] = fault;
+    CHECK(tangentOf(scene) == alongY);
+    root["noises"] = {{{"maps", fault}}};
+    CHECK(tangentOf(scene) == alongY);
+  }
+}
+
+TEST_CASE("tangents of the file belong to its normal texture") {
+  const glm::vec3 stored(0, 0.6f, 0.8f);
+  GltfScene scene = quadOfTwoCoordinates();
+  nlohmann::json& material = scene.json["materials"][0];
+  material["normalTexture"] = {{"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})},
+                               {"texCoord", 1}};
+  std::vector<float> tangents;
+  for (int v = 0; v < 4; ++v)
+    tangents.insert(tangents.end(), {stored.x, stored.y, stored.z, 1.0f});
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = scene.addFloats(tangents, 4);
+  CHECK(tangentOf(scene) == stored);
+  scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"] = {
+      {{"maps", {{{"target", "normal"}}}}}};
+  nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
+  use = {{"noise", 0}, {"texCoord", 1}};
+  CHECK(tangentOf(scene) == stored);
+  use["texCoord"] = 0;
+  CHECK(tangentOf(scene) == glm::vec3(0, 1, 0));
 }
 
 TEST_CASE("nodes apply scale, rotation and translation in that order, parents last") {
