@@ -3,12 +3,12 @@
 #include <lichen/headless_device.h>
 
 #include <algorithm>
-#include <utility>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace lichen {
 namespace {
@@ -187,8 +187,10 @@ Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options
   if (options.validation) {
     destroyMessenger_ = vkDestroyDebugUtilsMessengerEXT;
     messenger.pNext = nullptr;
-    if (vkCreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr, &messenger_) != VK_SUCCESS)
-      return vulkanError("no validation messages", VK_ERROR_OUT_OF_HOST_MEMORY);
+    if (const VkResult created =
+            vkCreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr, &messenger_);
+        created != VK_SUCCESS)
+      return vulkanError("no validation messages", created);
   }
   return {};
 }

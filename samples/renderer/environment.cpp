@@ -22,24 +22,33 @@ constexpr int kDiffuseSide = 16;
 constexpr std::uint32_t kSpecularSamples = 48;
 constexpr std::uint32_t kDiffuseSamples = 128;
 constexpr std::uint32_t kBrdfSamples = 256;
+constexpr float kSchlickPower = 5.0f;
 constexpr float kLeastAlpha = 0.002f;
+
+/// Averages of 2 x 2 pixels, of 2 along a side of 1. An odd last row or column is left out.
+LinearImage halved(const LinearImage& fine) {
+  LinearImage coarse(std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), fine.channels);
+  const int right = fine.width > 1 ? 1 : 0;
+  const int below = fine.height > 1 ? 1 : 0;
+  for (int y = 0; y < coarse.height; ++y)
+    for (int x = 0; x < coarse.width; ++x)
+      for (int c = 0; c < coarse.channels; ++c) {
+        const int fx = 2 * x;
+        const int fy = 2 * y;
+        coarse.pixel(x, y)[c] =
+            0.25f * (fine.pixel(fx, fy)[c] + fine.pixel(fx + right, fy)[c] +
+                     fine.pixel(fx, fy + below)[c] + fine.pixel(fx + right, fy + below)[c]);
+      }
+  return coarse;
+}
 
 /// A panorama and its averages by 2 x 2.
 class PanoramaPyramid {
 public:
   explicit PanoramaPyramid(const LinearImage& panorama) {
     levels_.push_back(panorama);
-    while (std::min(levels_.back().width, levels_.back().height) > 2) {
-      const LinearImage& fine = levels_.back();
-      LinearImage coarse(fine.width / 2, fine.height / 2, 3);
-      for (int y = 0; y < coarse.height; ++y)
-        for (int x = 0; x < coarse.width; ++x)
-          for (int c = 0; c < 3; ++c)
-            coarse.pixel(x, y)[c] =
-                0.25f * (fine.pixel(2 * x, 2 * y)[c] + fine.pixel(2 * x + 1, 2 * y)[c] +
-                         fine.pixel(2 * x, 2 * y + 1)[c] + fine.pixel(2 * x + 1, 2 * y + 1)[c]);
-      levels_.push_back(std::move(coarse));
-    }
+    while (std::min(levels_.back().width, levels_.back().height) > 2)
+      levels_.push_back(halved(levels_.back()));
   }
 
   /// Bilinear in the level nearest to the one whose texels span `solidAngle`.
@@ -180,6 +189,12 @@ LinearImage asRgb(const LinearImage& image) {
 
 float alphaOf(float roughness) { return std::max(roughness * roughness, kLeastAlpha); }
 
+LinearImage fitted(LinearImage panorama, int longestSide) {
+  while (std::max(panorama.width, panorama.height) > longestSide)
+    panorama = halved(panorama);
+  return panorama;
+}
+
 Environment prepareEnvironment(const LinearImage& panorama) {
   Environment environment;
   environment.panorama = asRgb(panorama);
@@ -221,7 +236,7 @@ std::vector<glm::vec2> environmentBrdf(int side) {
         const float visibility = 0.5f / (l.z * std::sqrt(nDotV * nDotV * (1.0f - a2) + a2) +
                                          nDotV * std::sqrt(l.z * l.z * (1.0f - a2) + a2));
         const float weight = visibility * 4.0f * l.z * vDotH / h.z;
-        const float fresnel = std::pow(1.0f - vDotH, 5.0f);
+        const float fresnel = std::pow(1.0f - vDotH, kSchlickPower);
         sum += glm::vec2(1.0f - fresnel, fresnel) * weight;
       }
       table.push_back(sum / float(kBrdfSamples));

@@ -27,6 +27,9 @@ struct Environment {
   CubeLevel diffuse; ///< irradiance / pi by normal
 };
 
+/// Halved, by averages of 2 x 2 pixels, until no side is longer than `longestSide`, at least 1.
+[[nodiscard]] LinearImage fitted(LinearImage panorama, int longestSide);
+
 /// The panorama's pixels are linear RGB (more channels are ignored, a single one is grey).
 [[nodiscard]] Environment prepareEnvironment(const LinearImage& panorama);
 

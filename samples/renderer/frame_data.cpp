@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Camera, lights and frame index -> the uniform block; see frame_data.h.
 #include "frame_data.h"
 
 #include "environment.h"
@@ -59,9 +60,8 @@ glm::vec3 skyDirection(std::uint32_t i) {
 
 void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view) {
   const Lighting& lighting = inputs.lighting;
-  const std::size_t lights = std::min(lighting.lights.size(), std::size_t(MAX_LIGHTS));
-  view.data.counts.x = int(lights);
-  for (std::size_t i = 0; i < lights; ++i)
+  view.data.counts.x = int(lighting.lights.size());
+  for (std::size_t i = 0; i < lighting.lights.size(); ++i)
     view.data.lights[i] = lightData(lighting.lights[i]);
   glm::vec3 towardSun = lighting.towardSun;
   if (inputs.frames > 1)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Radiance as half floats -> panorama, cube maps and BRDF table on the device.
 #include "gpu_environment.h"
 
 #include <glm/gtc/packing.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Creation and destruction of Vulkan objects, descriptor writes, uploads through staging buffers.
 #include "gpu_objects.h"
 
 #include "failure.h"
@@ -62,8 +63,11 @@ VkImageView ObjectOwner::view(const VkImageViewCreateInfo& info) {
   return handle;
 }
 
-VkDescriptorSetLayout
-ObjectOwner::setLayout(std::span<const VkDescriptorSetLayoutBinding> bindings) {
+VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> types,
+                                             VkShaderStageFlags stages) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (const VkDescriptorType type : types)
+    bindings.push_back({std::uint32_t(bindings.size()), type, 1, stages, nullptr});
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = std::uint32_t(bindings.size());
   info.pBindings = bindings.data();
@@ -73,10 +77,12 @@ ObjectOwner::setLayout(std::span<const VkDescriptorSetLayoutBinding> bindings) {
   return handle;
 }
 
-VkDescriptorPool ObjectOwner::pool(std::uint32_t sets,
-                                   std::span<const VkDescriptorPoolSize> sizes) {
+VkDescriptorPool ObjectOwner::pool(std::size_t count, std::span<const VkDescriptorType> types) {
+  std::vector<VkDescriptorPoolSize> sizes;
+  for (const VkDescriptorType type : types)
+    sizes.push_back({type, std::uint32_t(count)}); // a type may come more than once
   VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = sets;
+  info.maxSets = std::uint32_t(count);
   info.poolSizeCount = std::uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();
   VkDescriptorPool handle = VK_NULL_HANDLE;
@@ -136,6 +142,21 @@ VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout la
   return handle;
 }
 
+void writeSet(VkDevice device, VkDescriptorSet set, std::span<const Descriptor> descriptors) {
+  std::vector<VkWriteDescriptorSet> writes;
+  for (const Descriptor& descriptor : descriptors) {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = std::uint32_t(writes.size());
+    write.descriptorCount = 1;
+    write.descriptorType = descriptor.type;
+    write.pBufferInfo = &descriptor.buffer;
+    write.pImageInfo = &descriptor.image;
+    writes.push_back(write);
+  }
+  vkUpdateDescriptorSets(device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
+}
+
 std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height) {
   return std::uint32_t(std::bit_width(std::max(width, height)));
 }
@@ -166,6 +187,15 @@ DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> byt
   take(device.submit([&](VkCommandBuffer commands) {
     const VkBufferCopy region{0, 0, bytes.size()};
     vkCmdCopyBuffer(commands, staging.handle, buffer.handle, 1, &region);
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
   }));
   return buffer;
 }

@@ -24,8 +24,11 @@ public:
   /// Each creates one object, or throws a Failure.
   VkSampler sampler(const VkSamplerCreateInfo& info);
   VkImageView view(const VkImageViewCreateInfo& info);
-  VkDescriptorSetLayout setLayout(std::span<const VkDescriptorSetLayoutBinding> bindings);
-  VkDescriptorPool pool(std::uint32_t sets, std::span<const VkDescriptorPoolSize> sizes);
+  /// Of sets whose binding i has type types[i], visible to `stages`.
+  VkDescriptorSetLayout setLayout(std::span<const VkDescriptorType> types,
+                                  VkShaderStageFlags stages);
+  /// With room for `count` sets of that layout.
+  VkDescriptorPool pool(std::size_t count, std::span<const VkDescriptorType> types);
   VkPipelineLayout pipelineLayout(std::span<const VkDescriptorSetLayout> sets,
                                   VkShaderStageFlags pushStages, std::uint32_t pushBytes);
   VkShaderModule shader(std::span<const std::uint32_t> code);
@@ -38,13 +41,39 @@ private:
   std::vector<std::function<void()>> destroy_;
 };
 
-/// A device-local buffer with these bytes.
+/// What one binding of a descriptor set holds: a range of a buffer or an image, by its type.
+struct Descriptor {
+  VkDescriptorType type;
+  VkDescriptorBufferInfo buffer{};
+  VkDescriptorImageInfo image{};
+};
+
+[[nodiscard]] inline Descriptor uniformBlock(VkBuffer buffer, VkDeviceSize offset,
+                                             VkDeviceSize size) {
+  return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {buffer, offset, size}, {}};
+}
+
+/// An image in SHADER_READ_ONLY_OPTIMAL.
+[[nodiscard]] inline Descriptor sampledImage(VkSampler sampler, VkImageView view) {
+  return {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+          {},
+          {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}};
+}
+
+/// An image in GENERAL.
+[[nodiscard]] inline Descriptor storageImage(VkImageView view) {
+  return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, {}, {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}};
+}
+
+/// Writes descriptors[i] to binding i of the set.
+void writeSet(VkDevice device, VkDescriptorSet set, std::span<const Descriptor> descriptors);
+
+/// A device-local buffer of vertices or indices, as `usage` says.
 [[nodiscard]] DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,
                                         VkBufferUsageFlags usage);
 
-/// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level
-/// 1,
-/// ...; with `makeMips` it holds level 0 alone and the others are averages.
+/// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level 1
+/// and so on; with `makeMips` it holds level 0 alone and the others are averages.
 [[nodiscard]] DeviceImage uploadImage(HeadlessDevice& device, DeviceImageInfo info,
                                       std::span<const std::byte> texels, bool makeMips);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Uploads of vertices, indices and textures; a uniform block and a descriptor set for each
+// material.
 #include "gpu_scene.h"
 
 #include "failure.h"
@@ -65,7 +67,7 @@ public:
     white_ = upload(TextureImage{1, 1, {255, 255, 255, 255}}, VK_FORMAT_R8G8B8A8_UNORM);
   }
 
-  VkDescriptorImageInfo descriptor(const TextureSlot& slot, bool isColor) {
+  Descriptor descriptor(const TextureSlot& slot, bool isColor) {
     VkImageView view = white_;
     if (slot.image) {
       VkImageView& cached = views_[{*slot.image, isColor}];
@@ -74,7 +76,7 @@ public:
                         isColor ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM);
       view = cached;
     }
-    return {sampler(slot.sampler), view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    return sampledImage(sampler(slot.sampler), view);
   }
 
 private:
@@ -123,8 +125,8 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   const auto slots = slotsOf(material);
   for (int k = 0; k < 4; ++k)
     data.texCoords[k] = slots[std::size_t(k)]->texCoord;
-  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque,
-                material.normalTexture.image.has_value(), int(noise.texCoord)};
+  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque, 0,
+                int(noise.texCoord)};
   data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
   data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
@@ -140,48 +142,26 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
 
 void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
                      const NoiseHost& noises, GpuScene& gpu) {
-  std::vector<VkDescriptorSetLayoutBinding> bindings{{BINDING_MATERIAL,
-                                                      VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                                      VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
-  for (std::uint32_t k = 0; k < MATERIAL_TEXTURES; ++k)
-    bindings.push_back({BINDING_TEXTURES + k, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-                        VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
-  gpu.materialLayout = objects.setLayout(bindings);
-  const auto count = std::uint32_t(scene.materials.size());
-  const std::array sizes{
-      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count},
-      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count * MATERIAL_TEXTURES}};
-  const VkDescriptorPool pool = objects.pool(count, sizes);
+  std::array<VkDescriptorType, 1 + MATERIAL_TEXTURES> types{};
+  types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  types[BINDING_MATERIAL] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  gpu.materialLayout = objects.setLayout(types, VK_SHADER_STAGE_FRAGMENT_BIT);
+  const std::size_t count = scene.materials.size();
+  const VkDescriptorPool pool = objects.pool(count, types);
   gpu.materialData =
       take(device.createBuffer(kMaterialStride * count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
   TextureCache textures(device, objects, scene, gpu);
   for (std::size_t m = 0; m < count; ++m) {
     const shader::MaterialData data = materialData(scene.materials[m], noises.roles(m));
     std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
-    gpu.materialSets.push_back(objects.set(pool, gpu.materialLayout));
-
-    const VkDescriptorBufferInfo buffer{gpu.materialData.handle, kMaterialStride * m, sizeof data};
-    std::array<VkDescriptorImageInfo, MATERIAL_TEXTURES> images{};
-    std::array<VkWriteDescriptorSet, 1 + MATERIAL_TEXTURES> writes{};
+    std::array<Descriptor, 1 + MATERIAL_TEXTURES> descriptors{
+        uniformBlock(gpu.materialData.handle, kMaterialStride * m, sizeof data)};
     const auto slots = slotsOf(scene.materials[m]);
-    for (std::size_t i = 0; i < writes.size(); ++i) {
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = gpu.materialSets.back();
-      writes[i].dstBinding = std::uint32_t(i);
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType =
-          i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-      if (i == 0) {
-        writes[i].pBufferInfo = &buffer;
-      } else {
-        const std::size_t k = i - BINDING_TEXTURES;
-        images[k] =
-            textures.descriptor(*slots[k], k == TEXTURE_BASE_COLOR || k == TEXTURE_EMISSIVE);
-        writes[i].pImageInfo = &images[k];
-      }
-    }
-    vkUpdateDescriptorSets(device.device(), std::uint32_t(writes.size()), writes.data(), 0,
-                           nullptr);
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      descriptors[BINDING_TEXTURES + k] =
+          textures.descriptor(*slots[k], k == TEXTURE_BASE_COLOR || k == TEXTURE_EMISSIVE);
+    gpu.materialSets.push_back(objects.set(pool, gpu.materialLayout));
+    writeSet(device.device(), gpu.materialSets.back(), descriptors);
   }
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Ratios of irradiance at the subject -> intensities; see lighting.h.
 #include "lighting.h"
+
+#include "shaders/scene_interface.h"
 
 #include <algorithm>
 #include <numbers>
@@ -44,13 +47,23 @@ Lighting arrangeLights(const Scene& scene, const Sphere& subject, bool environme
     result.lights.push_back(sun);
     strongest = 1.0f;
   }
+  // In double: the factor of a faint light may be no float.
+  const double factor = double(kKeyIrradiance) / double(strongest);
   for (Light& light : result.lights)
-    light.intensity *= kKeyIrradiance / strongest;
-  const auto strength = [&](const Light& light) {
-    return light.kind == LightKind::directional ? irradianceAt(light, subject) : -1.0f;
-  };
-  std::stable_sort(result.lights.begin(), result.lights.end(),
-                   [&](const Light& a, const Light& b) { return strength(a) > strength(b); });
+    light.intensity = float(double(light.intensity) * factor);
+  std::stable_sort(result.lights.begin(), result.lights.end(), [&](const Light& a, const Light& b) {
+    return irradianceAt(a, subject) > irradianceAt(b, subject);
+  });
+  // The strongest sun goes first: it is the one that casts shadows.
+  const auto sun = std::find_if(result.lights.begin(), result.lights.end(), [](const Light& light) {
+    return light.kind == LightKind::directional;
+  });
+  if (sun != result.lights.end())
+    std::rotate(result.lights.begin(), sun, sun + 1);
+  if (result.lights.size() > MAX_LIGHTS) {
+    result.dropped = result.lights.size() - MAX_LIGHTS;
+    result.lights.resize(MAX_LIGHTS);
+  }
   const Light& first = result.lights.front();
   result.hasSun = first.kind == LightKind::directional && first.intensity > 0.0f;
   if (result.hasSun)

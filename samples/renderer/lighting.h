@@ -11,8 +11,10 @@ namespace lichen::renderer {
 
 struct Lighting {
   /// Lights in the renderer's scale: a white matte surface that faces the strongest one and the sky
-  /// has a radiance of a little over 1. The sun, if there is one, is first.
+  /// has a radiance of a little over 1. The sun, if there is one, is first; the others follow from
+  /// the one that lights the subject most. At most MAX_LIGHTS.
   std::vector<Light> lights;
+  std::size_t dropped = 0; ///< lights of the scene beyond MAX_LIGHTS
   bool hasSun = false;
   glm::vec3 towardSun{0.0f, 1.0f, 0.0f}; ///< where the built-in sky glows
   float skyIrradiance = 0.0f;            ///< of the built-in sky on level ground; 0 without it

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Bundle -> plugin objects -> a descriptor set for each material; see noise_host.h.
 #include "noise_host.h"
 
 #include "failure.h"
+#include "printable.h"
 
 #include <algorithm>
 
@@ -94,7 +96,7 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
   }
 }
 
-NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) const {
+NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   NoiseRoles roles;
   roles.texCoord = texCoord;
   auto properties = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
@@ -102,8 +104,12 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) const
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
-    if (map.target < NOISE_ROLES) // height and opacity are not drawn
+    if (map.target < NOISE_ROLES)
       roles.map[map.target] = int(m);
+    else
+      notes_.push_back("the " +
+                       std::string(map.target == LICHEN_TARGET_HEIGHT ? "height" : "opacity") +
+                       " of the noise " + printable(properties.name) + " is not drawn");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&
@@ -146,22 +152,16 @@ NoiseHost::imageInfos(std::uint32_t noise, const NoiseRoles& roles) const {
 }
 
 void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials) {
-  std::vector<VkDescriptorSetLayoutBinding> bindings{
-      {BINDING_NOISE, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
-  for (std::uint32_t i = 0; i < 2 * NOISE_ROLES; ++i)
-    bindings.push_back({BINDING_NOISE_ROLES + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-                        VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
-  setLayout_ = objects.setLayout(bindings);
+  std::array<VkDescriptorType, 1 + 2 * NOISE_ROLES> types{};
+  types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  types[BINDING_NOISE] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  setLayout_ = objects.setLayout(types, VK_SHADER_STAGE_FRAGMENT_BIT);
   uniforms_ = take(device.createBuffer(VkDeviceSize(kUniformStride) * materials,
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
   std::fill_n(uniforms_.mapped, uniforms_.size, std::byte{0});
-  const auto count = std::uint32_t(materials);
-  const std::array sizes{
-      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count},
-      VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count * 2 * NOISE_ROLES}};
-  const VkDescriptorPool pool = objects.pool(count, sizes);
+  const VkDescriptorPool pool = objects.pool(materials, types);
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
-  for (std::uint32_t m = 0; m < count; ++m) {
+  for (std::uint32_t m = 0; m < materials; ++m) {
     if (noises_[m] != LICHEN_NO_NOISE) {
       auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
       info.material = m;
@@ -170,24 +170,13 @@ void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::si
             diagnostic);
     }
     sets_.push_back(objects.set(pool, setLayout_));
-    const VkDescriptorBufferInfo buffer{uniforms_.handle, VkDeviceSize(kUniformStride) * m,
-                                        LICHEN_UNIFORM_BYTES};
+    std::array<Descriptor, 1 + 2 * NOISE_ROLES> descriptors{
+        uniformBlock(uniforms_.handle, VkDeviceSize(kUniformStride) * m, LICHEN_UNIFORM_BYTES)};
     const auto images = imageInfos(noises_[m], roles_[m]);
-    std::array<VkWriteDescriptorSet, 1 + 2 * NOISE_ROLES> writes{};
-    for (std::uint32_t i = 0; i < writes.size(); ++i) {
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = sets_.back();
-      writes[i].dstBinding = i;
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType =
-          i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-      if (i == 0)
-        writes[i].pBufferInfo = &buffer;
-      else
-        writes[i].pImageInfo = &images[i - 1];
-    }
-    vkUpdateDescriptorSets(device.device(), std::uint32_t(writes.size()), writes.data(), 0,
-                           nullptr);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      descriptors[BINDING_NOISE_ROLES + i] = {
+          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, {}, images[i]};
+    writeSet(device.device(), sets_.back(), descriptors);
   }
 }
 

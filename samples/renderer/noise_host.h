@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace lichen::renderer {
@@ -34,6 +35,9 @@ public:
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
 
+  /// What of the noises is not drawn, one sentence each for each material that uses them.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
 private:
   struct Release {
     void operator()(LichenBundle bundle) const { lichenDestroyBundle(bundle); }
@@ -46,7 +50,7 @@ private:
   void loadBundle(HeadlessDevice& device, const Scene& scene);
   void createPlaceholders(HeadlessDevice& device, ObjectOwner& objects);
   void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
-  [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord) const;
+  [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord);
   [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
   imageInfos(std::uint32_t noise, const NoiseRoles& roles) const;
 
@@ -62,6 +66,7 @@ private:
   std::vector<std::uint32_t> noises_; ///< of each material, LICHEN_NO_NOISE for none
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
+  std::vector<std::string> notes_;
 };
 
 } // namespace lichen::renderer

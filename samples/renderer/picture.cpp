@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Linear pixels -> EXR, or sRGB code with a dither -> PNG.
 #include "picture.h"
 
 #include <lichen/image_io.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Pipeline state of each pass; surfaces vary by specialization constants. Depth is reversed toward
+// the camera, and not toward a light.
 #include "pipelines.h"
 
 #include "scene.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// One frame: depth maps of the sun and of a few directions toward the sky, surfaces and the sky,
+// and the frame added to the sum of frames. Set-up comes first, recording after it.
 #include "renderer.h"
 
 #include "environment.h"
@@ -68,6 +70,7 @@ public:
     inputs_.height = settings.height;
     inputs_.frames = settings.frames;
     environment_ = uploadEnvironment(device, objects_, prepareEnvironment(panorama()));
+    collectNotes();
     createTargets();
     createFrameSet();
     createAccumulateSet();
@@ -86,6 +89,8 @@ public:
     }));
   }
 
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
   LinearImage average() {
     const auto bytes = take(device_.readImage(sum_, VK_IMAGE_LAYOUT_GENERAL, sizeof(glm::vec4)));
     LinearImage image(int(settings_.width), int(settings_.height), 3);
@@ -102,7 +107,7 @@ private:
   /// The environment file's, or the built-in sky, whose white balance the lights then take too.
   LinearImage panorama() {
     if (settings_.environment)
-      return *settings_.environment;
+      return fitted(*settings_.environment, int(device_.properties().limits.maxImageDimension2D));
     Lighting& lighting = inputs_.lighting;
     const glm::vec3 sunlight =
         lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
@@ -113,6 +118,20 @@ private:
         kHazeDistance *
         glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
     return std::move(sky.panorama);
+  }
+
+  void collectNotes() {
+    notes_ = noises_.notes();
+    if (inputs_.lighting.dropped > 0)
+      notes_.push_back("the scene has " +
+                       std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
+                       " lights; the " + std::to_string(MAX_LIGHTS) +
+                       " that light it most are drawn");
+    if (settings_.environment &&
+        environment_.panorama.info.extent.width != std::uint32_t(settings_.environment->width))
+      notes_.push_back("the environment is larger than this device accepts; it is drawn at " +
+                       std::to_string(environment_.panorama.info.extent.width) + " x " +
+                       std::to_string(environment_.panorama.info.extent.height));
   }
 
   DeviceImage target(VkFormat format, VkImageUsageFlags usage, std::uint32_t width,
@@ -166,71 +185,39 @@ private:
     compare.compareEnable = VK_TRUE;
     compare.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     const VkSampler compareSampler = objects_.sampler(compare);
-    constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    const std::array<VkDescriptorImageInfo, 6> images{
-        VkDescriptorImageInfo{environment_.clampSampler, environment_.specular.view, kRead},
-        {environment_.clampSampler, environment_.diffuse.view, kRead},
-        {environment_.clampSampler, environment_.brdf.view, kRead},
-        {environment_.panoramaSampler, environment_.panorama.view, kRead},
-        {compareSampler, sunDepth_.view, kRead},
-        {compareSampler, skyDepth_.view, kRead}};
     frameData_ = take(
         device_.createBuffer(sizeof(shader::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
-
-    constexpr VkShaderStageFlags kStages =
-        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    std::vector<VkDescriptorSetLayoutBinding> bindings{
-        {BINDING_FRAME, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
-    for (std::uint32_t i = 0; i < images.size(); ++i)
-      bindings.push_back({BINDING_SPECULAR + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-                          VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
-    frameLayout_ = objects_.setLayout(bindings);
-    const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                           VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                                std::uint32_t(images.size())}};
-    frameSet_ = objects_.set(objects_.pool(1, sizes), frameLayout_);
-    const VkDescriptorBufferInfo buffer{frameData_.handle, 0, sizeof(shader::FrameData)};
-    std::array<VkWriteDescriptorSet, 7> writes{};
-    for (std::uint32_t i = 0; i < writes.size(); ++i) {
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = frameSet_;
-      writes[i].dstBinding = i;
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType = bindings[i].descriptorType;
-      if (i == BINDING_FRAME)
-        writes[i].pBufferInfo = &buffer;
-      else
-        writes[i].pImageInfo = &images[i - BINDING_SPECULAR];
-    }
-    vkUpdateDescriptorSets(device_.device(), std::uint32_t(writes.size()), writes.data(), 0,
-                           nullptr);
+    std::array<Descriptor, FRAME_BINDINGS> descriptors{};
+    descriptors[BINDING_FRAME] = uniformBlock(frameData_.handle, 0, sizeof(shader::FrameData));
+    descriptors[BINDING_SPECULAR] =
+        sampledImage(environment_.clampSampler, environment_.specular.view);
+    descriptors[BINDING_DIFFUSE] =
+        sampledImage(environment_.clampSampler, environment_.diffuse.view);
+    descriptors[BINDING_BRDF] = sampledImage(environment_.clampSampler, environment_.brdf.view);
+    descriptors[BINDING_PANORAMA] =
+        sampledImage(environment_.panoramaSampler, environment_.panorama.view);
+    descriptors[BINDING_SUN_DEPTH] = sampledImage(compareSampler, sunDepth_.view);
+    descriptors[BINDING_SKY_DEPTH] = sampledImage(compareSampler, skyDepth_.view);
+    frameSet_ = createSet(descriptors, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                          frameLayout_);
   }
 
   void createAccumulateSet() {
-    const std::array bindings{
-        VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
-                                     VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
-        VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1,
-                                     VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
-    accumulateLayout_ = objects_.setLayout(bindings);
-    const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
-                           VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1}};
-    accumulateSet_ = objects_.set(objects_.pool(1, sizes), accumulateLayout_);
-    const std::array<VkDescriptorImageInfo, 2> images{
-        VkDescriptorImageInfo{environment_.clampSampler, color_.view,
-                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
-        {VK_NULL_HANDLE, sum_.view, VK_IMAGE_LAYOUT_GENERAL}};
-    std::array<VkWriteDescriptorSet, 2> writes{};
-    for (std::uint32_t i = 0; i < writes.size(); ++i) {
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = accumulateSet_;
-      writes[i].dstBinding = i;
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType = bindings[i].descriptorType;
-      writes[i].pImageInfo = &images[i];
-    }
-    vkUpdateDescriptorSets(device_.device(), std::uint32_t(writes.size()), writes.data(), 0,
-                           nullptr);
+    const std::array descriptors{sampledImage(environment_.clampSampler, color_.view),
+                                 storageImage(sum_.view)};
+    accumulateSet_ = createSet(descriptors, VK_SHADER_STAGE_COMPUTE_BIT, accumulateLayout_);
+  }
+
+  /// A set of these, of a layout of its own.
+  VkDescriptorSet createSet(std::span<const Descriptor> descriptors, VkShaderStageFlags stages,
+                            VkDescriptorSetLayout& layout) {
+    std::vector<VkDescriptorType> types;
+    for (const Descriptor& descriptor : descriptors)
+      types.push_back(descriptor.type);
+    layout = objects_.setLayout(types, stages);
+    const VkDescriptorSet set = objects_.set(objects_.pool(1, types), layout);
+    writeSet(device_.device(), set, descriptors);
+    return set;
   }
 
   static void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
@@ -395,6 +382,7 @@ private:
   VkDescriptorSetLayout accumulateLayout_ = VK_NULL_HANDLE;
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
+  std::vector<std::string> notes_;
   Pipelines pipelines_;
 };
 
@@ -413,6 +401,7 @@ Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
     const Clock::time_point start = Clock::now();
     SceneRenderer renderer(device, scene, settings);
     Picture picture;
+    picture.notes = renderer.notes();
     picture.setupSeconds = secondsSince(start);
     std::vector<double> seconds;
     for (std::uint32_t frame = 0; frame < settings.frames; ++frame) {

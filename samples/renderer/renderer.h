@@ -32,7 +32,8 @@ struct RenderSettings {
 [[nodiscard]] std::vector<std::string_view> debugViewNames();
 
 struct Picture {
-  LinearImage pixels; ///< RGB; tone-mapped values are the light of a display, in [0, 1]
+  LinearImage pixels;             ///< RGB; tone-mapped values are the light of a display, in [0, 1]
+  std::vector<std::string> notes; ///< what was left out or changed, one sentence each
   double setupSeconds = 0.0;
   double medianFrameSeconds = 0.0;
 };

@@ -2,30 +2,65 @@
 // The environment on the CPU: energy is kept, whatever is prepared from a panorama.
 #include "environment.h"
 #include "lighting.h"
+#include "shaders/scene_interface.h"
 #include "sky.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 using namespace lichen;
 using namespace lichen::renderer;
 
-TEST_CASE("a white panorama is white to every roughness and every normal") {
-  LinearImage white(64, 32, 3);
+namespace {
+
+LinearImage whitePanorama(int width, int height) {
+  LinearImage white(width, height, 3);
   std::fill(white.values.begin(), white.values.end(), 1.0f);
-  const Environment environment = prepareEnvironment(white);
-  const auto isWhite = [](const CubeLevel& level) {
-    for (const glm::vec3 texel : level.texels)
-      for (int c = 0; c < 3; ++c)
-        if (std::abs(texel[c] - 1.0f) > 1e-5f)
-          return false;
-    return true;
-  };
+  return white;
+}
+
+bool isWhite(const CubeLevel& level) {
+  return std::all_of(level.texels.begin(), level.texels.end(), [](glm::vec3 texel) {
+    return glm::all(glm::lessThan(glm::abs(texel - 1.0f), glm::vec3(1e-5f)));
+  });
+}
+
+} // namespace
+
+TEST_CASE("a white panorama is white to every roughness and every normal") {
+  const Environment environment = prepareEnvironment(whitePanorama(64, 32));
   for (const CubeLevel& level : environment.specular)
     CHECK(isWhite(level));
   CHECK(isWhite(environment.diffuse));
+}
+
+TEST_CASE("a panorama of any shape can be prepared, a single row or column too") {
+  for (const auto& [width, height] : {std::pair(1, 1), {1, 37}, {64, 1}, {2, 3}, {5, 4}}) {
+    INFO(width << " x " << height);
+    const Environment environment = prepareEnvironment(whitePanorama(width, height));
+    CHECK(isWhite(environment.specular.back()));
+    CHECK(isWhite(environment.diffuse));
+  }
+}
+
+TEST_CASE("a panorama larger than a device takes is averaged to half until it fits") {
+  LinearImage ramp(16, 4, 3);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c)
+        ramp.pixel(x, y)[c] = float(x + 100 * y + 1000 * c);
+  const LinearImage small = fitted(ramp, 5);
+  REQUIRE(small.width == 4);
+  REQUIRE(small.height == 1);
+  for (int x = 0; x < 4; ++x) // means of 4 x 4: of x, 4 x + 1.5; of y, 1.5
+    CHECK(small.pixel(x, 0)[1] == Approx(4 * x + 1.5 + 150 + 1000));
+  CHECK(fitted(ramp, 16).values == ramp.values);
+  CHECK(fitted(whitePanorama(300, 1), 128).width == 75);
+  CHECK(fitted(whitePanorama(1, 300), 128).height == 75);
 }
 
 TEST_CASE("the matte side of a panorama is its irradiance over pi") {
@@ -118,6 +153,36 @@ TEST_CASE("lights keep their ratios and lose their unit") {
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(bright.lights[i].intensity == Approx(dim.lights[i].intensity));
   CHECK(bright.lights[0].intensity == Approx(4.0f * bright.lights[1].intensity));
+}
+
+TEST_CASE("of too many lights the sun and those that light the subject most are kept") {
+  Scene scene;
+  constexpr int kLamps = 40;
+  for (int i = 0; i < kLamps; ++i) {
+    Light lamp;
+    lamp.kind = LightKind::point;
+    lamp.position = {0.0f, 0.0f, 10.0f + float(i)};
+    scene.lights.insert(scene.lights.begin(), lamp);
+  }
+  Light sun;
+  sun.intensity = 1e-6f;
+  scene.lights.push_back(sun);
+  const Lighting lighting = arrangeLights(scene, {}, false);
+  REQUIRE(lighting.lights.size() == MAX_LIGHTS);
+  CHECK(lighting.dropped == kLamps + 1 - MAX_LIGHTS);
+  CHECK(lighting.hasSun);
+  CHECK(lighting.lights[0].kind == LightKind::directional);
+  for (std::size_t i = 1; i < MAX_LIGHTS; ++i) // the nearest
+    CHECK(lighting.lights[i].position.z < 10.0f + MAX_LIGHTS);
+}
+
+TEST_CASE("a light too faint for its inverse to be a float is light all the same") {
+  Scene scene;
+  Light faint;
+  faint.intensity = 1e-42f;
+  scene.lights = {faint};
+  CHECK(arrangeLights(scene, {}, false).lights[0].intensity ==
+        Approx(1.05 * std::numbers::pi).epsilon(0.01));
 }
 
 TEST_CASE("an environment file is all the light of a scene without lights") {

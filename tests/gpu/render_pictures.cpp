@@ -5,9 +5,7 @@
 // Other CPU types and devices round differently, so they are compared by the mean and the 99.9 %
 // quantile of the absolute difference of sRGB codes (0 to 255).
 #include "picture.h"
-#include "render_gltf.h"
-#include "renderer.h"
-#include "require_device.h"
+#include "rendered.h"
 #include "synthetic_noise.h"
 
 #include <lichen/image_io.h>
@@ -21,40 +19,12 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using renderer::Picture;
 using renderer::RenderSettings;
 
 namespace {
 
 constexpr double kMeanTolerance = 0.5;
 constexpr double kQuantileTolerance = 8.0; // edges, where a pixel's coverage may differ
-
-HeadlessDevice& device() {
-  static const std::unique_ptr<HeadlessDevice> instance = requireDevice();
-  return *instance;
-}
-
-LinearImage render(std::span<const std::byte> glb, const RenderSettings& settings) {
-  const TemporaryFolder folder;
-  const auto scene = renderer::readScene(writeInto(folder, "scene.glb", glb));
-  if (!scene)
-    FAIL(scene.error().message);
-  device().messages().clear();
-  auto picture = renderer::renderScene(device(), scene.value(), settings);
-  if (!picture)
-    FAIL(picture.error().message);
-  for (const std::string& text : device().messages().texts())
-    FAIL_CHECK(text);
-  return std::move(picture).value().pixels;
-}
-
-RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t frames) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.frames = frames;
-  return settings;
-}
 
 /// Sorted absolute differences in sRGB codes.
 std::vector<double> differences(const SrgbImage& a, const SrgbImage& b) {
@@ -230,11 +200,12 @@ TEST_CASE("what the device cannot do is an error, not a crash") {
   const TemporaryFolder folder;
   const auto scene = renderer::readScene(writeInto(folder, "s.glb", triangleScene().glb()));
   RenderSettings settings = settingsOf(8, 8, 1);
-  settings.width = device().properties().limits.maxImageDimension2D + 1;
-  const auto tooWide = renderer::renderScene(device(), scene.value(), settings);
+  settings.width = testDevice().properties().limits.maxImageDimension2D + 1;
+  const auto tooWide = renderer::renderScene(testDevice(), scene.value(), settings);
   REQUIRE_FALSE(tooWide.ok());
   CHECK(tooWide.error().kind == ErrorKind::usage);
   settings = settingsOf(8, 8, 1);
   settings.camera = "nowhere";
-  CHECK(renderer::renderScene(device(), scene.value(), settings).error().kind == ErrorKind::usage);
+  CHECK(renderer::renderScene(testDevice(), scene.value(), settings).error().kind ==
+        ErrorKind::usage);
 }

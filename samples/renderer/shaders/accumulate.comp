@@ -1,8 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Adds one frame to the sum of frames, tone-mapped or as light.
-// [Khronos PBR Neutral Tone Mapper 2024, KhronosGroup/ToneMapping]: colours up to 0.8 - F90 keep
-// their value, brighter ones are compressed and lose saturation toward white.
+// [Khronos PBR Neutral Tone Mapper 2024, KhronosGroup/ToneMapping, PBR_Neutral/README.md]: base
+// colours up to 0.8 keep their value, brighter light is compressed and loses saturation toward
+// white. All its constants are that page's.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D frameColor;
 layout(set = 0, binding = 1, rgba32f) uniform image2D sum;
@@ -12,11 +13,15 @@ layout(push_constant) uniform Block {
   int first;      // 1 for the first frame, which starts the sum
 } settings;
 
+const float kF90 = 0.04; // what a dielectric reflects of a white environment, to be taken off
+const float kStartCompression = 0.8 - kF90;
+const float kDesaturation = 0.15;
+const float kMaxHalf = 65504.0;
+
 vec3 neutral(vec3 light) {
-  const float kStartCompression = 0.8 - 0.04;
-  const float kDesaturation = 0.15;
   float least = min(light.r, min(light.g, light.b));
-  float offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
+  // Where the darkest channel is below 2 F90 the offset falls to 0 with it, smoothly.
+  float offset = least < 2.0 * kF90 ? least - least * least / (4.0 * kF90) : kF90;
   light -= offset;
   float peak = max(light.r, max(light.g, light.b));
   if (peak < kStartCompression)
@@ -32,8 +37,8 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(sum))))
     return;
-  // Half floats end at 65504; a light reflected in a mirror may exceed it.
-  vec3 light = min(texelFetch(frameColor, pixel, 0).rgb, vec3(65504.0)) * settings.exposure;
+  // A light reflected in a mirror may exceed what half floats hold.
+  vec3 light = min(texelFetch(frameColor, pixel, 0).rgb, vec3(kMaxHalf)) * settings.exposure;
   vec4 value = vec4(settings.toneMap == 1 ? neutral(light) : light, 1.0);
   if (settings.first == 0)
     value += imageLoad(sum, pixel);

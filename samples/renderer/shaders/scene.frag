@@ -7,6 +7,13 @@
 #include "shading.glsl"
 
 layout(constant_id = 2) const int kDebugView = DEBUG_NONE;
+// Of the debug views, chosen to be told apart.
+const vec3 kNothingToShow = vec3(0.5);
+const vec3 kLineColor = vec3(0.9, 0.35, 0.1);
+const float kLineWeight = 0.03; // the least weight that is no longer on a line of the lattice
+const float kCellDarkest = 0.15;
+const float kCellContrast = 0.5;
+const float kLeastNDotV = 1e-3; // keeps the visibility term finite
 
 layout(location = 0) in vec3 worldPosition;
 layout(location = 1) in vec3 worldNormal;
@@ -37,7 +44,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
                                          : -frame.cameraForward.xyz;
   s.normal = shadingNormal(geometricNormal, surface.tangentNormal);
   // A normal map may turn a surface away from the camera that sees it.
-  s.nDotV = clamp(dot(s.normal, s.view), 1e-3, 1.0);
+  s.nDotV = clamp(dot(s.normal, s.view), kLeastNDotV, 1.0);
   s.roughness = clamp(surface.roughness, 0.0, 1.0);
   s.alpha = alphaOf(s.roughness);
   float metallic = clamp(surface.metallic, 0.0, 1.0);
@@ -59,30 +66,33 @@ vec3 lit(Shading s, Surface surface) {
   return light;
 }
 
-/// Blue, cyan, green, yellow, red for 0 to 1.
+/// Blue, cyan, green, yellow, red for 0, 1/4, 1/2, 3/4, 1, linear between.
 vec3 ramp(float x) {
   return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
 }
 
 vec3 noiseDebug(Footprint footprint) {
   if (!kHasNoise)
-    return vec3(0.5);
+    return kNothingToShow;
   LichenTaps taps = noiseTaps(footprint);
-  LichenMap map = noiseData.maps[max(material.noiseMaps[NOISE_BASE_COLOR], 0)];
-  float level = lichenTilingLevel(taps, noiseData.noise, map);
   if (kDebugView == DEBUG_WEIGHTS)
     return taps.weights;
   if (kDebugView == DEBUG_LATTICE) {
-    const float kLineWeight = 0.03;
     float least = min(taps.weights.x, min(taps.weights.y, taps.weights.z));
     float inside = smoothstep(0.0, kLineWeight, least);
-    return mix(vec3(0.9, 0.35, 0.1), 0.15 + 0.5 * taps.weights, inside);
+    return mix(kLineColor, kCellDarkest + kCellContrast * taps.weights, inside);
   }
+  // The others are of the base colour.
+  if (!noiseHas(NOISE_BASE_COLOR))
+    return kNothingToShow;
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  float level = lichenTilingLevel(taps, noiseData.noise, map);
   if (kDebugView == DEBUG_MIP_LEVEL)
     return ramp(level / max(float(map.mipCount) - 1.0, 1.0));
   vec3 gaussian = lichenTilingGaussian(baseColorGaussian, taps, level);
-  return map.dimensions == 1u ? gaussian.xxx
-                              : vec3(gaussian.xy, map.dimensions == 2u ? 0.5 : gaussian.z);
+  if (map.dimensions == 1u)
+    return gaussian.xxx;
+  return vec3(gaussian.xy, map.dimensions == 2u ? kNothingToShow.z : gaussian.z);
 }
 
 void main() {

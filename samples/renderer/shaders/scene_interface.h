@@ -15,6 +15,7 @@
 #define BINDING_PANORAMA 4
 #define BINDING_SUN_DEPTH 5
 #define BINDING_SKY_DEPTH 6
+#define FRAME_BINDINGS 7
 
 #define SET_MATERIAL 1
 #define BINDING_MATERIAL 0
@@ -86,7 +87,7 @@ struct MaterialData {
   vec4 factors;                             // metallic, roughness, normal scale, occlusion strength
   ivec4 texCoords;                          // of textures 0 to 3
   ivec4 flags;                              // x texCoord of texture 4, y 1 when alpha is used,
-                                            // z 1 with a normal texture, w of the noise
+                                            // z unused, w texCoord of the noise
   ivec4 noiseMaps;                          // map of each role, -1 for none
   ivec4 ormComponents;                      // of the noise's value: occlusion, roughness, metallic;
                                             // -1 for none

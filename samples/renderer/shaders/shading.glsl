@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // glTF's metallic-roughness model under punctual lights and an environment.
 // [glTF 2.0, appendix B]; energy of multiple scattering [Fdez-Aguera 2019, A Multiple-Scattering
-// Microfacet Model for Real-Time Image-based Lighting].
+// Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al. 2007, eq. 33]; Smith's
+// visibility [Heitz 2014, eq. 99]; Fresnel [Schlick 1994].
 #ifndef SHADING_GLSL
 #define SHADING_GLSL
 
@@ -17,7 +18,8 @@ layout(set = SET_FRAME, binding = BINDING_SUN_DEPTH) uniform sampler2DShadow sun
 layout(set = SET_FRAME, binding = BINDING_SKY_DEPTH) uniform sampler2DArrayShadow skyDepth;
 
 const float kPi = 3.14159265358979;
-const float kDielectricF0 = 0.04;
+const float kDielectricF0 = 0.04; // [glTF 2.0, appendix B]: an index of refraction of 1.5
+const float kSchlickPower = 5.0;
 const float kLeastAlpha = 0.002; // environment.cpp's alphaOf
 
 struct Shading {
@@ -48,20 +50,28 @@ vec3 reflected(Shading s, vec3 l) {
   float distribution = a2 / (kPi * d * d);
   float visibility = 0.5 / (nDotL * sqrt(s.nDotV * s.nDotV * (1.0 - a2) + a2) +
                             s.nDotV * sqrt(nDotL * nDotL * (1.0 - a2) + a2));
-  vec3 fresnel = s.f0 + (1.0 - s.f0) * pow(1.0 - vDotH, 5.0);
+  vec3 fresnel = s.f0 + (1.0 - s.f0) * pow(1.0 - vDotH, kSchlickPower);
   // Single scattering scaled to what a uniform environment would give back.
   vec3 multiple = 1.0 + s.f0 * (1.0 / (s.brdf.x + s.brdf.y) - 1.0);
   vec3 specular = fresnel * multiple * (distribution * visibility);
   return nDotL * ((1.0 - fresnel) * s.diffuseColor / kPi + specular);
 }
 
-/// Four taps of hardware comparison around a place of a depth map, lifted off the surface.
+// Shadow edges: four taps this far from the place, each a tent of one texel's radius (bilinear
+// comparison). Along an axis two tents a texel apart add up to a trapezoid, flat in its middle.
+const float kShadowTapTexels = 0.5;
+// So the filter reaches r texels along an axis. Lifted by r along its normal, a plane at angle a to
+// the light does not shadow itself: that gains r / cos a toward the light, and the plane rises by
+// r tan a at most. (Across the axes the reach is longer; the depth maps' slope bias is for that.)
+const float kShadowReachTexels = kShadowTapTexels + 1.0;
+
+/// Four taps of hardware comparison around a place of a depth map.
 float sunVisibility(Shading s) {
-  vec3 lifted = s.position + s.geometricNormal * (1.5 * frame.shadow.x);
+  vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.x);
   vec3 place = (frame.sunFromWorld * vec4(lifted, 1.0)).xyz;
   if (any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0))))
     return 1.0;
-  vec2 texel = 0.75 / vec2(textureSize(sunDepth, 0));
+  vec2 texel = kShadowTapTexels / vec2(textureSize(sunDepth, 0));
   float depth = min(place.z, 1.0);
   return 0.25 * (texture(sunDepth, vec3(place.xy + vec2(-texel.x, -texel.y), depth)) +
                  texture(sunDepth, vec3(place.xy + vec2(texel.x, -texel.y), depth)) +
@@ -73,7 +83,7 @@ float sunVisibility(Shading s) {
 /// SKY_DIRECTIONS directions; the average of frames looks everywhere.
 float skyVisibility(Shading s) {
   const float kLeast = 0.02; // a normal that faces none of the directions sees no sky to be hidden
-  vec3 lifted = s.position + s.geometricNormal * (1.5 * frame.shadow.y);
+  vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.y);
   float seen = kLeast;
   float all = kLeast;
   for (int k = 0; k < SKY_DIRECTIONS; ++k) {
@@ -92,7 +102,8 @@ vec3 punctualLight(Shading s, LightData light) {
   if (kind == LIGHT_DIRECTIONAL)
     return light.color.rgb * reflected(s, -light.directionAndRange.xyz);
   vec3 toLight = light.positionAndKind.xyz - s.position;
-  float squared = max(dot(toLight, toLight), 1e-8);
+  const float kLeastSquared = 1e-8; // a point at the light itself
+  float squared = max(dot(toLight, toLight), kLeastSquared);
   vec3 l = toLight * inversesqrt(squared);
   float attenuation = 1.0 / squared;
   if (light.directionAndRange.w > 0.0) {
@@ -112,17 +123,18 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
   vec3 r = reflect(-s.view, s.normal);
   vec3 radiance = textureLod(specularCube, r, s.roughness * frame.environment.y).rgb;
   vec3 irradiance = textureLod(diffuseCube, s.normal, 0.0).rgb;
-  // [Fdez-Aguera 2019] listing 1.
+  // [Fdez-Aguera 2019] listing 1; 1 / 21 is the cosine-weighted mean of Schlick's power.
+  const float kMeanSchlick = 1.0 / 21.0;
   float single = s.brdf.x + s.brdf.y;
   vec3 singleScatter = s.f0 * s.brdf.x + s.brdf.y;
   float lost = 1.0 - single;
-  vec3 average = s.f0 + (1.0 - s.f0) / 21.0;
+  vec3 average = s.f0 + (1.0 - s.f0) * kMeanSchlick;
   vec3 multiScatter = lost * singleScatter * average / (1.0 - average * lost);
   vec3 diffuse = s.diffuseColor * (1.0 - singleScatter - multiScatter);
-  // [Lagarde and de Rousiers 2014, Moving Frostbite to PBR, listing 26]
+  // [Lagarde and de Rousiers 2014, Moving Frostbite to PBR, listing 26], the exponent too.
   float ambient = visibility * occlusion;
-  float specularOcclusion =
-      clamp(pow(s.nDotV + ambient, exp2(-16.0 * s.roughness - 1.0)) - 1.0 + ambient, 0.0, 1.0);
+  float exponent = exp2(-16.0 * s.roughness - 1.0);
+  float specularOcclusion = clamp(pow(s.nDotV + ambient, exponent) - 1.0 + ambient, 0.0, 1.0);
   return singleScatter * radiance * specularOcclusion +
          (multiScatter + diffuse) * irradiance * ambient;
 }
@@ -131,6 +143,7 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
 vec3 throughHaze(Shading s, vec3 light) {
   if (frame.environment.x == 0.0 || frame.cameraPosition.w == 0.0)
     return light;
+  // Above the horizon by 1.6 texels of the built-in sky, so that filtering meets no ground.
   const float kAboveHorizon = 0.01;
   float distance = length(frame.cameraPosition.xyz - s.position);
   vec3 horizon = normalize(vec3(-s.view.x, kAboveHorizon, -s.view.z));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a surface is made of at a point, from a glTF material and, where it has one, its noise.
+// The noise replaces the core texture of each channel that it has, whose preview that texture is;
+// textures of other channels are drawn as usual, and factors multiply either.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
@@ -34,7 +36,7 @@ NOISE_SAMPLERS(NOISE_NORMAL, normal);
 NOISE_SAMPLERS(NOISE_ORM, orm);
 NOISE_SAMPLERS(NOISE_EMISSIVE, emissive);
 
-// The noise of this pipeline's materials, and whether anything samples their textures.
+// Whether this pipeline's materials have a noise, and a normal texture.
 layout(constant_id = 0) const bool kHasNoise = false;
 layout(constant_id = 1) const bool kHasNormalMap = false;
 
@@ -74,55 +76,64 @@ LichenTaps noiseTaps(Footprint f) {
   lichenTiling(name##Gaussian, name##Table, taps, noiseData.noise,                                 \
                noiseData.maps[material.noiseMaps[role]])
 
-/// Replaces what the noise has; core factors multiply it as they multiply a texture.
-void applyNoise(inout Surface surface, LichenTaps taps) {
-  if (material.noiseMaps[NOISE_BASE_COLOR] >= 0)
-    surface.baseColor.rgb *= NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
-  if (material.noiseMaps[NOISE_NORMAL] >= 0) {
-    vec2 slopes = material.factors.z * NOISE_VALUE(NOISE_NORMAL, normal, taps).xy;
-    surface.tangentNormal = lichenNormalFromSlopes(lichenSlopesToUv(slopes, noiseData.noise));
-  }
-  if (material.noiseMaps[NOISE_ORM] >= 0) {
+bool noiseHas(int role) { return kHasNoise && material.noiseMaps[role] >= 0; }
+
+/// Without the factor. Alpha is the texture's, as in depth.frag: base colour of a noise has none.
+vec4 baseColorAt(Footprint f, LichenTaps taps) {
+  bool fromNoise = noiseHas(NOISE_BASE_COLOR);
+  vec4 color = vec4(1.0);
+  if (!fromNoise || material.flags.y != 0)
+    color = materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
+  if (fromNoise)
+    color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
+  return color;
+}
+
+vec3 emissiveAt(Footprint f, LichenTaps taps) {
+  if (noiseHas(NOISE_EMISSIVE))
+    return NOISE_VALUE(NOISE_EMISSIVE, emissive, taps).rgb;
+  return materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
+}
+
+/// Occlusion, roughness and metallic, without their factors.
+vec3 ormAt(Footprint f, LichenTaps taps) {
+  vec3 orm;
+  orm.x = materialTexture(occlusionTexture, TEXTURE_OCCLUSION, material.texCoords.w, f).r;
+  orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
+                           material.texCoords.y, f)
+               .gb;
+  if (noiseHas(NOISE_ORM)) {
     vec3 value = NOISE_VALUE(NOISE_ORM, orm, taps).rgb;
-    ivec3 component = material.ormComponents.xyz;
-    if (component.x >= 0)
-      surface.occlusion = mix(1.0, value[component.x], material.factors.w);
-    if (component.y >= 0)
-      surface.roughness *= value[component.y];
-    if (component.z >= 0)
-      surface.metallic *= value[component.z];
+    for (int k = 0; k < 3; ++k)
+      if (material.ormComponents[k] >= 0)
+        orm[k] = value[material.ormComponents[k]];
   }
-  if (material.noiseMaps[NOISE_EMISSIVE] >= 0)
-    surface.emissive *= NOISE_VALUE(NOISE_EMISSIVE, emissive, taps).rgb;
+  return orm;
+}
+
+vec3 tangentNormalAt(Footprint f, LichenTaps taps) {
+  if (noiseHas(NOISE_NORMAL)) {
+    vec2 slopes = material.factors.z * NOISE_VALUE(NOISE_NORMAL, normal, taps).xy;
+    return lichenNormalFromSlopes(lichenSlopesToUv(slopes, noiseData.noise));
+  }
+  if (!kHasNormalMap)
+    return vec3(0.0, 0.0, 1.0);
+  vec3 n = materialTexture(normalTexture, TEXTURE_NORMAL, material.texCoords.z, f).xyz;
+  return normalize((2.0 * n - 1.0) * vec3(material.factors.zz, 1.0));
 }
 
 Surface surfaceAt(Footprint f, vec4 vertexColor) {
+  LichenTaps taps;
+  if (kHasNoise)
+    taps = noiseTaps(f);
+  vec3 orm = ormAt(f, taps);
   Surface s;
-  s.baseColor = material.baseColor * vertexColor;
-  s.emissive = material.emissive.rgb;
-  s.metallic = material.factors.x;
-  s.roughness = material.factors.y;
-  s.occlusion = 1.0;
-  s.tangentNormal = vec3(0.0, 0.0, 1.0);
-  if (kHasNoise) {
-    // The core textures hold the noise's preview: a viewer shows one or the other.
-    applyNoise(s, noiseTaps(f));
-    return s;
-  }
-  s.baseColor *= materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
-  s.emissive *=
-      materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
-  vec2 roughnessMetallic = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
-                                           material.texCoords.y, f).gb;
-  s.roughness *= roughnessMetallic.x;
-  s.metallic *= roughnessMetallic.y;
-  float occlusion =
-      materialTexture(occlusionTexture, TEXTURE_OCCLUSION, material.texCoords.w, f).r;
-  s.occlusion = mix(1.0, occlusion, material.factors.w);
-  if (kHasNormalMap) {
-    vec3 n = materialTexture(normalTexture, TEXTURE_NORMAL, material.texCoords.z, f).xyz;
-    s.tangentNormal = normalize((2.0 * n - 1.0) * vec3(material.factors.zz, 1.0));
-  }
+  s.baseColor = material.baseColor * vertexColor * baseColorAt(f, taps);
+  s.emissive = material.emissive.rgb * emissiveAt(f, taps);
+  s.occlusion = mix(1.0, orm.x, material.factors.w);
+  s.roughness = material.factors.y * orm.y;
+  s.metallic = material.factors.x * orm.z;
+  s.tangentNormal = tangentNormalAt(f, taps);
   return s;
 }
 

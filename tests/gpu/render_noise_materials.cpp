@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// A noise beside core textures: it takes the place of those whose channels it has, and of no other.
+#include "rendered.h"
+#include "synthetic_noise.h"
+
+#include <lichen/image_io.h>
+
+#include <algorithm>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+using renderer::RenderSettings;
+
+namespace {
+
+const SyntheticMap kBaseColor{3, 64, 64, true, 4};
+const SyntheticMap kNormal{2, 64, 64, false, 4};
+const SyntheticMap kOrm{1, 64, 64, false, 4};
+
+GltfScene ballOf(std::span<const std::byte> noiseGlb) {
+  GltfScene scene(noiseGlb);
+  scene.addBall(0);
+  scene.addCamera(4.0f, 0.6f);
+  scene.addSun(3.0f);
+  return scene;
+}
+
+GltfScene noiseBall(const std::vector<SyntheticMap>& maps) { return ballOf(syntheticGlb(maps)); }
+
+json& materialOf(GltfScene& scene) { return scene.json["materials"][0]; }
+
+GltfScene withoutNoise(GltfScene scene) {
+  materialOf(scene).erase("extensions");
+  return scene;
+}
+
+LinearImage picture(const GltfScene& scene, const std::string& view = "") {
+  RenderSettings settings = settingsOf(64, 64, 1);
+  settings.debugView = view;
+  return render(scene.glb(), settings);
+}
+
+/// A checkerboard in each core texture slot but the base colour's.
+void addCoreTextures(GltfScene& scene) {
+  const std::size_t bumps = scene.addChecker(8, {0.65f, 0.5f, 0.95f}, {0.35f, 0.5f, 0.95f});
+  const std::size_t orm = scene.addChecker(6, {0.2f, 0.3f, 0.0f}, {1.0f, 0.7f, 0.0f});
+  const std::size_t glow = scene.addChecker(4, {0.0f, 0.1f, 0.3f}, {0.2f, 0.0f, 0.0f});
+  json& material = materialOf(scene);
+  material["normalTexture"]["index"] = bumps;
+  material["occlusionTexture"]["index"] = orm;
+  material["emissiveTexture"]["index"] = glow;
+  material["emissiveFactor"] = {1, 1, 1};
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = orm;
+}
+
+/// A base colour texture half of which is transparent.
+void addHoles(GltfScene& scene) {
+  SrgbImage image(64, 64, 4);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      float* pixel = image.pixel(x, y);
+      std::fill_n(pixel, 3, 0.5f);
+      pixel[3] = (x / 16 + y / 16) % 2 == 0 ? 1.0f : 0.0f;
+    }
+  const std::size_t view = scene.addView(encodePng(image, 8).value());
+  scene.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
+  scene.json["textures"] = {{{"source", 0}}};
+  materialOf(scene)["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+}
+
+} // namespace
+
+TEST_CASE("core textures of what a noise lacks are drawn as without it") {
+  GltfScene scene = noiseBall({kBaseColor});
+  addCoreTextures(scene);
+  CHECK(picture(scene).values != picture(withoutNoise(scene)).values);
+  CHECK(picture(scene, "normals").values == picture(withoutNoise(scene), "normals").values);
+  // With a black factor nothing is left of the base colour, and the pictures are one.
+  materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
+  CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
+}
+
+TEST_CASE("core textures of what a noise has are not drawn") {
+  GltfScene plain = noiseBall({kBaseColor, kNormal, kOrm});
+  GltfScene textured = plain;
+  addCoreTextures(textured);
+  json& material = materialOf(textured);
+  material.erase("emissiveTexture");
+  material.erase("emissiveFactor");
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] =
+      textured.addChecker(4, {1, 0, 0}, {0, 1, 0});
+  CHECK(picture(plain).values == picture(textured).values);
+}
+
+TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
+  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
+  NoiseMap& orm = file.bundle.noises[0].maps[1];
+  orm.channels = {MapChannel::roughness};
+  orm.mean.resize(1);
+  orm.covariance.resize(1);
+  GltfScene byFactor = ballOf(encodeGlb(file).value());
+  GltfScene byTexture = byFactor;
+  materialOf(byFactor)["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  // Its roughness, 0.9, is not used; metallic is 0.
+  const std::size_t texture = byTexture.addChecker(1, {0, 0.9f, 0}, {0, 0.9f, 0});
+  json& pbr = materialOf(byTexture)["pbrMetallicRoughness"];
+  pbr["metallicRoughnessTexture"]["index"] = texture;
+  pbr["metallicFactor"] = 1;
+  CHECK(picture(byTexture).values == picture(byFactor).values);
+  pbr.erase("metallicRoughnessTexture");
+  CHECK(picture(byTexture).values != picture(byFactor).values);
+}
+
+TEST_CASE("the holes of a mask are where the shadow has them, with a noise as without") {
+  GltfScene scene = noiseBall({kBaseColor});
+  addHoles(scene);
+  materialOf(scene)["alphaMode"] = "MASK";
+  materialOf(scene)["doubleSided"] = true;
+  // What is seen through the holes has no normal: the sky, and black in this view.
+  CHECK(picture(scene, "normals").values == picture(withoutNoise(scene), "normals").values);
+  GltfScene opaque = scene;
+  materialOf(opaque).erase("alphaMode");
+  CHECK(picture(scene, "normals").values != picture(opaque, "normals").values);
+
+  // With a black factor only holes and shadows are left to differ.
+  const auto ground = scene.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+  scene.addGround(ground, 10.0f, -1.0f);
+  materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
+  CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
+}
+
+TEST_CASE("maps of a noise that are not drawn are named once for each") {
+  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
+  NoiseMap& height = file.bundle.noises[0].maps[1];
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.mean.resize(1);
+  height.covariance.resize(1);
+  const GltfScene scene = ballOf(encodeGlb(file).value());
+  const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "the height of the noise synthetic is not drawn");
+  CHECK(renderPicture(noiseBall({kBaseColor}).glb(), settingsOf(16, 16, 1)).notes.empty());
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Scenes that glTF allows and exporters seldom write: each is drawn, the validation layers say
+// nothing, and no value of the picture is NaN.
+#include "rendered.h"
+
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+
+namespace {
+
+/// A sphere of triangles, with a textured material and a normal texture.
+GltfScene plainScene() {
+  GltfScene scene;
+  const std::size_t checker = scene.addChecker(4, {0.9f, 0.2f, 0.1f}, {0.8f, 0.8f, 0.7f});
+  const std::size_t bumps = scene.addChecker(8, {0.6f, 0.5f, 0.95f}, {0.4f, 0.5f, 0.95f});
+  scene.addBall(
+      scene.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", checker}}}}},
+                         {"normalTexture", {{"index", bumps}}}}));
+  scene.addCamera(4.0f, 0.6f);
+  return scene;
+}
+
+json& attributesOf(GltfScene& scene) {
+  return scene.json["meshes"][0]["primitives"][0]["attributes"];
+}
+
+/// The node of the ball.
+json& nodeOf(GltfScene& scene) { return scene.json["nodes"][0]; }
+
+struct OddScene {
+  const char* what;
+  std::function<void(GltfScene&)> change;
+};
+
+const std::vector<OddScene> kOddScenes{
+    {"no normals", [](GltfScene& s) { attributesOf(s).erase("NORMAL"); }},
+    {"no texture coordinates", [](GltfScene& s) { attributesOf(s).erase("TEXCOORD_0"); }},
+    {"nothing but positions",
+     [](GltfScene& s) {
+       attributesOf(s).erase("NORMAL");
+       attributesOf(s).erase("TEXCOORD_0");
+     }},
+    {"no material", [](GltfScene& s) { s.json["meshes"][0]["primitives"][0].erase("material"); }},
+    {"normals of zero",
+     [](GltfScene& s) {
+       const auto count = s.json["accessors"][0]["count"];
+       s.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+       attributesOf(s)["NORMAL"] = s.json["accessors"].size() - 1;
+     }},
+    {"triangles without area",
+     [](GltfScene& s) {
+       s.addMesh({{"POSITION", s.addFloats({0, 0, 0, 1, 0, 0, 2, 0, 0}, 3)}},
+                 s.addIndices({0, 1, 2, 0, 0, 0}, 1), 0);
+     }},
+    {"indices of 8 bits",
+     [](GltfScene& s) {
+       s.addMesh({{"POSITION", s.addFloats({-2, -1, -1, 2, -1, -1, 0, 2, -1}, 3)}},
+                 s.addIndices({0, 1, 2}, 1), 0);
+     }},
+    {"one vertex moved by a sparse accessor",
+     [](GltfScene& s) {
+       const std::vector<float> far{0, 2, 0};
+       const std::vector<std::uint32_t> which{0};
+       const std::size_t values = s.addView(std::as_bytes(std::span(far)));
+       const std::size_t indices = s.addView(std::as_bytes(std::span(which)));
+       s.json["accessors"][0]["sparse"] = {
+           {"count", 1},
+           {"indices", {{"bufferView", indices}, {"componentType", 5125}}},
+           {"values", {{"bufferView", values}}}};
+     }},
+    {"a mirrored node",
+     [](GltfScene& s) {
+       nodeOf(s)["scale"] = {-1, 1, 1};
+     }},
+    {"a node flattened to nothing",
+     [](GltfScene& s) {
+       nodeOf(s)["scale"] = {1, 0, 1};
+     }},
+    {"a node scaled to a point",
+     [](GltfScene& s) {
+       nodeOf(s)["scale"] = {0, 0, 0};
+     }},
+    {"a rotation of zero",
+     [](GltfScene& s) {
+       nodeOf(s)["rotation"] = {0, 0, 0, 0};
+     }},
+    {"a scene far out and tiny",
+     [](GltfScene& s) {
+       nodeOf(s)["translation"] = {1e6, -1e6, 1e6};
+       nodeOf(s)["scale"] = {1e-3, 1e-3, 1e-3};
+     }},
+    {"a light without light", [](GltfScene& s) { s.addSun(0.0f); }},
+    {"a lamp in the surface",
+     [](GltfScene& s) {
+       s.addSun(1.0f);
+       s.json["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "point"}};
+       s.json["nodes"].back()["translation"] = {0, 0, 1};
+     }},
+    {"a spot with a cone of no width",
+     [](GltfScene& s) {
+       s.addSun(1.0f);
+       s.json["extensions"]["KHR_lights_punctual"]["lights"][0] = {
+           {"type", "spot"}, {"spot", {{"innerConeAngle", 0}, {"outerConeAngle", 0}}}};
+     }},
+    {"an orthographic camera",
+     [](GltfScene& s) {
+       s.json["cameras"][0] = {
+           {"type", "orthographic"},
+           {"orthographic", {{"xmag", 2}, {"ymag", 2}, {"znear", 0}, {"zfar", 10}}}};
+     }},
+    {"a mask that nothing passes",
+     [](GltfScene& s) {
+       s.json["materials"][0]["alphaMode"] = "MASK";
+       s.json["materials"][0]["alphaCutoff"] = 2;
+     }},
+    {"a glass mirror without roughness",
+     [](GltfScene& s) {
+       s.json["materials"][0]["alphaMode"] = "BLEND";
+       s.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 0;
+     }},
+    {"a texture transform to a point",
+     [](GltfScene& s) {
+       s.json["materials"][0]["normalTexture"]["extensions"]["KHR_texture_transform"] = {
+           {"scale", {0, 0}}, {"rotation", 1}};
+     }},
+    {"a texture of one texel, read without mip levels",
+     [](GltfScene& s) {
+       SrgbImage texel(1, 1, 1);
+       texel.values = {0.5f};
+       const std::size_t view = s.addView(encodePng(texel, 8).value());
+       s.json["images"][0] = {{"bufferView", view}};
+       s.json["samplers"] = {{{"magFilter", 9728}, {"minFilter", 9728}, {"wrapS", 33071}}};
+       s.json["textures"][0]["sampler"] = 0;
+     }},
+    {"a scene that is not the first",
+     [](GltfScene& s) {
+       s.json["scenes"].push_back(s.json["scenes"][0]);
+       s.json["scenes"][0] = json::object();
+       s.json["scene"] = 1;
+     }},
+};
+
+} // namespace
+
+TEST_CASE("odd scenes are drawn, and the validation layers say nothing") {
+  for (const OddScene& odd : kOddScenes) {
+    INFO(odd.what);
+    GltfScene scene = plainScene();
+    odd.change(scene);
+    const LinearImage picture = render(scene.glb(), settingsOf(48, 32, 2));
+    CHECK(std::all_of(picture.values.begin(), picture.values.end(),
+                      [](float v) { return std::isfinite(v) && v >= 0.0f; }));
+  }
+}
+
+TEST_CASE("a scene of more lights than are drawn says so once") {
+  GltfScene scene = plainScene();
+  for (int i = 0; i < 20; ++i) {
+    scene.addSun(1.0f);
+    scene.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "directional"}, {"intensity", 1.0}}};
+  }
+  const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "the scene has 20 lights; the 16 that light it most are drawn");
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A glTF scene of a test -> its picture, on the test's own device. What the validation layers say
+// fails the test.
+#pragma once
+
+#include "render_gltf.h"
+#include "renderer.h"
+#include "require_device.h"
+
+#include <catch2/catch.hpp>
+
+namespace lichen::test {
+
+inline HeadlessDevice& testDevice() {
+  static const std::unique_ptr<HeadlessDevice> instance = requireDevice();
+  return *instance;
+}
+
+inline renderer::RenderSettings settingsOf(std::uint32_t width, std::uint32_t height,
+                                           std::uint32_t frames) {
+  renderer::RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.frames = frames;
+  return settings;
+}
+
+inline renderer::Picture renderPicture(std::span<const std::byte> glb,
+                                       const renderer::RenderSettings& settings) {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "scene.glb", glb));
+  if (!scene)
+    FAIL(scene.error().message);
+  testDevice().messages().clear();
+  auto picture = renderer::renderScene(testDevice(), scene.value(), settings);
+  if (!picture)
+    FAIL(picture.error().message);
+  for (const std::string& text : testDevice().messages().texts())
+    FAIL_CHECK(text);
+  return std::move(picture).value();
+}
+
+inline LinearImage render(std::span<const std::byte> glb,
+                          const renderer::RenderSettings& settings) {
+  return renderPicture(glb, settings).pixels;
+}
+
+} // namespace lichen::test
