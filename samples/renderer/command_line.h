@@ -24,10 +24,12 @@ struct Command {
   std::string device;
   bool validate = false;
   bool json = false;
+  bool quiet = false;
   bool listDevices = false;
 };
 
-/// The command, or the text that --help asked for. Errors: usage.
+/// The command, or the text that --help or --version asked for. Errors: usage; environment for an
+/// output folder that does not exist.
 [[nodiscard]] Result<std::variant<Command, std::string>> parseCommandLine(int argc,
                                                                           const char* const* argv);
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 
@@ -46,35 +47,50 @@ Result<void> checkMessages(HeadlessDevice& device) {
                                            "report them"};
 }
 
-void report(const Command& command, HeadlessDevice& device, const Scene& scene,
-            const Picture& picture) {
-  if (!command.json)
-    return;
+void note(const Command& command, const std::vector<std::string>& lines) {
+  if (!command.quiet && !command.json) // there they are part of the report
+    for (const std::string& line : lines)
+      std::fprintf(stderr, "note: %s\n", line.c_str());
+}
+
+std::size_t triangleCount(const Scene& scene) {
   std::size_t triangles = 0;
   for (const Instance& instance : scene.instances)
     triangles += scene.primitives[instance.primitive].indices.size() / 3;
-  const nlohmann::json object{{"output", command.output.string()},
-                              {"width", command.width},
-                              {"height", command.height},
-                              {"frames", command.frames},
-                              {"device", device.properties().deviceName},
-                              {"triangles", triangles},
-                              {"setupSeconds", picture.setupSeconds},
-                              {"medianFrameSeconds", picture.medianFrameSeconds},
-                              {"notes", scene.notes}};
-  std::printf("%s\n",
-              object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  return triangles;
+}
+
+void report(const Command& command, const char* device, const Scene& scene, const Picture& picture,
+            double seconds) {
+  if (command.json) {
+    std::vector<std::string> notes = scene.notes;
+    notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
+    const nlohmann::ordered_json object{{"output", command.output.string()},
+                                        {"width", command.width},
+                                        {"height", command.height},
+                                        {"frames", command.frames},
+                                        {"device", device},
+                                        {"triangles", triangleCount(scene)},
+                                        {"notes", notes},
+                                        {"setupSeconds", picture.setupSeconds},
+                                        {"medianFrameSeconds", picture.medianFrameSeconds},
+                                        {"seconds", seconds}};
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+    std::printf("%s\n", object.dump(2, ' ', false, kReplace).c_str());
+  } else if (!command.quiet) {
+    std::printf("%s: %u x %u, %u frames on %s, %.2f s\n", command.output.c_str(), command.width,
+                command.height, command.frames, device, seconds);
+  }
 }
 
 Result<void> run(const Command& command) {
   if (command.listDevices)
     return listDevices(command.json);
+  const auto start = std::chrono::steady_clock::now();
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
-  if (!command.json)
-    for (const std::string& note : scene.value().notes)
-      std::fprintf(stderr, "note: %s\n", note.c_str());
+  note(command, scene.value().notes);
 
   RenderSettings settings;
   settings.width = command.width;
@@ -99,9 +115,12 @@ Result<void> run(const Command& command) {
   Result<Picture> picture = renderScene(*device.value(), scene.value(), settings);
   if (!picture)
     return picture.error();
+  note(command, picture.value().notes);
   if (Result<void> written = writePicture(command.output, picture.value().pixels); !written)
     return written;
-  report(command, *device.value(), scene.value(), picture.value());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report(command, device.value()->properties().deviceName, scene.value(), picture.value(),
+         seconds.count());
   return checkMessages(*device.value());
 }
 

@@ -21,9 +21,9 @@ struct Outcome {
   std::string output; ///< standard output and standard error
 };
 
-/// Runs through the shell; arguments hold no character that it would change.
+/// Runs through the shell; arguments hold no character that it would change but redirections.
 Outcome run(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " '" LICHEN_RENDER "' " + arguments + " 2>&1";
+  const std::string command = environment + " '" LICHEN_RENDER "' 2>&1 " + arguments;
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -54,7 +54,9 @@ TEST_CASE("wrong arguments are a usage error on one line with the cure") {
       std::string(""),
       scene,
       scene + " -o picture.bmp",
-      scene + out + "--size 100",
+      scene + out + "--size 0",
+      scene + out + "--size 99999",
+      scene + out + "--size 100x",
       scene + out + "--size 0x10",
       scene + out + "--size 10x99999",
       scene + out + "--size 10x10x10",
@@ -75,23 +77,48 @@ TEST_CASE("wrong arguments are a usage error on one line with the cure") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "o.png"));
 }
 
-TEST_CASE("help is no error") {
-  const Outcome outcome = run("--help");
-  CHECK(outcome.exitCode == 0);
-  CHECK(outcome.output.find("--debug-view") != std::string::npos);
+TEST_CASE("help and version are no errors") {
+  const Outcome help = run("--help");
+  CHECK(help.exitCode == 0);
+  CHECK(help.output.find("--debug-view") != std::string::npos);
+  const Outcome version = run("--version");
+  CHECK(version.exitCode == 0);
+  CHECK(version.output == "lichen-render " LICHEN_VERSION "\n");
 }
 
 TEST_CASE("a scene that cannot be read is bad input") {
   const TemporaryFolder folder;
-  const std::string text = "{}";
-  const std::string scene = writeInto(folder, "s.gltf", std::as_bytes(std::span(text))).string();
-  for (const std::string& path : {scene, (folder.path() / "absent.glb").string()}) {
+  const auto written = [&](const char* name, const std::string& text) {
+    return writeInto(folder, name, std::as_bytes(std::span(text))).string();
+  };
+  for (const std::string& path :
+       {written("s.gltf", "{}"), written("half.gltf", "{\"asset\": {"), written("photo.jpg", "no"),
+        folder.path().string(), (folder.path() / "absent.glb").string()}) {
     const Outcome outcome = run(path + " -o " + (folder.path() / "o.png").string());
     INFO(outcome.output);
     CHECK(outcome.exitCode == 3);
     CHECK(isOneLine(outcome.output));
     CHECK(outcome.output.find(path) != std::string::npos);
+    CHECK(outcome.output.find("exception") == std::string::npos); // of a library
   }
+}
+
+TEST_CASE("a fault in a noise is bad input, named by its place") {
+  if (!hasDevice())
+    return;
+  const TemporaryFolder folder;
+  const auto bytes = readFile(LICHEN_SOURCE_DIR "/docs/gltf_extension/examples/felt.glb").value();
+  GltfScene scene(bytes);
+  scene.addBall(0);
+  scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"][0]["maps"][0]["gaussian"] =
+      99;
+  const std::string path = writeInto(folder, "s.glb", scene.glb()).string();
+  const Outcome outcome = run(path + " --size 8 -o " + (folder.path() / "o.png").string());
+  INFO(outcome.output);
+  CHECK(outcome.exitCode == 3);
+  CHECK(isOneLine(outcome.output));
+  CHECK(outcome.output.find(path) != std::string::npos);
+  CHECK(outcome.output.find("/noises/0/maps/0/gaussian") != std::string::npos);
 }
 
 TEST_CASE("a machine without a Vulkan device is told what to install") {
@@ -126,6 +153,26 @@ TEST_CASE("a picture is written as PNG or EXR, and JSON says what was done") {
   CHECK(readImage(exr).ok());
   CHECK(run(scene + " -o " + png + " --environment " + exr + " --size 8x8 --frames 1").exitCode ==
         0);
+}
+
+TEST_CASE("a picture is reported on one line, with notes beside it, or quietly") {
+  if (!hasDevice())
+    return;
+  const TemporaryFolder folder;
+  GltfScene noted = triangleScene();
+  noted.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  const std::string png = (folder.path() / "o.png").string();
+  const std::string arguments =
+      writeInto(folder, "s.glb", noted.glb()).string() + " -o " + png + " --size 24 --frames 1 ";
+  const Outcome report = run(arguments + "2>/dev/null");
+  CHECK(isOneLine(report.output));
+  CHECK(report.output.find(png + ": 24 x 24, 1 frames on ") == 0);
+  const Outcome notes = run(arguments + ">/dev/null");
+  CHECK(notes.output == "note: the extension KHR_materials_clearcoat is ignored\n");
+  CHECK(run(arguments + "--quiet").output.empty());
+  const Outcome json = run(arguments + "--quiet --json");
+  CHECK(nlohmann::json::parse(json.output)["notes"][0] ==
+        "the extension KHR_materials_clearcoat is ignored");
 }
 
 TEST_CASE("what only the device can tell has its exit code too") {
