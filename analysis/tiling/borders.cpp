@@ -6,51 +6,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lichen::tiling {
 namespace {
 
 constexpr int kFewestForDetection = 8;
 
-/// A seam shows when its mean difference leaves the spread of the interior's means: this many
-/// times their 90th percentile. The exemplars of tests/property/tiling_bake.cpp stay below it and
-/// their crops exceed it; photographs have not been tabulated.
+/// Measured on photographs and their crops: docs/decisions/006-seam-detection.md.
 constexpr double kSeamThreshold = 1.25;
 constexpr double kPercentile = 0.9;
+constexpr int kRunPixels = 4;
 
 /// Width of the cross-faded band on each side of a seam, as a share of the side: an eighth in all.
 constexpr double kBandPerSide = 1.0 / 16.0;
 
-/// Mean absolute difference between line k and line k + 1 (wrapping), for every k. A line is a
-/// column when `alongX`.
+/// How much line k and line k + 1 (wrapping) differ, for every k: differences averaged over runs of
+/// kRunPixels along the line, then their absolute values. Grain averages out of a run; a step that
+/// the eye follows along the seam does not. A line is a column when `alongX`.
 std::vector<double> lineDifferences(const MapExemplar& map, bool alongX) {
   const int lines = alongX ? map.width : map.height;
   const int length = alongX ? map.height : map.width;
-  const auto channels = map.channels.size();
+  const int run = std::min(kRunPixels, length);
+  const std::size_t channels = map.channels.size();
+  const std::size_t lineStride = channels * (alongX ? 1u : std::size_t(map.width));
+  const std::size_t stride = channels * (alongX ? std::size_t(map.width) : 1u);
   std::vector<double> sums(std::size_t(lines), 0.0);
-  for (int line = 0; line < lines; ++line) {
-    const int next = (line + 1) % lines;
-    for (int k = 0; k < length; ++k) {
-      const auto index = [&](int l) {
-        return (alongX ? std::size_t(k) * std::size_t(map.width) + std::size_t(l)
-                       : std::size_t(l) * std::size_t(map.width) + std::size_t(k)) *
-               channels;
+  for (int line = 0; line < lines; ++line)
+    for (std::size_t c = 0; c < channels; ++c) {
+      const float* here = &map.values[std::size_t(line) * lineStride + c];
+      const float* next = &map.values[std::size_t((line + 1) % lines) * lineStride + c];
+      const auto difference = [&](int k) {
+        return double(next[std::size_t(k) * stride]) - double(here[std::size_t(k) * stride]);
       };
-      const float* a = &map.values[index(line)];
-      const float* b = &map.values[index(next)];
-      for (std::size_t c = 0; c < channels; ++c)
-        sums[std::size_t(line)] += std::abs(double(a[c]) - double(b[c]));
+      double sum = 0.0;
+      for (int k = 0; k < length; ++k) {
+        sum += difference(k);
+        if (k + 1 < run)
+          continue;
+        sums[std::size_t(line)] += std::abs(sum);
+        sum -= difference(k + 1 - run);
+      }
     }
-  }
   return sums;
 }
 
-bool hasSeam(std::vector<double> differences) {
+double strengthOf(std::vector<double> differences) {
   const double seam = differences.back();
   differences.pop_back();
   const auto place = differences.begin() + std::ptrdiff_t(kPercentile * double(differences.size()));
   std::nth_element(differences.begin(), place, differences.end());
-  return seam > kSeamThreshold * *place;
+  if (*place > 0.0)
+    return seam / *place;
+  return seam > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
 Point blended(const Point& a, const Point& b, double weightB) {
@@ -73,9 +81,18 @@ double seamWeight(int k, int side) {
 
 } // namespace
 
+SeamStrength seamStrength(const MapExemplar& map) {
+  SeamStrength strength;
+  if (map.width >= kFewestForDetection)
+    strength.betweenColumns = strengthOf(lineDifferences(map, true));
+  if (map.height >= kFewestForDetection)
+    strength.betweenRows = strengthOf(lineDifferences(map, false));
+  return strength;
+}
+
 bool isPeriodic(const MapExemplar& map) {
-  return (map.width < kFewestForDetection || !hasSeam(lineDifferences(map, true))) &&
-         (map.height < kFewestForDetection || !hasSeam(lineDifferences(map, false)));
+  const SeamStrength strength = seamStrength(map);
+  return std::max(strength.betweenColumns, strength.betweenRows) <= kSeamThreshold;
 }
 
 std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width, int height) {

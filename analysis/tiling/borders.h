@@ -10,10 +10,17 @@
 
 namespace lichen::tiling {
 
-/// Whether the values on opposite borders differ no more than neighbours inside do: the mean
-/// absolute difference across each seam against the distribution of the same mean over all the
-/// interior rows and columns. Sides under 8 pixels count as periodic: there is no interior to
-/// compare with.
+/// How much more opposite borders differ than neighbours inside do: the mean absolute difference
+/// across the seam over the 90th percentile of the same mean between interior neighbours. Up to
+/// about 1 where there is no seam. 0 across a side under 8 pixels, for want of an interior, and
+/// across borders of equal values; infinite when only the seam has differences.
+struct SeamStrength {
+  double betweenColumns = 0.0; ///< the last and the first
+  double betweenRows = 0.0;
+};
+[[nodiscard]] SeamStrength seamStrength(const MapExemplar& map);
+
+/// Whether no seam is stronger than 1.25 (docs/decisions/006-seam-detection.md).
 [[nodiscard]] bool isPeriodic(const MapExemplar& map);
 
 /// Makes a Gaussian image periodic: a band of an eighth of the side along each border pair is
