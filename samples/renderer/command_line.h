@@ -4,28 +4,27 @@
 
 #include <lichen/result.h>
 
-#include <cstdint>
-#include <filesystem>
+#include <array>
 #include <string>
 #include <variant>
 
 namespace lichen::renderer {
 
+/// The defaults stand in the options' declarations.
 struct Command {
-  std::filesystem::path scene;
-  std::filesystem::path output;
-  std::uint32_t width = 1280;
-  std::uint32_t height = 720;
+  std::string scene;
+  std::string output;
+  std::array<int, 2> size{}; ///< width and height in pixels
   std::string camera;
-  std::filesystem::path environment; ///< empty for the built-in sky
-  float exposureEv = 0.0f;
-  std::uint32_t frames = 16;
+  std::string environment; ///< empty for the built-in sky
+  double exposureEv = 0.0;
+  int frames = 0;
   std::string debugView;
   std::string device;
+  bool listDevices = false;
   bool validate = false;
   bool json = false;
   bool quiet = false;
-  bool listDevices = false;
 };
 
 /// The command, or the text that --help or --version asked for. Errors: usage; environment for an

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -65,9 +66,9 @@ void report(const Command& command, const char* device, const Scene& scene, cons
   if (command.json) {
     std::vector<std::string> notes = scene.notes;
     notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
-    const nlohmann::ordered_json object{{"output", command.output.string()},
-                                        {"width", command.width},
-                                        {"height", command.height},
+    const nlohmann::ordered_json object{{"output", command.output},
+                                        {"width", command.size[0]},
+                                        {"height", command.size[1]},
                                         {"frames", command.frames},
                                         {"device", device},
                                         {"triangles", triangleCount(scene)},
@@ -78,8 +79,8 @@ void report(const Command& command, const char* device, const Scene& scene, cons
     constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
     std::printf("%s\n", object.dump(2, ' ', false, kReplace).c_str());
   } else if (!command.quiet) {
-    std::printf("%s: %u x %u, %u frames on %s, %.2f s\n", command.output.c_str(), command.width,
-                command.height, command.frames, device, seconds);
+    std::printf("%s: %d x %d, %d frame%s on %s, %.2f s\n", command.output.c_str(), command.size[0],
+                command.size[1], command.frames, command.frames == 1 ? "" : "s", device, seconds);
   }
 }
 
@@ -93,12 +94,12 @@ Result<void> run(const Command& command) {
   note(command, scene.value().notes);
 
   RenderSettings settings;
-  settings.width = command.width;
-  settings.height = command.height;
-  settings.frames = command.frames;
+  settings.width = std::uint32_t(command.size[0]);
+  settings.height = std::uint32_t(command.size[1]);
+  settings.frames = std::uint32_t(command.frames);
   settings.camera = command.camera;
-  settings.exposureEv = command.exposureEv;
-  settings.toneMap = command.output.extension() == ".png";
+  settings.exposureEv = float(command.exposureEv);
+  settings.toneMap = std::filesystem::path(command.output).extension() == ".png";
   settings.debugView = command.debugView;
   if (!command.environment.empty()) {
     Result<LinearImage> panorama = readPanorama(command.environment);
@@ -125,7 +126,9 @@ Result<void> run(const Command& command) {
 }
 
 int fail(const Error& error) {
-  std::fprintf(stderr, "lichen-render: %s\n", error.message.c_str());
+  std::string line = error.message;
+  std::replace(line.begin(), line.end(), '\n', ' '); // of a file's name or an option's text
+  std::fprintf(stderr, "lichen-render: %s\n", line.c_str());
   return int(error.kind);
 }
 

@@ -166,7 +166,7 @@ TEST_CASE("a picture is reported on one line, with notes beside it, or quietly")
       writeInto(folder, "s.glb", noted.glb()).string() + " -o " + png + " --size 24 --frames 1 ";
   const Outcome report = run(arguments + "2>/dev/null");
   CHECK(isOneLine(report.output));
-  CHECK(report.output.find(png + ": 24 x 24, 1 frames on ") == 0);
+  CHECK(report.output.find(png + ": 24 x 24, 1 frame on ") == 0);
   const Outcome notes = run(arguments + ">/dev/null");
   CHECK(notes.output == "note: the extension KHR_materials_clearcoat is ignored\n");
   CHECK(run(arguments + "--quiet").output.empty());
