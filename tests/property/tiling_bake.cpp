@@ -9,6 +9,8 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <tiling/borders.h>
 #include <tiling/gaussianize.h>
@@ -212,13 +214,38 @@ TEST_CASE("white noise loses what bilinear fetching and averaging of white noise
 }
 
 TEST_CASE("each mip texel is the average of the area it covers, for any size") {
-  const Baked b = baked(test::threeMaterials(45, 23, 2));
-  const Table table = gaussianTable(b.gaussian, 16);
-  CHECK(table.mipLevels == 6);
-  const std::vector<float> last = decodeLevel(table, 5);
-  // The whole image's mean is 1/2; half floats round each level.
-  for (std::size_t c = 0; c < 3; ++c)
-    CHECK(last[c] == Approx(0.5).margin(1e-3));
+  // Sides odd and even, a side that reaches 1 first, D of 1 to 3. The slow average cuts both levels
+  // into the cells of their common grid and counts in integers.
+  for (const auto& [width, height, dimensions] :
+       {std::array{45, 23, 3}, std::array{7, 61, 2}, std::array{64, 3, 1}, std::array{32, 32, 3}}) {
+    const auto count = std::size_t(width) * std::size_t(height);
+    const Gaussianized noise{
+        width, height, dimensions, stratifiedGaussian(count, dimensions, Precision::bits16), {}};
+    const Table table = gaussianTable(noise, 16);
+    const int channels = channelCount(table.format);
+    REQUIRE(int(table.mipLevels) == int(std::bit_width(unsigned(std::max(width, height)))));
+    for (std::uint32_t mip = 1; mip < table.mipLevels; ++mip) {
+      INFO(width << " x " << height << ", mip " << mip);
+      const std::vector<float> above = decodeLevel(table, mip - 1);
+      const std::vector<float> level = decodeLevel(table, mip);
+      const auto side = [mip](int full, std::uint32_t back) {
+        return std::max(1, full >> (mip - back));
+      };
+      const int aboveWidth = side(width, 1), aboveHeight = side(height, 1);
+      const int levelWidth = side(width, 0), levelHeight = side(height, 0);
+      std::vector<double> sums(level.size(), 0.0);
+      for (int y = 0; y < aboveHeight * levelHeight; ++y)
+        for (int x = 0; x < aboveWidth * levelWidth; ++x)
+          for (int c = 0; c < channels; ++c)
+            sums[std::size_t((y / aboveHeight * levelWidth + x / aboveWidth) * channels + c)] +=
+                double(above[std::size_t(
+                    (y / levelHeight * aboveWidth + x / levelWidth) * channels + c)]);
+      // A half below 2 is off by at most 2^-11, and so are the halves averaged here.
+      for (std::size_t i = 0; i < level.size(); ++i)
+        REQUIRE(double(level[i]) ==
+                Approx(sums[i] / (aboveWidth * aboveHeight)).margin(std::exp2(-10)));
+    }
+  }
 }
 
 TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
@@ -429,9 +456,19 @@ TEST_CASE("options and maps out of range are refused") {
   broken = map;
   broken.channels.clear();
   CHECK(refused(broken, TilingOptions{}));
-  broken = map;
-  broken.width = 0;
+  broken.channels.assign(4, MapChannel::red);
+  broken.values.resize(std::size_t(8 * 8 * 4), 0.5f);
   CHECK(refused(broken, TilingOptions{}));
+  for (const auto& [width, height] :
+       {std::pair{0, 8}, {8, 0}, {-8, 8}, {16385, 1}, {1, 16385}, {1 << 30, 1 << 30}}) {
+    broken = map;
+    broken.width = width;
+    broken.height = height;
+    if (std::max(width, height) == 16385)
+      broken.values.resize(std::size_t(16385 * 3), 0.5f);
+    INFO(width << " x " << height);
+    CHECK(refused(broken, TilingOptions{}));
+  }
   broken = map;
   broken.quantum = 0.0;
   CHECK(refused(broken, TilingOptions{}));

@@ -85,26 +85,47 @@ TEST_CASE("taps lie whole texels away from the point, so that a texel grid stays
   }
 }
 
-TEST_CASE("the noise is continuous across the edges of the lattice") {
+TEST_CASE("the noise is continuous across the lattice's edges of all three directions") {
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
   const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
-  // Steps of a thousandth of a texel: texels differ by up to 1, so neighbours by 3 taps x 1e-3,
-  // amplified by 1 / W <= sqrt(3) and the table's slope; a wrong vertex would jump by a texel.
-  constexpr float kStep = 1.0f / 128000.0f;
-  float largest = 0.0f;
-  TileFootprint at;
-  at.position[1] = 0.2303f;
-  at.position[0] = 0.0f;
-  TilingEvaluator::Value before = evaluator.value().evaluate(0, noise, at);
-  for (int k = 1; k < 60000; ++k) {
-    at.position[0] = float(k) * kStep;
-    const TilingEvaluator::Value now = evaluator.value().evaluate(0, noise, at);
-    for (std::size_t c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(now[c] - before[c]));
-    before = now;
-  }
-  CHECK(largest < 0.02f);
+  // Two points 2e-7 tiles to each side of an edge are 5e-5 texels apart; float rounding of the
+  // coordinates, here below 1/2, moves each by at most 3e-8 tiles more. Texels differ by at most 1,
+  // blending amplifies by at most 1 / W <= sqrt(3), dU/dG <= 2.4, and 32 cells to a unit of U,
+  // which differ by at most 1, change the value on each of 3 axes: 6e-5 x 1.73 x 2.4 x 32 x 3 =
+  // 0.024. A wrong vertex shows another tile: a difference of the order of the deviation, 0.15.
+  constexpr float kStep = 2e-7f;
+  constexpr float kLargest = 0.024f;
+  const auto valueAt = [&](double x, double y, double dx, double dy, float side) {
+    TileFootprint at;
+    at.position = {float(x) + side * kStep * float(dx), float(y) + side * kStep * float(dy)};
+    return evaluator.value().evaluate(0, noise, at);
+  };
+  double jumps = 0.0;
+  for (int j = -1; j < 2; ++j)
+    for (int i = -1; i < 2; ++i)
+      for (const auto& [alongI, alongJ] : {std::pair{1, 0}, {0, 1}, {-1, 1}})
+        for (int k = 1; k < 40; ++k) {
+          const auto place = [](double column, double row) {
+            return std::array<double, 2>{(column + 0.5 * row) / kLatticeColumnsPerTile,
+                                         row / kLatticeRowsPerTile};
+          };
+          const auto from = place(i, j);
+          const auto to = place(i + alongI, j + alongJ);
+          const double x = from[0] + (to[0] - from[0]) * k / 40.0;
+          const double y = from[1] + (to[1] - from[1]) * k / 40.0;
+          const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+          const double normalX = (from[1] - to[1]) / length;
+          const double normalY = (to[0] - from[0]) / length;
+          const auto before = valueAt(x, y, normalX, normalY, -1.0f);
+          const auto after = valueAt(x, y, normalX, normalY, 1.0f);
+          INFO("edge " << alongI << ", " << alongJ << " from vertex " << i << ", " << j);
+          for (std::size_t c = 0; c < 3; ++c)
+            REQUIRE(std::abs(after[c] - before[c]) < kLargest);
+          jumps = std::max(jumps, double(std::abs(after[0] - before[0])));
+        }
+  // The points do differ: the two sides were looked at.
+  CHECK(jumps > 0.0);
 }
 
 TEST_CASE("a synthesized image has the exemplar's mean and covariance") {
