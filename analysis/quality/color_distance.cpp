@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sliced Wasserstein-2 distance between two sets of colours.
 //
-// Two images of n and m pixels with 1 or 3 colour channels -> one number. Source: J. Rabin,
-// G. Peyre, J. Delon, M. Bernot, "Wasserstein barycenter and its application to texture mixing",
-// 2012.
+// Two images of n and m pixels with 1 or 3 colour channels -> one number. Source: [RPDB12].
 #include "boundary.h"
 
 #include <lichen/quality.h>

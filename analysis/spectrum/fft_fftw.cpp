@@ -2,7 +2,7 @@
 // Real two-dimensional transforms by FFTW in single precision.
 //
 // Plane (height, width) row-major <-> half spectrum (height, width / 2 + 1).
-// Source: M. Frigo, S. G. Johnson, "The design and implementation of FFTW3", 2005, and its manual.
+// Source: [FJ05], and its manual.
 #include "fft_backend.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A plane (height, width) of a given power spectrum and random phases.
 //
-// Source: B. Galerne, Y. Gousseau, J.-M. Morel, "Random phase textures: theory and synthesis",
-// 2011.
+// Source: [GGM11].
 #include <lichen/fft.h>
 #include <lichen/lattice.h>
 #include <lichen/spectrum.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Radially averaged power spectrum of a plane (height, width) -> (cropSide / 2 + 1).
 //
-// Source: P. Welch, "The use of fast Fourier transform for the estimation of power spectra", 1967.
+// Source: [W67].
 #include <lichen/fft.h>
 #include <lichen/spectrum.h>
 

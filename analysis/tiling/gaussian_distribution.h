@@ -17,7 +17,7 @@ inline constexpr double kGaussianDeviation = 1.0 / 6.0;
 [[nodiscard]] double gaussianCdf(double value);
 
 /// Its inverse, [HN18] eq. 20 corrected; `u` in (0, 1). Relative error of the deviate 1e-7
-/// [Wichura 1988, AS 241, PPND7].
+/// [W88] PPND7.
 [[nodiscard]] double gaussianQuantile(double u);
 
 /// How the samples will be stored.

@@ -9,7 +9,7 @@
 
 namespace lichen::transport {
 
-/// Buyers bid for their cheapest site until nearly all have one [Bertsekas 1988]: raises the prices
+/// Buyers bid for their cheapest site until nearly all have one [B88]: raises the prices
 /// in `sites` towards those at which every buyer's cheapest site is another, by at least
 /// `increment` > 0 a bid. As many buyers as sites. Sequential but for the first searches, so the
 /// result does not depend on the number of threads.

@@ -10,7 +10,7 @@
 
 namespace lichen::transport {
 
-/// Cancels negative cycles until none is left [Klein 1967], found by Bellman-Ford sweeps over the
+/// Cancels negative cycles until none is left [K67], found by Bellman-Ford sweeps over the
 /// dense exchange graph: where the start is nearly optimal, as after two-opt, few sweeps do.
 /// Holds its working memory, so that one object solves many problems; not thread-safe.
 class CycleCanceling {

@@ -18,7 +18,7 @@ namespace lichen::transport {
 /// in [1e-6, 1] is the step of the prices in units of centredCost: the bound ends up about half a
 /// step below the optimum. On photographs, N = 65,536 and the default take about 20 s on one core.
 /// The same result for any number of threads. About 300 bytes a point.
-/// Sources: auction algorithm [Bertsekas 1988]; prices from coarse to fine [Merigot 2011].
+/// Sources: auction algorithm [B88]; prices from coarse to fine [M11].
 [[nodiscard]] TransportBound boundTransportCost(std::span<const Point> source,
                                                 std::span<const Point> target,
                                                 std::span<const std::uint32_t> assignment,

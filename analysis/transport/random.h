@@ -11,7 +11,7 @@
 
 namespace lichen::transport {
 
-/// SplitMix64 [Steele, Lea and Flood 2014] of a counter.
+/// SplitMix64 [SLF14] of a counter.
 [[nodiscard]] inline std::uint64_t randomBits(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed * 0xD1342543DE82EF95u + (counter + 1u) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30u)) * 0xBF58476D1CE4E5B9u;

@@ -38,7 +38,7 @@ std::vector<float> light(const MapExemplar& map) {
   return values;
 }
 
-/// A normal deviate from counted uniform numbers [Box and Muller 1958].
+/// A normal deviate from counted uniform numbers [BM58].
 double deviate(std::uint64_t seed, std::uint64_t counter) {
   const double u = transport::randomUniform(seed, 2 * counter);
   const double v = transport::randomUniform(seed, 2 * counter + 1);

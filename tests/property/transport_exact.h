@@ -10,7 +10,7 @@
 namespace lichen::test {
 
 /// The bijection of least total squared distance, by the Hungarian method with potentials
-/// [Kuhn 1955; Edmonds and Karp 1972] in double precision. O(n^3).
+/// [K55], [EK72] in double precision. O(n^3).
 [[nodiscard]] std::vector<std::uint32_t> exactAssignment(std::span<const Point> source,
                                                          std::span<const Point> target);
 

@@ -33,7 +33,7 @@ struct HalfSpectrum {
 /// Error about 1e-7 of the root of the plane's energy times log2 of its size.
 /// Same input, same bytes. Thread-safe. Throws std::bad_alloc, as every building block of the
 /// analysis does; functions that return a Result turn it into one.
-/// The backend is FFTW [Frigo and Johnson 2005] or KissFFT, by the build option LICHEN_FFT.
+/// The backend is FFTW [FJ05] or KissFFT, by the build option LICHEN_FFT.
 [[nodiscard]] HalfSpectrum forwardFft(std::span<const float> plane, int width, int height);
 
 /// The inverse, divided by width * height: inverseFft(forwardFft(p)) is p up to rounding. Imaginary

@@ -22,7 +22,7 @@ namespace lichen {
 /// Wasserstein-2 distance of the projections. 0 for equal sets, whatever their order and size;
 /// a shift by a vector of length d gives d / sqrt(3) for colours and d for grey. Projections are
 /// rounded to 2^16 steps, so that values below 3e-5 mean nothing. O(256 pixels).
-/// Source: Rabin, Peyre, Delon, Bernot 2012.
+/// Source: [RPDB12].
 [[nodiscard]] Result<double> colorDistance(const SrgbImage& exemplar, const SrgbImage& result);
 
 /// Root mean square difference in decibels of the radially averaged power spectra of the
@@ -64,7 +64,7 @@ struct LatticeView {
 
 /// A periodic image of the same mean, spectrum and cross-spectra and otherwise random: one random
 /// phase per frequency, the same in all channels. Values are not clamped; alpha is dropped.
-/// Source: Galerne, Gousseau, Morel, "Random phase textures", 2011.
+/// Source: [GGM11].
 [[nodiscard]] Result<SrgbImage> phaseRandomized(const SrgbImage& image, std::uint32_t seed);
 
 /// How much more straight edges a result has than its exemplar: first differences of the luminance

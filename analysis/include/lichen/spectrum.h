@@ -19,7 +19,7 @@ namespace lichen {
 [[nodiscard]] std::vector<float> luminancePlane(const SrgbImage& image);
 
 /// Radially averaged power spectrum, averaged over square, Hann-windowed, half-overlapping crops
-/// of `cropSide` pixels [Welch 1967]. Element r, r in [0, cropSide / 2], is the mean power of the
+/// of `cropSide` pixels [W67]. Element r, r in [0, cropSide / 2], is the mean power of the
 /// frequencies whose radius in cycles per crop rounds to r; white noise of variance s has power s
 /// throughout. Crops start at multiples of cropSide / 2; a rest too small for a crop is left out.
 /// cropSide even, in [2, min(width, height)]. The window spreads the mean over r = 0 and 1 only.
@@ -35,7 +35,7 @@ namespace lichen {
 
 /// A periodic plane of the same mean and power spectrum with random phases, the same phase at the
 /// same frequency for the same seed, so that planes of several channels keep their cross-spectra.
-/// Source: Galerne, Gousseau, Morel, "Random phase textures", 2011.
+/// Source: [GGM11].
 [[nodiscard]] std::vector<float> phaseRandomizedPlane(const HalfSpectrum& spectrum,
                                                       std::uint32_t seed);
 

@@ -16,14 +16,14 @@ namespace lichen {
 inline constexpr double kLatticeRowsPerTile = 4.0;
 inline constexpr double kLatticeColumnsPerTile = 3.4641016151377545870548926830117; // 2 sqrt(3)
 
-/// PCG output function over one LCG step [Jarzynski and Olano 2020, "pcg"].
+/// PCG output function over one LCG step [JO20] "pcg".
 [[nodiscard]] constexpr std::uint32_t pcg(std::uint32_t value) {
   const std::uint32_t state = value * 747796405u + 2891336453u;
   const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
-/// Three words hashed to three [Jarzynski and Olano 2020, "pcg3d"].
+/// Three words hashed to three [JO20] "pcg3d".
 [[nodiscard]] constexpr std::array<std::uint32_t, 3> pcg3d(std::array<std::uint32_t, 3> v) {
   for (std::uint32_t& word : v)
     word = word * 1664525u + 1013904223u;

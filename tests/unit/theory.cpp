@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// docs/theory.md against the sources: its names exist there, and their citations stand in it.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const fs::path kRoot = LICHEN_SOURCE_DIR;
+
+/// Our own C++ and GLSL, by path relative to the root.
+const std::map<std::string, std::string>& sources() {
+  static const std::map<std::string, std::string> all = [] {
+    const std::set<std::string> extensions{".cpp", ".h", ".c", ".glsl", ".comp", ".frag", ".vert"};
+    std::map<std::string, std::string> found;
+    for (const char* folder : {"analysis", "bundle", "engine_plugin", "files", "image", "result",
+                               "samples", "shaders_glsl", "tests"})
+      for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+        if (extensions.count(entry.path().extension().string()) == 1)
+          found[entry.path().lexically_relative(kRoot).generic_string()] = textOf(entry.path());
+    return found;
+  }();
+  return all;
+}
+
+const std::string& theory() {
+  static const std::string page = textOf(kRoot / "docs/theory.md");
+  return page;
+}
+
+std::string withoutComments(const std::string& source) {
+  static const std::regex comment("//[^\n]*");
+  return std::regex_replace(source, comment, "");
+}
+
+/// Whether `name`, perhaps qualified, is a word of the code: all its parts in one file.
+bool names(const std::string& code, const std::string& name) {
+  static const std::regex part("[A-Za-z_]\\w*");
+  for (std::sregex_iterator word(name.begin(), name.end(), part), end; word != end; ++word)
+    if (!std::regex_search(code, std::regex("\\b" + word->str() + "\\b")))
+      return false;
+  return true;
+}
+
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+  return {std::sregex_token_iterator(text.begin(), text.end(), pattern),
+          std::sregex_token_iterator()};
+}
+
+} // namespace
+
+TEST_CASE("every name in docs/theory.md is in the code, and where it says") {
+  std::map<std::string, std::string> code;
+  for (const auto& [path, text] : sources())
+    if (path.rfind("tests/", 0) != 0 && path.rfind("samples/", 0) != 0)
+      code[path] = withoutComments(text);
+  const std::regex named("`([A-Za-z_][\\w:]*)`(?: \\(([a-z_]+/[\\w/.]+)\\))?");
+  const std::string& page = theory();
+  std::size_t count = 0;
+  for (std::sregex_iterator hit(page.begin(), page.end(), named), end; hit != end; ++hit, ++count) {
+    const std::string name = (*hit)[1];
+    const std::string place = (*hit)[2];
+    INFO(name << (place.empty() ? "" : " in ") << place);
+    bool found = false;
+    for (const auto& [path, text] : code)
+      found = found || ((place.empty() || path == place) && names(text, name));
+    CHECK(found);
+  }
+  CHECK(count > 20); // the pattern still matches the page
+}
+
+TEST_CASE("every file that docs/theory.md names exists") {
+  const std::regex path("\\b(?:analysis|bundle|docs|shaders_glsl|tests)/[\\w/.]*\\w");
+  for (const std::string& name : matches(theory(), path)) {
+    INFO(name);
+    CHECK(fs::exists(kRoot / name));
+  }
+}
+
+TEST_CASE("every citation is in the bibliography of docs/theory.md, by its key") {
+  const std::size_t start = theory().find("## Bibliography");
+  REQUIRE(start != std::string::npos);
+  const std::regex key("\\[[A-Z]{1,4}[0-9]{2}\\]");
+  const std::set<std::string> known = matches(theory().substr(start), key);
+  // A source named by author and year, where a key should stand.
+  const std::regex longForm("\\[[A-Z][a-z]+[^\\]\n]* (18|19|20)[0-9]{2}");
+  std::set<std::string> used = matches(theory().substr(0, start), key);
+  for (const auto& [path, text] : sources()) {
+    INFO(path);
+    for (const std::string& citation : matches(text, key)) {
+      INFO(citation);
+      CHECK(known.count(citation) == 1);
+      used.insert(citation);
+    }
+    // The renderer has sources of its own, which its comments name in full.
+    if (path.rfind("samples/", 0) != 0)
+      CHECK(matches(text, longForm) == std::set<std::string>{});
+  }
+  for (const std::string& entry : known) {
+    INFO(entry << " stands in the bibliography and is cited nowhere");
+    CHECK(used.count(entry) == 1);
+  }
+}
