@@ -3,6 +3,7 @@
 #include "extension_reader.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace lichen {

@@ -14,12 +14,7 @@ namespace lichen {
 [[nodiscard]] NoiseMap readMap(ObjectReader& reader,
                                const std::vector<std::optional<Table>>& tables);
 
-/// Bounds of what a material may ask for; the schema and the documentation say the same.
-inline constexpr NumberRange kScaleRange{1e-6, 1e6};
-inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
-inline constexpr NumberRange kRotationRange{-1e6, 1e6};
-inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
-inline constexpr NumberRange kContrastRange{0.0, 4.0};
+/// Bounds that the schema states too; those of a material's parameters are in bundle.h.
 inline constexpr NumberRange kTileSizeRange{1e-6, 1e6}; // metres
 inline constexpr std::uint64_t kMaxTexCoord = 15;
 

@@ -7,15 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
-
 namespace lichen {
-
-/// Inclusive bounds of a number.
-struct NumberRange {
-  double least = std::numeric_limits<double>::lowest();
-  double most = std::numeric_limits<double>::max();
-};
 
 class ObjectReader {
 public:

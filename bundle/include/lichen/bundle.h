@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -131,6 +132,19 @@ struct Noise {
   double tileSizeMetres = 1.0; ///< width of one exemplar
   std::vector<NoiseMap> maps;
 };
+
+/// Inclusive bounds of a number.
+struct NumberRange {
+  double least = std::numeric_limits<double>::lowest();
+  double most = std::numeric_limits<double>::max();
+};
+
+/// Of a material's parameters, as the format's schema states them.
+inline constexpr NumberRange kScaleRange{1e-6, 1e6};
+inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
+inline constexpr NumberRange kRotationRange{-1e6, 1e6};
+inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
+inline constexpr NumberRange kContrastRange{0.0, 4.0};
 
 /// How a material uses a noise: everything that may change without a new bake.
 struct MaterialNoise {
