@@ -25,20 +25,6 @@ shader::vec4 decodedMean(const Bundle& bundle, const NoiseMap& map) {
   return {mean[0], mean[1], mean[2], mean[3]};
 }
 
-shader::uint encodingCode(ValueEncoding encoding) {
-  switch (encoding) {
-  case ValueEncoding::srgb:
-    return LICHEN_ENCODING_SRGB;
-  case ValueEncoding::linear:
-    return LICHEN_ENCODING_LINEAR;
-  case ValueEncoding::slope:
-    return LICHEN_ENCODING_SLOPE;
-  case ValueEncoding::log2:
-    return LICHEN_ENCODING_LOG2;
-  }
-  return LICHEN_ENCODING_LINEAR;
-}
-
 } // namespace
 
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
@@ -52,7 +38,6 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   result.bilinearLossX = float(map.bilinearLoss[0]);
   result.bilinearLossY = float(map.bilinearLoss[1]);
   result.tableLevels = shader::uint(map.levels.size());
-  result.encoding = encodingCode(map.encoding);
   result.mean = decodedMean(bundle, map);
   std::array<float, LICHEN_MAX_MIPS> loss{};
   for (std::size_t mip = 0; mip < loss.size() && !map.mipLoss.empty(); ++mip)

@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <new>
+#include <stdexcept>
 
 namespace lichen::plugin {
 
@@ -19,7 +21,7 @@ namespace lichen::plugin {
 [[gnu::format(printf, 2, 3)]] inline void say(LichenDiagnostic* diagnostic, const char* format,
                                               ...) {
   if (diagnostic == nullptr || diagnostic->type != LICHEN_STRUCTURE_DIAGNOSTIC ||
-      diagnostic->size <= offsetof(LichenDiagnostic, text))
+      diagnostic->size <= offsetof(LichenDiagnostic, text) || diagnostic->next != nullptr)
     return;
   std::va_list arguments;
   va_start(arguments, format);
@@ -28,6 +30,9 @@ namespace lichen::plugin {
   std::vsnprintf(diagnostic->text, capacity, format, arguments);
   va_end(arguments);
 }
+
+/// Of a sampler; more than any device has.
+inline constexpr double kMostAnisotropy = 64.0;
 
 /// The bytes of type, size and next, with which every struct starts.
 inline constexpr std::size_t kHeaderBytes = offsetof(LichenBundleProperties, noiseCount);
@@ -57,11 +62,13 @@ LichenResult readStruct(const Struct* given, LichenStructureType type, Struct& k
   return LICHEN_SUCCESS;
 }
 
-/// Fills a host's struct as far as it goes, keeping its type, size and next.
+/// Fills a host's struct as far as it and the library's go, keeping its type, size and next.
 template <class Struct>
 LichenResult writeStruct(const Struct& values, LichenStructureType type, Struct* target) {
   if (target == nullptr || target->type != type || target->size < kHeaderBytes)
     return LICHEN_ERROR_USAGE;
+  if (target->next != nullptr)
+    return LICHEN_ERROR_VERSION;
   const std::size_t end = std::min<std::size_t>(target->size, sizeof(Struct));
   std::memcpy(reinterpret_cast<unsigned char*>(target) + kHeaderBytes,
               reinterpret_cast<const unsigned char*>(&values) + kHeaderBytes, end - kHeaderBytes);
@@ -80,7 +87,7 @@ inline LichenResult checkHeaderVersion(std::uint32_t version, LichenDiagnostic* 
   return LICHEN_ERROR_VERSION;
 }
 
-/// Runs `body`; memory exhausted inside becomes a result. Nothing else is thrown in this library.
+/// Runs `body`; what is thrown inside, also by a host's callback, becomes a result.
 template <class Body>
 LichenResult guarded(LichenDiagnostic* diagnostic, Body&& body) noexcept {
   try {
@@ -88,6 +95,15 @@ LichenResult guarded(LichenDiagnostic* diagnostic, Body&& body) noexcept {
   } catch (const std::bad_alloc&) {
     say(diagnostic, "out of host memory");
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
+  } catch (const std::length_error&) { // of a container: more than can be addressed
+    say(diagnostic, "out of host memory");
+    return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
+  } catch (const std::exception& error) {
+    say(diagnostic, "internal error: %s", error.what());
+    return LICHEN_ERROR_INTERNAL;
+  } catch (...) {
+    say(diagnostic, "internal error");
+    return LICHEN_ERROR_INTERNAL;
   }
 }
 

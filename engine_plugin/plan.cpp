@@ -8,6 +8,7 @@
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <string>
 
@@ -99,45 +100,25 @@ LichenMapping mappingOf(Mapping mapping) {
   return LICHEN_MAPPING_UV;
 }
 
-LichenResult checkNoise(const Noise& noise, const Bundle& bundle, LichenDiagnostic* diagnostic) {
-  const char* name = noise.name.c_str();
-  if (noise.method != "tiling") {
-    say(diagnostic,
-        "noise \"%s\": method \"%s\" is not evaluated by this version, which has tiling", name,
-        noise.method.c_str());
-    return LICHEN_ERROR_UNSUPPORTED;
-  }
-  if (noise.revision != kTilingRevision) {
-    say(diagnostic, "noise \"%s\": revision %d of tiling is not known, only %d is", name,
-        noise.revision, kTilingRevision);
-    return LICHEN_ERROR_VERSION;
-  }
-  if (noise.maps.empty() || noise.maps.size() > LICHEN_MAX_MAPS) {
-    say(diagnostic, "noise \"%s\": %zu maps, 1 to %d are accepted", name, noise.maps.size(),
-        LICHEN_MAX_MAPS);
-    return LICHEN_ERROR_UNSUPPORTED;
-  }
-  for (const NoiseMap& map : noise.maps) {
+/// What the format allows and this library does not evaluate.
+LichenResult checkNoise(const Noise& noise, LichenDiagnostic* diagnostic) {
+  for (const NoiseMap& map : noise.maps)
     if (!map.inverseTable) {
-      say(diagnostic, "noise \"%s\": a map without an inverse table is not evaluated yet", name);
-      return LICHEN_ERROR_UNSUPPORTED;
+      say(diagnostic, "noise \"%s\": a map without an inverse table is not evaluated yet",
+          noise.name.c_str());
+      return LICHEN_ERROR_BAD_BUNDLE;
     }
-    const Table& gaussian = bundle.tables[map.gaussian];
-    if (gaussian.mipLevels > LICHEN_MAX_MIPS) {
-      say(diagnostic, "noise \"%s\": %u mip levels, at most %d are accepted", name,
-          gaussian.mipLevels, LICHEN_MAX_MIPS);
-      return LICHEN_ERROR_UNSUPPORTED;
-    }
-  }
   return LICHEN_SUCCESS;
 }
 
 void planNoise(LichenBundle_T& plan, const Noise& noise) {
+  assert(noise.maps.size() <= LICHEN_MAX_MAPS); // one a target: parseBundle() refuses more
   std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
     const std::size_t index = *noise.maps[i].inverseTable;
     const Table& table = plan.bundle.tables[index];
+    assert(plan.bundle.tables[noise.maps[i].gaussian].mipLevels <= LICHEN_MAX_MIPS);
     const auto levels = std::uint32_t(noise.maps[i].levels.size());
     if (table.depth == 0) // 1 and 2 channels: the levels one above the other
       plan.extents[index] = {table.width, table.height / levels, levels, 3};
@@ -150,8 +131,7 @@ LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {
     plan.extents.push_back(
         {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
   for (const Noise& noise : plan.bundle.noises) {
-    if (const LichenResult result = checkNoise(noise, plan.bundle, diagnostic);
-        result != LICHEN_SUCCESS)
+    if (const LichenResult result = checkNoise(noise, diagnostic); result != LICHEN_SUCCESS)
       return result;
     planNoise(plan, noise);
   }
@@ -160,6 +140,17 @@ LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {
 
 LichenResult resultOf(ErrorKind kind) {
   return kind == ErrorKind::resources ? LICHEN_ERROR_OUT_OF_HOST_MEMORY : LICHEN_ERROR_BAD_BUNDLE;
+}
+
+LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diagnostic) {
+  if (version == 0 || version == LICHEN_INTERFACE_VERSION)
+    return LICHEN_SUCCESS;
+  say(diagnostic,
+      "shaders of interface version %u: this library fills the uniform block of version %d; "
+      "compile "
+      "them with the shaders_glsl/ that came with it",
+      version, LICHEN_INTERFACE_VERSION);
+  return LICHEN_ERROR_VERSION;
 }
 
 } // namespace
@@ -173,6 +164,8 @@ LichenResult lichenParseBundle(const LichenParseInfo* given, LichenBundle* bundl
     LichenResult result = readStruct(given, LICHEN_STRUCTURE_PARSE_INFO, info, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkHeaderVersion(info.headerVersion, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = checkInterfaceVersion(info.interfaceVersion, diagnostic);
     if (result != LICHEN_SUCCESS)
       return result;
     if (bundle == nullptr || info.bytes == nullptr) {
@@ -271,18 +264,19 @@ LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
 
 LichenResult lichenGetCopy(LichenBundle bundle, std::uint32_t image, std::uint32_t mipLevel,
                            LichenCopy* copy) {
-  if (bundle == nullptr || image >= bundle->bundle.tables.size() || copy == nullptr ||
+  if (bundle == nullptr || image >= bundle->bundle.tables.size() ||
       mipLevel >= bundle->bundle.tables[image].mipLevels)
     return LICHEN_ERROR_USAGE;
   const LevelRange range = levelRange(bundle->bundle.tables[image], mipLevel);
   const LichenBundle_T::Extent& extent = bundle->extents[image];
-  copy->offset = range.offset;
-  copy->byteCount = range.size;
-  copy->mipLevel = mipLevel;
-  copy->width = std::max(1u, extent.width >> mipLevel);
-  copy->height = std::max(1u, extent.height >> mipLevel);
-  copy->depth = std::max(1u, extent.depth >> mipLevel);
-  return LICHEN_SUCCESS;
+  LichenCopy values{};
+  values.offset = range.offset;
+  values.byteCount = range.size;
+  values.mipLevel = mipLevel;
+  values.width = std::max(1u, extent.width >> mipLevel);
+  values.height = std::max(1u, extent.height >> mipLevel);
+  values.depth = std::max(1u, extent.depth >> mipLevel);
+  return writeStruct(values, LICHEN_STRUCTURE_COPY, copy);
 }
 
 LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerProperties* properties) {
@@ -306,22 +300,22 @@ LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerPrope
 
 LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uint32_t index,
                               LichenBinding* binding) {
-  if (bundle == nullptr || noise >= bundle->bundle.noises.size() || binding == nullptr)
+  if (bundle == nullptr || noise >= bundle->bundle.noises.size())
     return LICHEN_ERROR_USAGE;
   const std::vector<NoiseMap>& maps = bundle->bundle.noises[noise].maps;
   if (index > 2 * maps.size())
     return LICHEN_ERROR_USAGE;
-  *binding = LichenBinding{};
+  LichenBinding values{};
   if (index == 0) {
-    binding->binding = LICHEN_BINDING_NOISE;
-    binding->kind = LICHEN_BINDING_UNIFORM_BUFFER;
-    return LICHEN_SUCCESS;
+    values.binding = LICHEN_BINDING_NOISE;
+    values.kind = LICHEN_BINDING_UNIFORM_BUFFER;
+  } else {
+    const std::uint32_t map = (index - 1) / 2;
+    const bool isTable = (index - 1) % 2 == 1;
+    values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
+    values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
+    values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
+    values.image = std::uint32_t(isTable ? *maps[map].inverseTable : maps[map].gaussian);
   }
-  const std::uint32_t map = (index - 1) / 2;
-  const bool isTable = (index - 1) % 2 == 1;
-  binding->kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
-  binding->binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
-  binding->sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
-  binding->image = std::uint32_t(isTable ? *maps[map].inverseTable : maps[map].gaussian);
-  return LICHEN_SUCCESS;
+  return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);
 }

@@ -13,22 +13,28 @@ using namespace lichen::plugin;
 
 namespace {
 
-struct Range {
-  const char* name;
-  double value, least, most;
-};
+constexpr std::uint32_t kKnownOverrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET |
+                                          LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SEED |
+                                          LICHEN_OVERRIDE_BLEND_SHARPNESS |
+                                          LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_NOISE;
 
-LichenResult checkRange(const Range& range, LichenDiagnostic* diagnostic) {
+LichenResult checkRange(const char* name, double value, NumberRange range,
+                        LichenDiagnostic* diagnostic) {
   // Written so that NaN is outside.
-  if (range.value >= range.least && range.value <= range.most)
+  if (value >= range.least && value <= range.most)
     return LICHEN_SUCCESS;
-  say(diagnostic, "%s %g is outside [%g, %g]", range.name, range.value, range.least, range.most);
+  say(diagnostic, "%s %.9g is outside [%.9g, %.9g]", name, value, range.least, range.most);
   return LICHEN_ERROR_USAGE;
 }
 
 /// The material's parameters with the host's in their place.
 LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo& info,
                             MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
+  if (info.overrides & ~kKnownOverrides) {
+    say(diagnostic, "overrides 0x%x: only LichenOverride bits, 0x%x, are accepted", info.overrides,
+        kKnownOverrides);
+    return LICHEN_ERROR_USAGE;
+  }
   const auto& materials = plan.bundle.materials;
   if (info.overrides & LICHEN_OVERRIDE_NOISE) {
     if (info.noise >= plan.bundle.noises.size()) {
@@ -59,40 +65,46 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
   return LICHEN_SUCCESS;
 }
 
-LichenResult checkParameters(const MaterialNoise& parameters, const LichenUniformInfo& info,
-                             LichenDiagnostic* diagnostic) {
-  constexpr double kHuge = 1.0e30;            // float holds it, and its reciprocal
-  constexpr double kFarthest = 1099511627776; // 2^40 tiles, as latticeOrigin() states
-  constexpr double kLongestPeriod = 65536;    // tiles; keeps columns far below 2^24
-  constexpr double kMostAnisotropy = 64;      // more than any device has
-  const Range ranges[] = {
-      {"scale", parameters.scale, 1.0 / kHuge, kHuge},
-      {"offset", parameters.offset[0], -kHuge, kHuge},
-      {"offset", parameters.offset[1], -kHuge, kHuge},
-      {"rotation", parameters.rotation, -kHuge, kHuge},
-      {"blendSharpness", parameters.blendSharpness, 0.25, 16.0},
-      {"contrast", parameters.contrast, 0.0, 4.0},
-      {"tileOrigin", double(info.tileOrigin[0]), -kFarthest, kFarthest},
-      {"tileOrigin", double(info.tileOrigin[1]), -kFarthest, kFarthest},
-      {"maxAnisotropy", info.maxAnisotropy, 0.0, kMostAnisotropy},
-  };
-  for (const Range& range : ranges)
-    if (const LichenResult result = checkRange(range, diagnostic); result != LICHEN_SUCCESS)
-      return result;
+LichenResult checkPeriod(const LichenUniformInfo& info, LichenDiagnostic* diagnostic) {
+  constexpr NumberRange kPeriodRange{1.0, 65536.0}; // tiles; keeps columns far below 2^24
   if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
     return LICHEN_SUCCESS;
   for (int axis = 0; axis < 2; ++axis) {
     const double period = info.periodTiles[axis];
-    if (const LichenResult result =
-            checkRange({"periodTiles", period, 1.0, kLongestPeriod}, diagnostic);
+    if (const LichenResult result = checkRange("periodTiles", period, kPeriodRange, diagnostic);
         result != LICHEN_SUCCESS)
       return result;
     if (info.tileOrigin[axis] != 0 && period != std::floor(period)) {
-      say(diagnostic, "periodTiles %g must be a whole number when tileOrigin is not 0", period);
+      say(diagnostic, "periodTiles %.9g must be a whole number when tileOrigin is not 0", period);
       return LICHEN_ERROR_USAGE;
     }
   }
   return LICHEN_SUCCESS;
+}
+
+LichenResult checkParameters(const MaterialNoise& parameters, const LichenUniformInfo& info,
+                             LichenDiagnostic* diagnostic) {
+  constexpr double kFarthest = 1099511627776; // 2^40 tiles, as latticeOrigin() states
+  const struct {
+    const char* name;
+    double value;
+    NumberRange range;
+  } checks[] = {
+      {"scale", parameters.scale, kScaleRange},
+      {"offset", parameters.offset[0], kOffsetRange},
+      {"offset", parameters.offset[1], kOffsetRange},
+      {"rotation", parameters.rotation, kRotationRange},
+      {"blendSharpness", parameters.blendSharpness, kBlendSharpnessRange},
+      {"contrast", parameters.contrast, kContrastRange},
+      {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
+      {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
+      {"maxAnisotropy", double(info.maxAnisotropy), {0.0, kMostAnisotropy}},
+  };
+  for (const auto& check : checks)
+    if (const LichenResult result = checkRange(check.name, check.value, check.range, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+  return checkPeriod(info, diagnostic);
 }
 
 /// The remainder of a tile origin in [0, period), a whole period where the origin is not 0.
@@ -121,32 +133,34 @@ void movePeriodic(const LichenUniformInfo& info, shader::LichenNoise& noise) {
 LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* given,
                                 void* destination, LichenDiagnostic* diagnostic) {
   static_assert(sizeof(shader::LichenUniforms) == LICHEN_UNIFORM_BYTES);
-  if (bundle == nullptr || destination == nullptr) {
-    say(diagnostic, "bundle and destination must not be NULL");
-    return LICHEN_ERROR_USAGE;
-  }
-  LichenUniformInfo info{};
-  MaterialNoise parameters;
-  LichenResult result = readStruct(given, LICHEN_STRUCTURE_UNIFORM_INFO, info, diagnostic);
-  if (result == LICHEN_SUCCESS)
-    result = findParameters(*bundle, info, parameters, diagnostic);
-  if (result == LICHEN_SUCCESS)
-    result = checkParameters(parameters, info, diagnostic);
-  if (result != LICHEN_SUCCESS)
-    return result;
-  Placement placement;
-  placement.tileOriginX = info.tileOrigin[0];
-  placement.tileOriginY = info.tileOrigin[1];
-  placement.periodic = info.periodTiles[0] > 0.0;
-  placement.periodTilesX = info.periodTiles[0];
-  placement.periodTilesY = info.periodTiles[1];
-  placement.maxAnisotropy = double(info.maxAnisotropy);
-  shader::LichenUniforms uniforms{};
-  uniforms.noise = shaderNoise(bundle->bundle, parameters, placement);
-  if (placement.periodic)
-    movePeriodic(info, uniforms.noise);
-  std::copy(bundle->maps[parameters.noise].begin(), bundle->maps[parameters.noise].end(),
-            uniforms.maps);
-  std::memcpy(destination, &uniforms, sizeof uniforms);
-  return LICHEN_SUCCESS;
+  return guarded(diagnostic, [&] {
+    if (bundle == nullptr || destination == nullptr) {
+      say(diagnostic, "bundle and destination must not be NULL");
+      return LICHEN_ERROR_USAGE;
+    }
+    LichenUniformInfo info{};
+    MaterialNoise parameters;
+    LichenResult result = readStruct(given, LICHEN_STRUCTURE_UNIFORM_INFO, info, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = findParameters(*bundle, info, parameters, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = checkParameters(parameters, info, diagnostic);
+    if (result != LICHEN_SUCCESS)
+      return result;
+    Placement placement;
+    placement.tileOriginX = info.tileOrigin[0];
+    placement.tileOriginY = info.tileOrigin[1];
+    placement.periodic = info.periodTiles[0] > 0.0;
+    placement.periodTilesX = info.periodTiles[0];
+    placement.periodTilesY = info.periodTiles[1];
+    placement.maxAnisotropy = double(info.maxAnisotropy);
+    shader::LichenUniforms uniforms{};
+    uniforms.noise = shaderNoise(bundle->bundle, parameters, placement);
+    if (placement.periodic)
+      movePeriodic(info, uniforms.noise);
+    std::copy(bundle->maps[parameters.noise].begin(), bundle->maps[parameters.noise].end(),
+              uniforms.maps);
+    std::memcpy(destination, &uniforms, sizeof uniforms);
+    return LICHEN_SUCCESS;
+  });
 }

@@ -23,6 +23,13 @@ LichenImageProperties imageProperties(LichenBundle bundle, std::uint32_t image) 
   return properties;
 }
 
+LichenCopy copyOf(LichenBundle bundle, std::uint32_t image, std::uint32_t level) {
+  LichenCopy copy;
+  LICHEN_INIT(copy, LICHEN_STRUCTURE_COPY);
+  (void)lichenGetCopy(bundle, image, level, &copy); // image and level are in range
+  return copy;
+}
+
 VkImageCreateInfo imageInfo(const LichenImageProperties& properties) {
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -42,9 +49,9 @@ LichenResult checkFormat(const LichenVulkanContext_T& context,
   const VkImageCreateInfo info = imageInfo(properties);
   VkFormatProperties format{};
   context.functions.getPhysicalDeviceFormatProperties(context.physicalDevice, info.format, &format);
-  constexpr VkFormatFeatureFlags kNeeded = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT |
-                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT |
-                                           VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
+  // Not TRANSFER_DST, which Vulkan 1.0 does not report: the usage below asks for it.
+  constexpr VkFormatFeatureFlags kNeeded =
+      VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
   VkImageFormatProperties most{};
   const VkResult result = context.functions.getPhysicalDeviceImageFormatProperties(
       context.physicalDevice, info.format, info.imageType, info.tiling, info.usage, info.flags,
@@ -74,8 +81,7 @@ LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
       return result;
     const VkImageCreateInfo info = imageInfo(properties);
     image.mipLevels = info.mipLevels;
-    if (const VkResult result =
-            context.functions.createImage(context.device, &info, context.callbacks, &image.handle);
+    if (const VkResult result = create(context, context.functions.createImage, info, image.handle);
         result != VK_SUCCESS)
       return vulkanFailure("creating an image", result, diagnostic);
     VkMemoryRequirements own{};
@@ -87,8 +93,7 @@ LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
   }
   if (assets.images.empty())
     return LICHEN_SUCCESS;
-  VkResult result =
-      allocateMemory(context, all, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, assets.imageMemory);
+  VkResult result = allocateMemory(context, all, MemoryUse::images, assets.imageMemory);
   assets.hasImageMemory = result == VK_SUCCESS;
   for (std::size_t i = 0; i < assets.images.size() && result == VK_SUCCESS; ++i)
     result = context.functions.bindImageMemory(context.device, assets.images[i].handle,
@@ -110,12 +115,30 @@ LichenResult createViews(LichenVulkanAssets_T& assets, LichenBundle bundle,
     info.viewType = properties.dimensionality == 3 ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
     info.format = VkFormat(properties.vkFormat);
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, properties.mipLevels, 0, 1};
-    if (const VkResult result = context.functions.createImageView(
-            context.device, &info, context.callbacks, &assets.images[i].view);
+    if (const VkResult result =
+            create(context, context.functions.createImageView, info, assets.images[i].view);
         result != VK_SUCCESS)
       return vulkanFailure("creating an image view", result, diagnostic);
   }
   return LICHEN_SUCCESS;
+}
+
+void planBarriers(LichenVulkanAssets_T& assets) {
+  for (const LichenVulkanAssets_T::Image& image : assets.images) {
+    VkImageMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image.handle;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
+    assets.barriers.toWrite.push_back(barrier);
+    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    assets.barriers.toSample.push_back(barrier);
+  }
 }
 
 /// Where each level lies in the staging buffer; returns the buffer's size.
@@ -123,8 +146,7 @@ VkDeviceSize planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
   VkDeviceSize size = 0;
   for (std::uint32_t i = 0; i < assets.images.size(); ++i)
     for (std::uint32_t level = 0; level < assets.images[i].mipLevels; ++level) {
-      LichenCopy copy{};
-      (void)lichenGetCopy(bundle, i, level, &copy); // image and level are in range
+      const LichenCopy copy = copyOf(bundle, i, level);
       VkBufferImageCopy region{};
       region.bufferOffset = alignedUp(size, kCopyAlignment);
       region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
@@ -144,16 +166,12 @@ LichenResult createStaging(LichenVulkanAssets_T& assets, LichenBundle bundle,
   info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
   if (info.size == 0)
     return LICHEN_SUCCESS;
-  VkResult result =
-      context.functions.createBuffer(context.device, &info, context.callbacks, &assets.staging);
+  VkResult result = create(context, context.functions.createBuffer, info, assets.staging);
   if (result != VK_SUCCESS)
     return vulkanFailure("creating the staging buffer", result, diagnostic);
   VkMemoryRequirements requirements{};
   context.functions.getBufferMemoryRequirements(context.device, assets.staging, &requirements);
-  result =
-      allocateMemory(context, requirements,
-                     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
-                     assets.stagingMemory);
+  result = allocateMemory(context, requirements, MemoryUse::staging, assets.stagingMemory);
   assets.hasStagingMemory = result == VK_SUCCESS;
   if (result == VK_SUCCESS)
     result = context.functions.bindBufferMemory(
@@ -168,8 +186,7 @@ LichenResult createStaging(LichenVulkanAssets_T& assets, LichenBundle bundle,
   for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
     const LichenImageProperties properties = imageProperties(bundle, i);
     for (const VkBufferImageCopy& region : assets.images[i].copies) {
-      LichenCopy copy{};
-      (void)lichenGetCopy(bundle, i, region.imageSubresource.mipLevel, &copy);
+      const LichenCopy copy = copyOf(bundle, i, region.imageSubresource.mipLevel);
       std::memcpy(mapped + region.bufferOffset,
                   static_cast<const unsigned char*>(properties.bytes) + copy.offset,
                   copy.byteCount);
@@ -183,7 +200,8 @@ LichenResult createNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std:
   const LichenVulkanContext_T& context = *assets.context;
   LichenVulkanAssets_T::Noise& noise = assets.noises[index];
   std::vector<VkDescriptorSetLayoutBinding> bindings;
-  LichenBinding binding{};
+  LichenBinding binding;
+  LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
   for (std::uint32_t i = 0; lichenGetBinding(bundle, index, i, &binding) == LICHEN_SUCCESS; ++i) {
     VkDescriptorSetLayoutBinding target{};
     target.binding = context.firstBinding + binding.binding;
@@ -202,8 +220,8 @@ LichenResult createNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std:
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   info.bindingCount = std::uint32_t(bindings.size());
   info.pBindings = bindings.data();
-  if (const VkResult result = context.functions.createDescriptorSetLayout(
-          context.device, &info, context.callbacks, &noise.layout);
+  if (const VkResult result =
+          create(context, context.functions.createDescriptorSetLayout, info, noise.layout);
       result != VK_SUCCESS)
     return vulkanFailure("creating a descriptor set layout", result, diagnostic);
   return LICHEN_SUCCESS;
@@ -244,13 +262,37 @@ LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle 
       result = createStaging(*made, bundle, diagnostic);
     for (std::uint32_t i = 0; i < properties.noiseCount && result == LICHEN_SUCCESS; ++i)
       result = createNoise(*made, bundle, i, diagnostic);
-    if (result == LICHEN_SUCCESS)
+    if (result == LICHEN_SUCCESS) {
+      planBarriers(*made);
       *assets = made.release();
+    }
     return result;
   });
 }
 
 void lichenVulkanDestroyAssets(LichenVulkanAssets assets) { delete assets; }
+
+void lichenVulkanRetireAssets(LichenVulkanAssets assets, std::uint64_t lastFrame) {
+  if (assets == nullptr)
+    return;
+  assets->lastFrame = lastFrame;
+  assets->nextRetired = assets->context->retired;
+  assets->context->retired = assets;
+}
+
+void lichenVulkanFrameCompleted(LichenVulkanContext context, std::uint64_t frame) {
+  if (context == nullptr)
+    return;
+  for (LichenVulkanAssets* link = &context->retired; *link != nullptr;) {
+    const LichenVulkanAssets assets = *link;
+    if (assets->lastFrame > frame) {
+      link = &assets->nextRetired;
+    } else {
+      *link = assets->nextRetired;
+      delete assets;
+    }
+  }
+}
 
 void lichenVulkanReleaseStaging(LichenVulkanAssets assets) {
   if (assets == nullptr)
@@ -264,31 +306,25 @@ void lichenVulkanReleaseStaging(LichenVulkanAssets assets) {
 }
 
 LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
-  if (assets == nullptr || commandBuffer == VK_NULL_HANDLE || assets->staging == VK_NULL_HANDLE)
+  if (assets == nullptr || commandBuffer == VK_NULL_HANDLE)
     return LICHEN_ERROR_USAGE;
+  if (assets->images.empty())
+    return LICHEN_SUCCESS;
+  if (assets->staging == VK_NULL_HANDLE)
+    return LICHEN_ERROR_USAGE; // released
   const LichenVulkanFunctions& f = assets->context->functions;
-  for (const LichenVulkanAssets_T::Image& image : assets->images) {
-    VkImageMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image.handle;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
-    f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
-                         VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+  const auto count = std::uint32_t(assets->images.size());
+  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
+                       VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, count,
+                       assets->barriers.toWrite.data());
+  for (const LichenVulkanAssets_T::Image& image : assets->images)
     f.cmdCopyBufferToImage(commandBuffer, assets->staging, image.handle,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
                            image.copies.data());
-    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    // All commands: legal on any queue, whichever stages the host's shaders run in.
-    f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1,
-                         &barrier);
-  }
+  // All commands: whichever stages the host's shaders run in.
+  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, count,
+                       assets->barriers.toSample.data());
   return LICHEN_SUCCESS;
 }
 
@@ -309,9 +345,9 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
       say(diagnostic, "assets, pool, uniforms and set must not be NULL, noise must be in range");
       return LICHEN_ERROR_USAGE;
     }
-    if (uniforms->range < LICHEN_UNIFORM_BYTES) {
-      say(diagnostic, "uniforms: a range of %llu bytes, at least %d are needed",
-          static_cast<unsigned long long>(uniforms->range), LICHEN_UNIFORM_BYTES);
+    if (uniforms->buffer == VK_NULL_HANDLE || uniforms->range < LICHEN_UNIFORM_BYTES) {
+      say(diagnostic, "uniforms: a buffer and a range of at least %d bytes, not %llu, are needed",
+          LICHEN_UNIFORM_BYTES, static_cast<unsigned long long>(uniforms->range));
       return LICHEN_ERROR_USAGE;
     }
     const LichenVulkanContext_T& context = *assets->context;

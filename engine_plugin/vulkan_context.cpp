@@ -3,6 +3,7 @@
 #include "abi.h"
 #include "vulkan_objects.h"
 
+#include <lichen_interface.h>
 #include <memory>
 
 using namespace lichen::plugin;
@@ -75,24 +76,40 @@ LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& 
 }
 
 LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnostic) {
+  constexpr std::uint32_t kMostBindings = 1 + 2 * LICHEN_MAX_MAPS;
   if (info.device == VK_NULL_HANDLE || info.physicalDevice == VK_NULL_HANDLE) {
     say(diagnostic, "physicalDevice and device must not be VK_NULL_HANDLE");
     return LICHEN_ERROR_USAGE;
   }
   if (info.flags & ~std::uint32_t(LICHEN_VULKAN_DYNAMIC_UNIFORMS)) {
-    say(diagnostic, "flags 0x%x: only LichenVulkanFlags are accepted", info.flags);
+    say(diagnostic, "flags 0x%x: only LichenVulkanFlags bits, 0x%x, are accepted", info.flags,
+        unsigned(LICHEN_VULKAN_DYNAMIC_UNIFORMS));
     return LICHEN_ERROR_USAGE;
   }
-  if (!(info.maxAnisotropy >= 0.0f)) {
-    say(diagnostic, "maxAnisotropy %g must not be negative", double(info.maxAnisotropy));
+  if (!(info.maxAnisotropy >= 0.0f && double(info.maxAnisotropy) <= kMostAnisotropy)) {
+    say(diagnostic, "maxAnisotropy %g is outside [0, %g]", double(info.maxAnisotropy),
+        kMostAnisotropy);
     return LICHEN_ERROR_USAGE;
   }
-  if (info.deviceAllocator != nullptr &&
-      (info.deviceAllocator->allocate == nullptr || info.deviceAllocator->release == nullptr)) {
-    say(diagnostic, "deviceAllocator needs both allocate and release");
+  if (info.firstBinding > UINT32_MAX - kMostBindings) {
+    say(diagnostic, "firstBinding %u leaves no numbers for the %u bindings after it",
+        info.firstBinding, kMostBindings);
     return LICHEN_ERROR_USAGE;
   }
   return LICHEN_SUCCESS;
+}
+
+LichenResult findAllocator(const LichenVulkanInfo& info, LichenVulkanContext_T& context,
+                           LichenDiagnostic* diagnostic) {
+  if (info.deviceAllocator == nullptr)
+    return LICHEN_SUCCESS;
+  context.hostAllocates = true;
+  const LichenResult result = readStruct(info.deviceAllocator, LICHEN_STRUCTURE_DEVICE_ALLOCATOR,
+                                         context.allocator, diagnostic);
+  if (result != LICHEN_SUCCESS || (context.allocator.allocate && context.allocator.release))
+    return result;
+  say(diagnostic, "deviceAllocator needs both allocate and release");
+  return LICHEN_ERROR_USAGE;
 }
 
 VkResult createSampler(LichenVulkanContext_T& context, LichenSamplerUse use, float maxAnisotropy) {
@@ -111,37 +128,47 @@ VkResult createSampler(LichenVulkanContext_T& context, LichenSamplerUse use, flo
     info.anisotropyEnable = VK_TRUE;
     info.maxAnisotropy = maxAnisotropy;
   }
-  return context.functions.createSampler(context.device, &info, context.callbacks,
-                                         &context.samplers[use]);
+  return create(context, context.functions.createSampler, info, context.samplers[use]);
 }
 
-/// The largest of the plugin's wishes and one mebibyte: drivers allow few allocations.
+/// Drivers allow few allocations.
 constexpr VkDeviceSize kLeastBlockBytes = VkDeviceSize(1) << 20;
 
+/// What an ordinary memory type may have. Others cost speed (AMD's device-coherent ones), need a
+/// feature (protected) or cannot be written by copies (lazily allocated).
+constexpr VkMemoryPropertyFlags kOrdinaryMemory =
+    VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+    VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+
+VkMemoryPropertyFlags propertiesOf(MemoryUse use) {
+  return use == MemoryUse::images
+             ? VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
+             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+}
+
 VkResult allocateBlock(const LichenVulkanContext_T& context,
-                       const VkMemoryRequirements& requirements, VkMemoryPropertyFlags properties,
+                       const VkMemoryRequirements& requirements, MemoryUse use,
                        LichenDeviceMemory& memory) {
+  const VkMemoryPropertyFlags needed = propertiesOf(use);
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
   VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
   for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
-    if ((requirements.memoryTypeBits & (1u << type)) == 0 ||
-        (context.memory.memoryTypes[type].propertyFlags & properties) != properties)
+    const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
+    if ((requirements.memoryTypeBits & (1u << type)) == 0 || (has & needed) != needed ||
+        (has & ~kOrdinaryMemory) != 0)
       continue;
     info.memoryTypeIndex = type;
-    LichenDeviceMemory block{};
-    result =
-        context.functions.allocateMemory(context.device, &info, context.callbacks, &block.memory);
-    if (result != VK_SUCCESS)
+    result = create(context, context.functions.allocateMemory, info, memory.memory);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
       continue; // another heap may have room
-    if (properties & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
-      result = context.functions.mapMemory(context.device, block.memory, 0, VK_WHOLE_SIZE, 0,
-                                           &block.mapped);
-    if (result == VK_SUCCESS)
-      memory = block;
-    else
-      context.functions.freeMemory(context.device, block.memory, context.callbacks);
+    if (result == VK_SUCCESS && use == MemoryUse::staging) {
+      result = context.functions.mapMemory(context.device, memory.memory, 0, VK_WHOLE_SIZE, 0,
+                                           &memory.mapped);
+      if (result != VK_SUCCESS)
+        context.functions.freeMemory(context.device, memory.memory, context.callbacks);
+    }
     return result;
   }
   return result;
@@ -156,6 +183,9 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
   case VK_ERROR_OUT_OF_HOST_MEMORY:
     say(diagnostic, "%s: out of host memory", what);
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
+  case VK_ERROR_MEMORY_MAP_FAILED: // no address range is free
+    say(diagnostic, "%s: it cannot be mapped into host memory", what);
+    return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
   case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     say(diagnostic, "%s: out of device memory", what);
     return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
@@ -165,7 +195,7 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
         "%s: the descriptor pool is too small; lichenGetNoiseProperties tells what a "
         "set takes",
         what);
-    return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
+    return LICHEN_ERROR_OUT_OF_POOL_MEMORY;
   default:
     say(diagnostic, "%s: VkResult %d", what, int(result));
     return LICHEN_ERROR_DEVICE;
@@ -173,12 +203,17 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
 }
 
 VkResult allocateMemory(const LichenVulkanContext_T& context,
-                        const VkMemoryRequirements& requirements, VkMemoryPropertyFlags properties,
+                        const VkMemoryRequirements& requirements, MemoryUse use,
                         LichenDeviceMemory& memory) {
-  if (context.hostAllocates)
-    return context.allocator.allocate(context.allocator.userData, &requirements, properties,
-                                      &memory);
-  return allocateBlock(context, requirements, properties, memory);
+  LICHEN_INIT(memory, LICHEN_STRUCTURE_DEVICE_MEMORY);
+  if (!context.hostAllocates)
+    return allocateBlock(context, requirements, use, memory);
+  LichenMemoryRequest request;
+  LICHEN_INIT(request, LICHEN_STRUCTURE_MEMORY_REQUEST);
+  request.requirements = requirements;
+  request.properties = propertiesOf(use);
+  request.optimalTiling = use == MemoryUse::images ? VK_TRUE : VK_FALSE;
+  return context.allocator.allocate(context.allocator.userData, &request, &memory);
 }
 
 void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemory& memory) {
@@ -193,28 +228,28 @@ void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemor
 LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* given, LichenVulkanContext* context,
                                        LichenDiagnostic* diagnostic) {
   return guarded(diagnostic, [&] {
+    if (context == nullptr) {
+      say(diagnostic, "context must not be NULL");
+      return LICHEN_ERROR_USAGE;
+    }
     LichenVulkanInfo info{};
-    LichenVulkanFunctions functions{};
+    auto made = std::make_unique<LichenVulkanContext_T>();
     LichenResult result = readStruct(given, LICHEN_STRUCTURE_VULKAN_INFO, info, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkHeaderVersion(info.headerVersion, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkInfo(info, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = findFunctions(info, functions, diagnostic);
+      result = findFunctions(info, made->functions, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = findAllocator(info, *made, diagnostic);
     if (result != LICHEN_SUCCESS)
       return result;
-    auto made = std::make_unique<LichenVulkanContext_T>();
-    made->functions = functions;
     made->physicalDevice = info.physicalDevice;
     made->device = info.device;
     if (info.allocationCallbacks != nullptr) {
       made->ownCallbacks = *info.allocationCallbacks;
       made->callbacks = &made->ownCallbacks;
-    }
-    if (info.deviceAllocator != nullptr) {
-      made->allocator = *info.deviceAllocator;
-      made->hostAllocates = true;
     }
     made->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice, &made->memory);
     made->uniformType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
@@ -238,6 +273,7 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* given, LichenVulk
 void lichenVulkanDestroyContext(LichenVulkanContext context) {
   if (context == nullptr)
     return;
+  lichenVulkanFrameCompleted(context, UINT64_MAX);
   for (const VkSampler sampler : context->samplers)
     context->functions.destroySampler(context->device, sampler, context->callbacks);
   delete context;

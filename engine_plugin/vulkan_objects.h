@@ -21,6 +21,7 @@ struct LichenVulkanContext_T {
   std::uint32_t firstBinding;
   VkShaderStageFlags stages;
   std::array<VkSampler, 2> samplers; // by LichenSamplerUse
+  LichenVulkanAssets retired;        // first of a list
 };
 
 struct LichenVulkanAssets_T {
@@ -29,6 +30,10 @@ struct LichenVulkanAssets_T {
     VkImageView view = VK_NULL_HANDLE;
     std::uint32_t mipLevels = 0;
     std::vector<VkBufferImageCopy> copies; // from the staging buffer
+  };
+  /// Before and after the copies; one of each for an image.
+  struct Barriers {
+    std::vector<VkImageMemoryBarrier> toWrite, toSample;
   };
   struct Noise {
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
@@ -43,11 +48,14 @@ struct LichenVulkanAssets_T {
   LichenVulkanContext context;
   std::vector<Image> images;
   std::vector<Noise> noises;
+  Barriers barriers;
   LichenDeviceMemory imageMemory{};
   bool hasImageMemory = false;
   VkBuffer staging = VK_NULL_HANDLE;
   LichenDeviceMemory stagingMemory{};
   bool hasStagingMemory = false;
+  LichenVulkanAssets nextRetired = nullptr;
+  std::uint64_t lastFrame = 0; // of those retired
 };
 
 namespace lichen::plugin {
@@ -55,9 +63,23 @@ namespace lichen::plugin {
 /// The result code of a failed Vulkan call, and its diagnostic.
 LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* diagnostic);
 
-/// Memory from the host's allocator, or a block of the plugin's own.
+/// Calls a vkCreate function or vkAllocateMemory. What a failed call leaves in the handle is
+/// undefined, and must not be destroyed.
+template <class Function, class Info, class Handle>
+VkResult create(const LichenVulkanContext_T& context, Function function, const Info& info,
+                Handle& handle) {
+  const VkResult result = function(context.device, &info, context.callbacks, &handle);
+  if (result != VK_SUCCESS)
+    handle = VK_NULL_HANDLE;
+  return result;
+}
+
+/// The kinds of memory that the plugin asks for.
+enum class MemoryUse { staging, images };
+
+/// Memory from the host's allocator, or a block of the plugin's own; of staging, mapped.
 VkResult allocateMemory(const LichenVulkanContext_T& context,
-                        const VkMemoryRequirements& requirements, VkMemoryPropertyFlags properties,
+                        const VkMemoryRequirements& requirements, MemoryUse use,
                         LichenDeviceMemory& memory);
 void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemory& memory);
 

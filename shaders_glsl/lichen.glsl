@@ -17,6 +17,11 @@
 #include "noise/tiling.glsl"
 
 #ifdef LICHEN_SET
+#ifndef LICHEN_MAP_COUNT
+#error lichen.glsl with LICHEN_SET needs LICHEN_MAP_COUNT, the number of maps of the noise, 1 to 6
+#elif LICHEN_MAP_COUNT < 1 || LICHEN_MAP_COUNT > LICHEN_MAX_MAPS
+#error LICHEN_MAP_COUNT is the number of maps of the noise, 1 to 6
+#endif
 #ifndef LICHEN_FIRST_BINDING
 #define LICHEN_FIRST_BINDING 0
 #endif

@@ -4,17 +4,13 @@
 #ifndef LICHEN_INTERFACE_H
 #define LICHEN_INTERFACE_H
 
+// Of the structs, limits and bindings below. lichenParseBundle refuses a host whose SPIR-V was
+// compiled with another (LichenParseInfo::interfaceVersion).
 #define LICHEN_INTERFACE_VERSION 1
 
 // Maps of one noise: baseColor, normal, occlusionRoughnessMetallic, emissive, height, opacity.
 #define LICHEN_MAX_MAPS 6
 #define LICHEN_MAX_MIPS 16
-
-// What the channels of a map mean after decoding; LichenMap::encoding.
-#define LICHEN_ENCODING_SRGB 0u
-#define LICHEN_ENCODING_LINEAR 1u
-#define LICHEN_ENCODING_SLOPE 2u
-#define LICHEN_ENCODING_LOG2 3u
 
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
 // the noise, in order, its Gaussian image and its inverse table.
@@ -40,11 +36,11 @@ struct LichenNoise {
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
   // The lattice: cells per tile, and where the host's integer tile origin lies inside its cell.
   float columnsPerTile, rowsPerTile;
-  float fractionI, fractionJ; // [0, 1)
-  int cellI, cellJ;           // the cell of the tile origin, modulo 2^32
-  int periodColumns, periodRows; // 0, 0 when the lattice is infinite; rows even
+  float fractionI, fractionJ;       // [0, 1)
+  int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
+  int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows even
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
-  float maxAnisotropy;              // of the host's sampler, at least 1
+  float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
   uint seedWord;                          // latticeSeed(seed, plane 0)
   uint seed;                              // as the material gives it; triplanar derives its planes
@@ -58,7 +54,7 @@ struct LichenMap {
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
   float bilinearLossX, bilinearLossY;
   uint tableLevels; // L, the slabs of the inverse table; 0 without a table
-  uint encoding;    // LICHEN_ENCODING_*
+  uint padding;     // to a multiple of 16 bytes
   vec4 mean;        // of the decoded values; w is 1
   vec4 mipLoss[4];  // lost variance of mip m in mipLoss[m / 4][m % 4]; repeats its last value
 };

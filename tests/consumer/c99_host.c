@@ -44,6 +44,8 @@ int main(void) {
   failures += check(lichenGetSamplerProperties(LICHEN_SAMPLER_TABLE, &sampler) == LICHEN_SUCCESS &&
                         sampler.vkAddressMode == (uint32_t)VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                     "the table is clamped");
+  failures += check(lichenGetSamplerProperties((LichenSamplerUse)2, &sampler) == LICHEN_ERROR_USAGE,
+                    "there are two samplers");
 
   lichenVulkanDestroyContext(context);
   lichenDestroyBundle(bundle);

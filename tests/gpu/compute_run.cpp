@@ -125,7 +125,8 @@ std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run)
     const bool hasOther = run.set != VK_NULL_HANDLE;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipelineLayout, 0,
-                            hasOther ? 2 : 1, hasOther ? sets.data() : &objects.set, 0, nullptr);
+                            hasOther ? 2 : 1, hasOther ? sets.data() : &objects.set,
+                            std::uint32_t(run.dynamicOffsets.size()), run.dynamicOffsets.data());
     vkCmdDispatch(commands, (run.items + kWorkgroup - 1) / kWorkgroup, 1, 1);
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
                          0, 1, &toHost, 0, nullptr, 0, nullptr);

@@ -10,13 +10,13 @@ namespace lichen::test {
 namespace {
 
 /// The pool that exactly one set of the noise fits in, without FREE_DESCRIPTOR_SET.
-VkDescriptorPool exactPool(VkDevice device, LichenBundle bundle) {
+VkDescriptorPool exactPool(VkDevice device, LichenBundle bundle, VkDescriptorType uniformType) {
   LichenNoiseProperties noise;
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
   if (lichenGetNoiseProperties(bundle, 0, &noise) != LICHEN_SUCCESS)
     throw std::runtime_error("the bundle has no noise");
   const VkDescriptorPoolSize sizes[] = {
-      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, noise.uniformBufferCount},
+      {uniformType, noise.uniformBufferCount},
       {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, noise.combinedImageSamplerCount}};
   VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   info.maxSets = 1;
@@ -66,9 +66,15 @@ PluginHost::PluginHost(HeadlessDevice& device, std::span<const std::byte> glb,
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   require(lichenVulkanCreateContext(&info, &context_, &diagnostic), diagnostic);
   require(lichenVulkanCreateAssets(context_, bundle_, &assets_, &diagnostic), diagnostic);
-  pool_ = exactPool(device.device(), bundle_);
+  const bool isDynamic = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS) != 0;
+  pool_ = exactPool(device.device(), bundle_,
+                    isDynamic ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
+                              : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  if (isDynamic)
+    dynamicOffsets_ = {LICHEN_UNIFORM_BYTES}; // the second of two blocks
   uniformBuffer_ =
-      device.createBuffer(LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true).value();
+      device.createBuffer(2 * LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
+          .value();
   const VkDescriptorBufferInfo buffer{uniformBuffer_.handle, 0, LICHEN_UNIFORM_BYTES};
   require(lichenVulkanAllocateSet(assets_, 0, pool_, &buffer, &set_, &diagnostic), diagnostic);
 }
@@ -87,12 +93,15 @@ std::vector<std::array<float, 4>> PluginHost::evaluate(std::span<const std::uint
                                                        std::size_t valuesEach) {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  require(lichenFillUniforms(bundle_, &uniforms, uniformBuffer_.mapped, &diagnostic), diagnostic);
-  std::memcpy(&uniforms_, uniformBuffer_.mapped, sizeof uniforms_);
+  std::byte* const block =
+      uniformBuffer_.mapped + (dynamicOffsets_.empty() ? 0 : dynamicOffsets_.front());
+  require(lichenFillUniforms(bundle_, &uniforms, block, &diagnostic), diagnostic);
+  std::memcpy(&uniforms_, block, sizeof uniforms_);
   ComputeRun run;
   run.spirv = spirv;
   run.constant = constant;
   run.set = set_;
+  run.dynamicOffsets = dynamicOffsets_;
   if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
     throw std::runtime_error("no set layout");
   if (!uploaded_)

@@ -52,6 +52,7 @@ private:
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   DeviceBuffer uniformBuffer_;
+  std::vector<std::uint32_t> dynamicOffsets_; ///< one with LICHEN_VULKAN_DYNAMIC_UNIFORMS
   shader::LichenUniforms uniforms_{};
   bool uploaded_ = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plugin as a host meets it: function table and loader, plugin-made sets and the host's own,
-// several maps, and every Vulkan call or allocation failing in turn.
+// dynamic uniforms, several maps, hot reload.
+#include "plugin_calls.h"
 #include "plugin_host.h"
 #include "require_device.h"
 #include "synthetic_noise.h"
@@ -31,158 +32,20 @@ LichenUniformInfo uniformInfo() {
   return info;
 }
 
-/// The functions that a host without volk would load one by one.
-LichenVulkanFunctions loadedFunctions() {
-  LichenVulkanFunctions f;
-  LICHEN_INIT(f, LICHEN_STRUCTURE_VULKAN_FUNCTIONS);
-  f.getPhysicalDeviceMemoryProperties = vkGetPhysicalDeviceMemoryProperties;
-  f.getPhysicalDeviceFormatProperties = vkGetPhysicalDeviceFormatProperties;
-  f.getPhysicalDeviceImageFormatProperties = vkGetPhysicalDeviceImageFormatProperties;
-  f.allocateMemory = vkAllocateMemory;
-  f.freeMemory = vkFreeMemory;
-  f.mapMemory = vkMapMemory;
-  f.createBuffer = vkCreateBuffer;
-  f.destroyBuffer = vkDestroyBuffer;
-  f.getBufferMemoryRequirements = vkGetBufferMemoryRequirements;
-  f.bindBufferMemory = vkBindBufferMemory;
-  f.createImage = vkCreateImage;
-  f.destroyImage = vkDestroyImage;
-  f.getImageMemoryRequirements = vkGetImageMemoryRequirements;
-  f.bindImageMemory = vkBindImageMemory;
-  f.createImageView = vkCreateImageView;
-  f.destroyImageView = vkDestroyImageView;
-  f.createSampler = vkCreateSampler;
-  f.destroySampler = vkDestroySampler;
-  f.createDescriptorSetLayout = vkCreateDescriptorSetLayout;
-  f.destroyDescriptorSetLayout = vkDestroyDescriptorSetLayout;
-  f.allocateDescriptorSets = vkAllocateDescriptorSets;
-  f.updateDescriptorSets = vkUpdateDescriptorSets;
-  f.cmdPipelineBarrier = vkCmdPipelineBarrier;
-  f.cmdCopyBufferToImage = vkCmdCopyBufferToImage;
-  return f;
-}
-
-/// Counts what a table of functions creates and destroys, and fails the n-th creation.
-struct Proxy {
-  static inline int untilFailure = 0; ///< counts down while positive
-  static inline int alive = 0;
-
-  static bool fails() { return untilFailure > 0 && --untilFailure == 0; }
-
-  /// Wraps a creating function.
-  template <auto* kFunction, class... Arguments>
-  static VkResult VKAPI_CALL create(Arguments... arguments) {
-    if (fails())
-      return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    const VkResult result = (*kFunction)(arguments...);
-    alive += result == VK_SUCCESS ? 1 : 0;
-    return result;
-  }
-  /// Wraps a destroying function; destroying nothing does not count.
-  template <auto* kFunction, class Handle>
-  static void VKAPI_CALL destroy(VkDevice device, Handle handle,
-                                 const VkAllocationCallbacks* callbacks) {
-    (*kFunction)(device, handle, callbacks);
-    alive -= handle != VK_NULL_HANDLE ? 1 : 0;
-  }
-  /// Wraps a function that may fail but creates nothing.
-  template <auto* kFunction, class... Arguments>
-  static VkResult VKAPI_CALL call(Arguments... arguments) {
-    return fails() ? VK_ERROR_OUT_OF_HOST_MEMORY : (*kFunction)(arguments...);
-  }
-};
-
-LichenVulkanFunctions proxiedFunctions() {
-  LichenVulkanFunctions f = loadedFunctions();
-  f.allocateMemory = Proxy::create<&vkAllocateMemory>;
-  f.freeMemory = Proxy::destroy<&vkFreeMemory>;
-  f.mapMemory = Proxy::call<&vkMapMemory>;
-  f.createBuffer = Proxy::create<&vkCreateBuffer>;
-  f.destroyBuffer = Proxy::destroy<&vkDestroyBuffer>;
-  f.bindBufferMemory = Proxy::call<&vkBindBufferMemory>;
-  f.createImage = Proxy::create<&vkCreateImage>;
-  f.destroyImage = Proxy::destroy<&vkDestroyImage>;
-  f.bindImageMemory = Proxy::call<&vkBindImageMemory>;
-  f.createImageView = Proxy::create<&vkCreateImageView>;
-  f.destroyImageView = Proxy::destroy<&vkDestroyImageView>;
-  f.createSampler = Proxy::create<&vkCreateSampler>;
-  f.destroySampler = Proxy::destroy<&vkDestroySampler>;
-  f.createDescriptorSetLayout = Proxy::create<&vkCreateDescriptorSetLayout>;
-  f.destroyDescriptorSetLayout = Proxy::destroy<&vkDestroyDescriptorSetLayout>;
-  f.getPhysicalDeviceImageFormatProperties = Proxy::call<&vkGetPhysicalDeviceImageFormatProperties>;
-  return f;
-}
-
-/// The barrier before the first read, without its second half.
+/// The barriers before the first read, without their second half.
 void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags source,
                               VkPipelineStageFlags target, VkDependencyFlags flags,
                               std::uint32_t memoryCount, const VkMemoryBarrier* memory,
                               std::uint32_t bufferCount, const VkBufferMemoryBarrier* buffers,
                               std::uint32_t imageCount, const VkImageMemoryBarrier* images) {
-  VkImageMemoryBarrier image = images[0];
-  if (image.newLayout == VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) {
-    image.dstAccessMask = 0;
+  std::vector<VkImageMemoryBarrier> changed(images, images + imageCount);
+  if (images[0].newLayout == VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) {
+    for (VkImageMemoryBarrier& image : changed)
+      image.dstAccessMask = 0;
     target = VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT;
   }
   vkCmdPipelineBarrier(commands, source, target, flags, memoryCount, memory, bufferCount, buffers,
-                       imageCount, &image);
-}
-
-/// A host's own allocator: one VkDeviceMemory for each request, at an offset.
-struct HostMemory {
-  explicit HostMemory(HeadlessDevice& d) : device(d) {}
-
-  HeadlessDevice& device;
-  int alive = 0;
-  int untilFailure = 0;
-  LichenDeviceAllocator callbacks{this, allocate, release};
-
-  static VkResult allocate(void* userData, const VkMemoryRequirements* requirements,
-                           VkMemoryPropertyFlags properties, LichenDeviceMemory* memory) {
-    auto& self = *static_cast<HostMemory*>(userData);
-    if (self.untilFailure > 0 && --self.untilFailure == 0)
-      return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    VkPhysicalDeviceMemoryProperties types{};
-    vkGetPhysicalDeviceMemoryProperties(self.device.physicalDevice(), &types);
-    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    while ((requirements->memoryTypeBits & (1u << info.memoryTypeIndex)) == 0 ||
-           (types.memoryTypes[info.memoryTypeIndex].propertyFlags & properties) != properties)
-      ++info.memoryTypeIndex;
-    memory->offset = requirements->alignment * 3;
-    info.allocationSize = memory->offset + requirements->size;
-    const VkResult result = vkAllocateMemory(self.device.device(), &info, nullptr, &memory->memory);
-    if (result != VK_SUCCESS)
-      return result;
-    if (properties & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
-      vkMapMemory(self.device.device(), memory->memory, memory->offset, requirements->size, 0,
-                  &memory->mapped);
-    ++self.alive;
-    return VK_SUCCESS;
-  }
-  static void release(void* userData, const LichenDeviceMemory* memory) {
-    auto& self = *static_cast<HostMemory*>(userData);
-    vkFreeMemory(self.device.device(), memory->memory, nullptr);
-    --self.alive;
-  }
-};
-
-struct Created {
-  LichenResult result = LICHEN_SUCCESS;
-  std::string message;
-};
-
-/// Creates a context and assets, and destroys them again.
-Created createAndDestroy(const LichenVulkanInfo& info, LichenBundle bundle) {
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  LichenVulkanContext context = nullptr;
-  LichenVulkanAssets assets = nullptr;
-  LichenResult result = lichenVulkanCreateContext(&info, &context, &diagnostic);
-  if (result == LICHEN_SUCCESS)
-    result = lichenVulkanCreateAssets(context, bundle, &assets, &diagnostic);
-  lichenVulkanDestroyAssets(assets);
-  lichenVulkanDestroyContext(context);
-  return {result, diagnostic.text};
+                       imageCount, changed.data());
 }
 
 } // namespace
@@ -275,6 +138,50 @@ TEST_CASE("a set that the host writes from plain image infos gives the same valu
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
+TEST_CASE("a dynamic uniform buffer's offset chooses the uniforms") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  const std::vector<Point> points = somePoints();
+  PluginHost plain(*device, glb);
+  LichenVulkanInfo info = defaultVulkanInfo(*device);
+  info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS;
+  PluginHost dynamic(*device, glb, info);
+  CHECK(dynamic.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) ==
+        plain.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()));
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+TEST_CASE("retired assets live until the frame that used them last has completed") {
+  const auto device = requireDevice();
+  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
+  const LichenVulkanFunctions functions = Proxy::functions();
+  LichenVulkanInfo info = defaultVulkanInfo(*device);
+  info.functions = &functions;
+  LichenVulkanContext context = nullptr;
+  REQUIRE(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_SUCCESS);
+  const int withoutAssets = Proxy::alive;
+  int perGeneration = 0;
+  std::uint64_t frame = 0;
+  for (const std::uint64_t framesInFlight : {1u, 2u, 3u})
+    for (int reload = 0; reload < 20; ++reload, ++frame) { // each is used in one frame
+      LichenVulkanAssets assets = nullptr;
+      REQUIRE(lichenVulkanCreateAssets(context, bundle, &assets, nullptr) == LICHEN_SUCCESS);
+      if (frame == 0)
+        perGeneration = Proxy::alive - withoutAssets;
+      lichenVulkanReleaseStaging(assets);
+      lichenVulkanRetireAssets(assets, frame);
+      if (frame + 1 >= framesInFlight)
+        lichenVulkanFrameCompleted(context, frame + 1 - framesInFlight);
+      const int most = int(framesInFlight) * perGeneration;
+      CHECK(Proxy::alive - withoutAssets < most);
+      CHECK((Proxy::alive > withoutAssets) == (framesInFlight > 1));
+    }
+  lichenVulkanDestroyContext(context); // takes the last two generations with it
+  CHECK(Proxy::alive == 0);
+  lichenDestroyBundle(bundle);
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
 TEST_CASE("a barrier taken out of the upload is reported by synchronization validation") {
   const auto device = requireDevice();
   LichenVulkanFunctions functions = loadedFunctions();
@@ -285,68 +192,4 @@ TEST_CASE("a barrier taken out of the upload is reported by synchronization vali
   (void)host.evaluate(tiling_maps_comp, 0, uniformInfo(), somePoints(), kMaps.size());
   REQUIRE(device->messages().errors() > 0);
   CHECK(device->messages().texts().front().find("SYNC-HAZARD") != std::string::npos);
-}
-
-TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves nothing behind") {
-  const auto device = requireDevice();
-  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
-  const LichenVulkanFunctions functions = proxiedFunctions();
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.functions = &functions;
-  int failures = 0;
-  for (int n = 1;; ++n) {
-    Proxy::untilFailure = n;
-    const Created created = createAndDestroy(info, bundle);
-    CHECK(Proxy::alive == 0);
-    if (Proxy::untilFailure > 0) { // not reached: everything succeeded
-      CHECK(created.result == LICHEN_SUCCESS);
-      break;
-    }
-    ++failures;
-    INFO("call " << n << ": " << created.message);
-    CHECK((created.result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY ||
-           created.result == LICHEN_ERROR_OUT_OF_HOST_MEMORY));
-    CHECK(created.message.find("memory") != std::string::npos);
-  }
-  Proxy::untilFailure = 0;
-  // 2 samplers; format query, image, bind and view for 6 images; 2 blocks, 1 map; buffer and bind;
-  // 1 layout.
-  CHECK(failures == 2 + 4 * 6 + 2 + 1 + 2 + 1);
-  lichenDestroyBundle(bundle);
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("a host's device allocator that fails gives a code, and gets back what it gave") {
-  const auto device = requireDevice();
-  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
-  HostMemory memory(*device);
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.deviceAllocator = &memory.callbacks;
-  for (const int n : {1, 2}) {
-    memory.untilFailure = n;
-    CHECK(createAndDestroy(info, bundle).result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY);
-    CHECK(memory.alive == 0);
-  }
-  memory.untilFailure = 3;
-  CHECK(createAndDestroy(info, bundle).result == LICHEN_SUCCESS);
-  CHECK(memory.alive == 0);
-  lichenDestroyBundle(bundle);
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("a host that hands in too little is told what is missing") {
-  const auto device = requireDevice();
-  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.device = VK_NULL_HANDLE;
-  CHECK(createAndDestroy(info, bundle).message.find("device") != std::string::npos);
-  info = defaultVulkanInfo(*device);
-  info.getInstanceProcAddr = nullptr;
-  CHECK(createAndDestroy(info, bundle).message.find("getInstanceProcAddr") != std::string::npos);
-  LichenVulkanFunctions functions = loadedFunctions();
-  functions.createImage = nullptr;
-  info = defaultVulkanInfo(*device);
-  info.functions = &functions;
-  CHECK(createAndDestroy(info, bundle).result == LICHEN_ERROR_USAGE);
-  lichenDestroyBundle(bundle);
 }

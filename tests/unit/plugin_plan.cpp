@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine plugin's plan layer and its boundary: what it describes, what it refuses, and that
 // memory exhausted anywhere inside becomes a result.
+#include "abi.h"
 #include "bundle_example.h"
 
 #include <lichen/lattice.h>
@@ -14,6 +15,7 @@
 #include <lichen_interface.h>
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 using namespace lichen;
@@ -140,7 +142,8 @@ TEST_CASE("the copies of an image cover its bytes without a gap") {
     REQUIRE(lichenGetImageProperties(bundle.handle, i, &image) == LICHEN_SUCCESS);
     std::size_t end = 0;
     for (std::uint32_t level = 0; level < image.mipLevels; ++level) {
-      LichenCopy copy{};
+      LichenCopy copy;
+      LICHEN_INIT(copy, LICHEN_STRUCTURE_COPY);
       REQUIRE(lichenGetCopy(bundle.handle, i, level, &copy) == LICHEN_SUCCESS);
       CHECK(copy.offset == end);
       CHECK(copy.byteCount ==
@@ -148,14 +151,16 @@ TEST_CASE("the copies of an image cover its bytes without a gap") {
       end = copy.offset + copy.byteCount;
     }
     CHECK(end == image.byteCount);
-    LichenCopy copy{};
+    LichenCopy copy;
+    LICHEN_INIT(copy, LICHEN_STRUCTURE_COPY);
     CHECK(lichenGetCopy(bundle.handle, i, image.mipLevels, &copy) == LICHEN_ERROR_USAGE);
   }
 }
 
 TEST_CASE("bindings are consecutive: the uniform block, then two for each map") {
   const OwnedBundle bundle(example::smallest());
-  LichenBinding binding{};
+  LichenBinding binding;
+  LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
   for (std::uint32_t i = 0; i < 3; ++i) {
     REQUIRE(lichenGetBinding(bundle.handle, 0, i, &binding) == LICHEN_SUCCESS);
     CHECK(binding.binding == i);
@@ -224,9 +229,15 @@ TEST_CASE("each parameter outside its range is refused by name") {
     std::vector<double> bad;
   };
   const Case cases[] = {
-      {"scale", [](LichenUniformInfo& i, double v) { i.scale = v; }, {0.0, -1.0, nan, infinity}},
-      {"offset", [](LichenUniformInfo& i, double v) { i.offset[1] = v; }, {nan, infinity}},
-      {"rotation", [](LichenUniformInfo& i, double v) { i.rotation = v; }, {nan, infinity}},
+      {"scale",
+       [](LichenUniformInfo& i, double v) { i.scale = v; },
+       {0.0, -1.0, 0.9e-6, 1.1e6, nan, infinity}},
+      {"offset",
+       [](LichenUniformInfo& i, double v) { i.offset[1] = v; },
+       {1.1e9, -1.1e9, nan, infinity}},
+      {"rotation",
+       [](LichenUniformInfo& i, double v) { i.rotation = v; },
+       {1.1e6, -1.1e6, nan, infinity}},
       {"blendSharpness",
        [](LichenUniformInfo& i, double v) { i.blendSharpness = v; },
        {0.2, 17.0, nan}},
@@ -237,7 +248,12 @@ TEST_CASE("each parameter outside its range is refused by name") {
       {"tileOrigin",
        [](LichenUniformInfo& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
        {1e13, -1e13}},
-      {"periodTiles", [](LichenUniformInfo& i, double v) { i.periodTiles[0] = v; }, {1.0, nan}},
+      {"periodTiles",
+       [](LichenUniformInfo& i, double v) { i.periodTiles[0] = v; },
+       {1.0, -1.0, 0.5, 65537.0, nan}},
+      {"overrides",
+       [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
+       {128.0, 2147483648.0}},
   };
   for (const Case& one : cases)
     for (const double value : one.bad) {
@@ -265,10 +281,95 @@ TEST_CASE("a bundle's period with a fraction needs the tile origin 0") {
   CHECK(fill(bundle.handle, info).result == LICHEN_ERROR_USAGE);
 }
 
+TEST_CASE("NULL arguments and indices out of range are refused, and outputs untouched") {
+  const OwnedBundle owned(example::smallest());
+  const LichenBundle b = owned.handle;
+  const LichenUniformInfo uniforms = uniformInfo();
+  const auto refusesAll = [](auto type, auto structureType, const auto&... calls) {
+    decltype(type) target;
+    LICHEN_INIT(target, structureType);
+    const decltype(type) before = target;
+    const bool refused = ((calls(&target) == LICHEN_ERROR_USAGE) && ...);
+    return refused && std::memcmp(&before, &target, sizeof target) == 0;
+  };
+  CHECK(refusesAll(LichenBundleProperties{}, LICHEN_STRUCTURE_BUNDLE_PROPERTIES,
+                   [&](auto* p) { return lichenGetBundleProperties(nullptr, p); }));
+  CHECK(refusesAll(
+      LichenNoiseProperties{}, LICHEN_STRUCTURE_NOISE_PROPERTIES,
+      [&](auto* p) { return lichenGetNoiseProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetNoiseProperties(b, 1, p); }));
+  CHECK(refusesAll(
+      LichenMapProperties{}, LICHEN_STRUCTURE_MAP_PROPERTIES,
+      [&](auto* p) { return lichenGetMapProperties(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetMapProperties(b, 1, 0, p); },
+      [&](auto* p) { return lichenGetMapProperties(b, 0, 1, p); }));
+  CHECK(refusesAll(
+      LichenMaterialProperties{}, LICHEN_STRUCTURE_MATERIAL_PROPERTIES,
+      [&](auto* p) { return lichenGetMaterialProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetMaterialProperties(b, 1, p); }));
+  CHECK(refusesAll(
+      LichenImageProperties{}, LICHEN_STRUCTURE_IMAGE_PROPERTIES,
+      [&](auto* p) { return lichenGetImageProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetImageProperties(b, 2, p); }));
+  CHECK(refusesAll(
+      LichenCopy{}, LICHEN_STRUCTURE_COPY, [&](auto* p) { return lichenGetCopy(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetCopy(b, 2, 0, p); },
+      [&](auto* p) { return lichenGetCopy(b, 0, 3, p); }));
+  CHECK(refusesAll(
+      LichenBinding{}, LICHEN_STRUCTURE_BINDING,
+      [&](auto* p) { return lichenGetBinding(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetBinding(b, 1, 0, p); },
+      [&](auto* p) { return lichenGetBinding(b, 0, 3, p); }));
+  CHECK(lichenGetBundleProperties(b, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetNoiseProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMapProperties(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMaterialProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetImageProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetCopy(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetBinding(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetSamplerProperties(LICHEN_SAMPLER_TABLE, nullptr) == LICHEN_ERROR_USAGE);
+  unsigned char block[LICHEN_UNIFORM_BYTES];
+  CHECK(lichenFillUniforms(nullptr, &uniforms, block, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenFillUniforms(b, nullptr, block, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenFillUniforms(b, &uniforms, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenParseBundle(nullptr, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  lichenDestroyBundle(nullptr);
+}
+
+TEST_CASE("a file without noises is an empty bundle") {
+  const std::string gltf = R"({"asset": {"version": "2.0"}, "materials": [{}]})";
+  LichenParseInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_PARSE_INFO);
+  info.headerVersion = LICHEN_HEADER_VERSION;
+  info.bytes = gltf.data();
+  info.byteCount = gltf.size();
+  const Parsed parsed = parse(info);
+  REQUIRE(parsed.result == LICHEN_SUCCESS);
+  LichenBundleProperties properties;
+  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+  CHECK(lichenGetBundleProperties(parsed.bundle, &properties) == LICHEN_SUCCESS);
+  CHECK(properties.noiseCount == 0);
+  CHECK(properties.materialCount == 1);
+  lichenDestroyBundle(parsed.bundle);
+}
+
+TEST_CASE("whatever is thrown inside becomes a result") {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  const auto result = [&](const auto& thrown) {
+    return plugin::guarded(&diagnostic, [&]() -> LichenResult { throw thrown; });
+  };
+  CHECK(result(std::bad_alloc()) == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+  CHECK(result(std::length_error("vector")) == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+  CHECK(result(std::runtime_error("a fault")) == LICHEN_ERROR_INTERNAL);
+  CHECK(std::string(diagnostic.text) == "internal error: a fault");
+  CHECK(result(7) == LICHEN_ERROR_INTERNAL);
+}
+
 TEST_CASE("what the library does not evaluate is refused by name") {
   const std::vector<std::byte> glb = encodeGlb(example::everyMap()).value();
   const Parsed parsed = parse(parseInfo(glb)); // one map has no inverse table
-  CHECK(parsed.result == LICHEN_ERROR_UNSUPPORTED);
+  CHECK(parsed.result == LICHEN_ERROR_BAD_BUNDLE);
   CHECK(parsed.message.find("inverse table") != std::string::npos);
   CHECK(parsed.bundle == nullptr);
   const std::vector<std::byte> noise(100, std::byte(7));
@@ -309,6 +410,30 @@ TEST_CASE("structs of other sizes and versions are read or refused as documented
     CHECK(parse(info).result == LICHEN_ERROR_VERSION);
     info.headerVersion = 0;
     CHECK(parse(info).result == LICHEN_ERROR_VERSION);
+  }
+  SECTION("shaders of another interface are refused") {
+    LichenParseInfo info = parseInfo(glb);
+    info.interfaceVersion = LICHEN_INTERFACE_VERSION + 1;
+    const Parsed refused = parse(info);
+    CHECK(refused.result == LICHEN_ERROR_VERSION);
+    CHECK(refused.message.find("interface version 2") != std::string::npos);
+    info.interfaceVersion = LICHEN_INTERFACE_VERSION;
+    const Parsed accepted = parse(info);
+    CHECK(accepted.result == LICHEN_SUCCESS);
+    lichenDestroyBundle(accepted.bundle);
+  }
+  SECTION("an output with a chain or without its type is refused") {
+    const OwnedBundle bundle(example::smallest());
+    LichenBundleProperties properties;
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.next = &properties;
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_VERSION);
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_USAGE);
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.size = 8;
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_USAGE);
+    CHECK(properties.noiseCount == 0);
   }
   SECTION("an older properties struct is filled as far as it goes") {
     const OwnedBundle bundle(example::smallest());

@@ -5,14 +5,20 @@
  * static state. Engines with their own render hardware interface need nothing else;
  * lichen_vulkan.h does the rest for those that hand over a VkDevice.
  *
- * Structs start with type, size and next. Set type and size (LICHEN_INIT does), leave the rest
- * zero for the defaults; next must be NULL. A struct smaller than the library's is an older
- * header's: what it lacks is zero. A larger one is refused unless what the library does not know
- * is zero.
+ * Every struct starts with type, size and next. Set type and size (LICHEN_INIT does, and zeroes the
+ * rest, padding too), leave the rest zero for the defaults; next must be NULL.
+ * ..._MAX_ENUM keeps enums 32 bits wide and is no value.
+ * A struct smaller than the library's is an older header's: what it lacks is zero on the way in and
+ * not written on the way out. A larger one is a newer header's: on the way in it is refused unless
+ * what the library does not know is zero, on the way out that is not written.
  *
- * Functions that can fail return a LichenResult and, where `diagnostic` is not NULL, write one
- * line that says what is wrong and what would be accepted. On failure outputs are untouched.
- * Objects are immutable: any number of threads may use one; destroy it when none does.
+ * Functions that can fail return a LichenResult, and outputs are untouched where that is not
+ * LICHEN_SUCCESS. Those with a `diagnostic` then write one line into it, unless it is NULL, that
+ * says what is wrong and what would be accepted; those without fail for a NULL argument, an index
+ * out of range or a struct without its type and size, all LICHEN_ERROR_USAGE, or a `next` that is
+ * not NULL, LICHEN_ERROR_VERSION. Nothing throws, prints or aborts.
+ *
+ * A bundle is immutable: any number of threads may use one. Destroy it when none does.
  */
 #ifndef LICHEN_H
 #define LICHEN_H
@@ -37,12 +43,15 @@ extern "C" {
 typedef enum LichenResult {
   LICHEN_SUCCESS = 0,
   LICHEN_ERROR_USAGE = 1,       /* an argument is outside its range */
-  LICHEN_ERROR_VERSION = 2,     /* header and library, or library and bundle, do not fit */
-  LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle cannot be used */
-  LICHEN_ERROR_UNSUPPORTED = 4, /* the device lacks something, such as a format */
+  LICHEN_ERROR_VERSION = 2,     /* header or shaders do not fit the library */
+  LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle is at fault, or needs what this version lacks */
+  LICHEN_ERROR_UNSUPPORTED = 4, /* the device cannot filter an image of a format and size */
   LICHEN_ERROR_OUT_OF_HOST_MEMORY = 5,
-  LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6, /* also a descriptor pool that is too small */
-  LICHEN_ERROR_DEVICE = 7                /* another failure of a Vulkan call */
+  LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6,
+  LICHEN_ERROR_OUT_OF_POOL_MEMORY = 7, /* the descriptor pool is too small: give another */
+  LICHEN_ERROR_DEVICE = 8,             /* another failure of a Vulkan call, such as a lost device */
+  LICHEN_ERROR_INTERNAL = 9,           /* a fault of this library */
+  LICHEN_RESULT_MAX_ENUM = 0x7FFFFFFF
 } LichenResult;
 
 typedef enum LichenStructureType {
@@ -56,7 +65,13 @@ typedef enum LichenStructureType {
   LICHEN_STRUCTURE_SAMPLER_PROPERTIES = 8,
   LICHEN_STRUCTURE_UNIFORM_INFO = 9,
   LICHEN_STRUCTURE_VULKAN_INFO = 10,
-  LICHEN_STRUCTURE_VULKAN_FUNCTIONS = 11
+  LICHEN_STRUCTURE_VULKAN_FUNCTIONS = 11,
+  LICHEN_STRUCTURE_COPY = 12,
+  LICHEN_STRUCTURE_BINDING = 13,
+  LICHEN_STRUCTURE_DEVICE_ALLOCATOR = 14,
+  LICHEN_STRUCTURE_MEMORY_REQUEST = 15,
+  LICHEN_STRUCTURE_DEVICE_MEMORY = 16,
+  LICHEN_STRUCTURE_MAX_ENUM = 0x7FFFFFFF
 } LichenStructureType;
 
 /* Sets a struct to its defaults: LICHEN_INIT(info, LICHEN_STRUCTURE_PARSE_INFO); */
@@ -64,7 +79,8 @@ typedef enum LichenStructureType {
   (memset(&(object), 0, sizeof(object)), (object).type = (structureType),                          \
    (object).size = sizeof(object))
 
-/* A message for people, always terminated. */
+/* A message for people: one line of UTF-8, terminated, cut where it does not fit. Written on
+ * failure only. */
 typedef struct LichenDiagnostic {
   LichenStructureType type;
   uint32_t size;
@@ -77,6 +93,7 @@ LICHEN_API uint32_t lichenGetVersion(void);
 
 /* ---- Bundles ---------------------------------------------------------------------------- */
 
+/* A parsed bundle; owns copies of everything that it needs of the file. */
 typedef struct LichenBundle_T* LichenBundle;
 
 typedef struct LichenParseInfo {
@@ -84,13 +101,17 @@ typedef struct LichenParseInfo {
   uint32_t size;
   const void* next;
   uint32_t headerVersion; /* LICHEN_HEADER_VERSION */
-  uint32_t reserved;
+  /* LICHEN_INTERFACE_VERSION of the lichen_interface.h with which the host's SPIR-V was compiled;
+   * 0: shaders_glsl/ of the same release as this header. Another layout of the uniform block or the
+   * bindings than this library's is LICHEN_ERROR_VERSION. */
+  uint32_t interfaceVersion;
   const void* bytes; /* a .glb, or a .gltf whose buffers are data URIs; needed for this call only */
   size_t byteCount;
-  const char* name; /* used in messages; NULL: "bundle" */
+  const char* name; /* UTF-8, used in messages, needed for this call only; NULL: "bundle" */
 } LichenParseInfo;
 
-/* Reads a bundle and checks all of it. Time and memory are in proportion to its size. */
+/* Reads a bundle and checks all of it; input may be hostile. Time and memory are in proportion to
+ * its size. The caller owns *bundle. A glTF file without noises is a bundle with noiseCount 0. */
 LICHEN_API LichenResult lichenParseBundle(const LichenParseInfo* info, LichenBundle* bundle,
                                           LichenDiagnostic* diagnostic);
 /* NULL is ignored. */
@@ -102,7 +123,7 @@ typedef struct LichenBundleProperties {
   void* next;
   uint32_t noiseCount;
   uint32_t materialCount; /* as many as the glTF file has */
-  uint32_t imageCount;
+  uint32_t imageCount;    /* of all noises; maps may share one */
 } LichenBundleProperties;
 
 LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
@@ -112,11 +133,11 @@ typedef struct LichenNoiseProperties {
   LichenStructureType type;
   uint32_t size;
   void* next;
-  const char* name;  /* lives as long as the bundle */
-  uint32_t mapCount; /* LICHEN_MAP_COUNT of the shader, 1 to 6 */
-  float tileSizeMetres;
+  const char* name;     /* UTF-8, as long as the bundle lives */
+  uint32_t mapCount;    /* LICHEN_MAP_COUNT of the shader, 1 to 6 */
+  float tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
   /* What one descriptor set of this noise takes from a pool. */
-  uint32_t uniformBufferCount;
+  uint32_t uniformBufferCount; /* UNIFORM_BUFFER_DYNAMIC with LICHEN_VULKAN_DYNAMIC_UNIFORMS */
   uint32_t combinedImageSamplerCount;
 } LichenNoiseProperties;
 
@@ -130,7 +151,8 @@ typedef enum LichenMapTarget {
   LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC = 2,
   LICHEN_TARGET_EMISSIVE = 3,
   LICHEN_TARGET_HEIGHT = 4,
-  LICHEN_TARGET_OPACITY = 5
+  LICHEN_TARGET_OPACITY = 5,
+  LICHEN_TARGET_MAX_ENUM = 0x7FFFFFFF
 } LichenMapTarget;
 
 /* What a component of the shader's value means. */
@@ -144,7 +166,8 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_ROUGHNESS = 6,
   LICHEN_CHANNEL_METALLIC = 7,
   LICHEN_CHANNEL_HEIGHT = 8,
-  LICHEN_CHANNEL_OPACITY = 9
+  LICHEN_CHANNEL_OPACITY = 9,
+  LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
 typedef struct LichenMapProperties {
@@ -152,9 +175,9 @@ typedef struct LichenMapProperties {
   uint32_t size;
   void* next;
   LichenMapTarget target;
-  uint32_t channelCount; /* 1 to 3 */
-  LichenChannel channels[3];
-  uint32_t gaussianImage; /* image indices */
+  uint32_t channelCount;     /* 1 to 3 */
+  LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
+  uint32_t gaussianImage;    /* image indices, < imageCount */
   uint32_t tableImage;
 } LichenMapProperties;
 
@@ -168,7 +191,8 @@ typedef enum LichenMapping {
   LICHEN_MAPPING_UV = 0,
   LICHEN_MAPPING_TRIPLANAR = 1,
   LICHEN_MAPPING_SURFACE = 2,
-  LICHEN_MAPPING_SOLID = 3
+  LICHEN_MAPPING_SOLID = 3,
+  LICHEN_MAPPING_MAX_ENUM = 0x7FFFFFFF
 } LichenMapping;
 
 typedef struct LichenMaterialProperties {
@@ -177,7 +201,7 @@ typedef struct LichenMaterialProperties {
   void* next;
   uint32_t noise; /* LICHEN_NO_NOISE for a material that has none */
   LichenMapping mapping;
-  uint32_t texCoord; /* the TEXCOORD_n that the noise takes */
+  uint32_t texCoord; /* [0, 15], the TEXCOORD_n that the noise takes */
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */
@@ -190,13 +214,14 @@ typedef struct LichenImageProperties {
   LichenStructureType type;
   uint32_t size;
   void* next;
-  const char* name;
-  uint32_t vkFormat;       /* the value of the VkFormat */
-  uint32_t dimensionality; /* 2 or 3 */
-  uint32_t width, height, depth;
+  const char* name;              /* UTF-8, may be empty; as long as the bundle lives */
+  uint32_t vkFormat;             /* the value of the VkFormat */
+  uint32_t dimensionality;       /* 2 or 3: VK_IMAGE_TYPE_2D or _3D */
+  uint32_t width, height, depth; /* texels of level 0; depth is 1 where dimensionality is 2 */
   uint32_t mipLevels;
   uint32_t texelBytes;
-  const void* bytes; /* all levels, tightly packed, level 0 first; lives as long as the bundle */
+  const void* bytes; /* all levels, tightly packed, level 0 first, x fastest, rows top first, z
+                      * slowest; as long as the bundle lives */
   size_t byteCount;
 } LichenImageProperties;
 
@@ -207,30 +232,34 @@ LICHEN_API LichenResult lichenGetImageProperties(LichenBundle bundle, uint32_t i
 
 /* One buffer-to-image copy: level `mipLevel` from `offset` in the image's bytes. */
 typedef struct LichenCopy {
-  size_t offset;
+  LichenStructureType type;
+  uint32_t size;
+  void* next;
+  size_t offset; /* bytes */
   size_t byteCount;
   uint32_t mipLevel;
-  uint32_t width, height, depth;
+  uint32_t width, height, depth; /* texels */
 } LichenCopy;
 
-/* mipLevel < mipLevels of the image. */
+/* image < imageCount, mipLevel < mipLevels of the image. */
 LICHEN_API LichenResult lichenGetCopy(LichenBundle bundle, uint32_t image, uint32_t mipLevel,
                                       LichenCopy* copy);
 
 typedef enum LichenSamplerUse {
-  LICHEN_SAMPLER_GAUSSIAN = 0, /* linear, repeat, all mips, anisotropy as the host likes */
-  LICHEN_SAMPLER_TABLE = 1     /* linear, clamp to edge, one mip */
+  LICHEN_SAMPLER_GAUSSIAN = 0, /* trilinear, repeat, all mips; anisotropy: LichenUniformInfo */
+  LICHEN_SAMPLER_TABLE = 1,    /* linear, clamp to edge, one mip */
+  LICHEN_SAMPLER_MAX_ENUM = 0x7FFFFFFF
 } LichenSamplerUse;
 
 typedef struct LichenSamplerProperties {
   LichenStructureType type;
   uint32_t size;
   void* next;
-  uint32_t vkFilter;      /* magnification and minification, a VkFilter */
-  uint32_t vkMipmapMode;  /* a VkSamplerMipmapMode */
-  uint32_t vkAddressMode; /* all axes, a VkSamplerAddressMode */
-  float maxLod;
-  uint32_t takesAnisotropy; /* 1: maxAnisotropy of the uniforms applies */
+  uint32_t vkFilter;        /* magnification and minification, a VkFilter */
+  uint32_t vkMipmapMode;    /* a VkSamplerMipmapMode */
+  uint32_t vkAddressMode;   /* all axes, a VkSamplerAddressMode */
+  float maxLod;             /* minLod and mipLodBias are 0 */
+  uint32_t takesAnisotropy; /* 1: maxAnisotropy of LichenUniformInfo may be this sampler's */
 } LichenSamplerProperties;
 
 LICHEN_API LichenResult lichenGetSamplerProperties(LichenSamplerUse use,
@@ -238,27 +267,34 @@ LICHEN_API LichenResult lichenGetSamplerProperties(LichenSamplerUse use,
 
 typedef enum LichenBindingKind {
   LICHEN_BINDING_UNIFORM_BUFFER = 0,
-  LICHEN_BINDING_COMBINED_IMAGE_SAMPLER = 1
+  LICHEN_BINDING_COMBINED_IMAGE_SAMPLER = 1,
+  LICHEN_BINDING_MAX_ENUM = 0x7FFFFFFF
 } LichenBindingKind;
 
 /* One binding of a noise's descriptor set. */
 typedef struct LichenBinding {
+  LichenStructureType type;
+  uint32_t size;
+  void* next;
   uint32_t binding; /* relative to LICHEN_FIRST_BINDING */
   LichenBindingKind kind;
   LichenSamplerUse sampler; /* of a combined image sampler */
   uint32_t image;           /* of a combined image sampler */
 } LichenBinding;
 
-/* index < 1 + 2 * mapCount: the uniform block, then each map's Gaussian image and table. */
+/* noise < noiseCount, index < 1 + 2 * mapCount: the uniform block, then each map's Gaussian image
+ * and table. */
 LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, uint32_t index,
                                          LichenBinding* binding);
 
 /* ---- Uniforms --------------------------------------------------------------------------- */
 
-/* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h. */
+/* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
+ * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
 #define LICHEN_UNIFORM_BYTES 768
 
-/* Which members of LichenUniformInfo replace the material's own values. */
+/* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
+ */
 typedef enum LichenOverride {
   LICHEN_OVERRIDE_SCALE = 1,
   LICHEN_OVERRIDE_OFFSET = 2,
@@ -273,26 +309,32 @@ typedef struct LichenUniformInfo {
   LichenStructureType type;
   uint32_t size;
   const void* next;
-  uint32_t material;  /* glTF index, of a material that has a noise */
-  uint32_t overrides; /* LichenOverride bits */
-  uint32_t noise;
-  uint32_t seed;
-  double scale;          /* > 0, texture-coordinate units that one exemplar spans */
-  double offset[2];      /* tiles */
-  double rotation;       /* radians, as KHR_texture_transform */
-  double blendSharpness; /* [0.25, 16] */
-  double contrast;       /* [0, 4] */
-  /* The host's origin in whole tiles, exact within +-2^40: a point's tile coordinate is this plus
-   * what the shader computes, so that coordinates near the camera stay small. */
+  uint32_t material;     /* glTF index, of a material that has a noise */
+  uint32_t overrides;    /* LichenOverride bits; what they do not name is not read */
+  uint32_t noise;        /* < noiseCount */
+  uint32_t seed;         /* any; another seed is another noise of the same look */
+  double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
+  double offset[2];      /* [-1e9, 1e9] tiles, in float precision: far moves are tileOrigin's */
+  double rotation;       /* [-1e6, 1e6] radians, as KHR_texture_transform */
+  double blendSharpness; /* [0.25, 16] exponent of the blend weights */
+  double contrast;       /* [0, 4] scale of the Gaussian value about its mean */
+  /* The host's origin in whole tiles, each within +-2^40, exact: a point's tile coordinate is this
+   * plus what the shader computes, so that coordinates near the camera stay small. */
   int64_t tileOrigin[2];
-  /* The noise repeats after this many tiles, at least 1 each and a whole number where tileOrigin
-   * is not 0. 0, 0: never. */
+  /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
+   * not 0. 0, 0: never. */
   double periodTiles[2];
-  float maxAnisotropy; /* of the Gaussian sampler; 0 and 1: anisotropy off */
+  /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the Gaussian images' sampler. 0 and 1: it is
+   * trilinear, the default, which is what the reference pictures and the tests show. Above 1 the
+   * shaders must be compiled with LICHEN_ANISOTROPIC 1 and the sampler must be made with the same
+   * value: the level of the inverse table is that of the footprint that the sampler filters, and
+   * where the three do not agree, minified noise has too much or too little contrast. How exactly
+   * an anisotropic footprint is filtered is the driver's choice. */
+  float maxAnisotropy;
 } LichenUniformInfo;
 
 /* Writes LICHEN_UNIFORM_BYTES of std140 to `destination` (any alignment, may be mapped memory: it
- * is written once, in order). Cheap enough for every frame. */
+ * is written once, in order, and not read). Cheap enough for every frame: no allocation. */
 LICHEN_API LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* info,
                                            void* destination, LichenDiagnostic* diagnostic);
 

@@ -9,9 +9,14 @@
  *   lichenVulkanRecordUpload    into a command buffer of the host's, which it submits
  *   lichenVulkanReleaseStaging  when that submission has completed
  *   lichenVulkanAllocateSet     from a pool of the host's; or lichenVulkanGetImageInfos
- *   lichenVulkanDestroyAssets   when no submission uses them any more
+ *   lichenVulkanDestroyAssets   when no submission uses them any more; or lichenVulkanRetireAssets
  *
- * A context may be used by many threads. Calls on one LichenAssets object are the host's to order.
+ * Assets are immutable: a changed bundle makes new ones, and the old retire. Vulkan 1.0 is enough;
+ * no extension and no optional feature is used unless `info` asks for it.
+ *
+ * Threads: many may create assets of one context at once. Calls on one LichenVulkanAssets object,
+ * and lichenVulkanRetireAssets, lichenVulkanFrameCompleted and lichenVulkanDestroyContext on one
+ * context, are the host's to order, as are Vulkan's own rules for pools and command buffers.
  */
 #ifndef LICHEN_VULKAN_H
 #define LICHEN_VULKAN_H
@@ -24,7 +29,8 @@
 extern "C" {
 #endif
 
-/* Everything that the plugin calls. */
+/* Everything that the plugin calls; none may be NULL. Device functions may be the loader's or those
+ * of the one device. */
 typedef struct LichenVulkanFunctions {
   LichenStructureType type;
   uint32_t size;
@@ -55,27 +61,45 @@ typedef struct LichenVulkanFunctions {
   PFN_vkCmdCopyBufferToImage cmdCopyBufferToImage;
 } LichenVulkanFunctions;
 
-/* A piece of device memory that the host gives. */
+/* What the plugin asks of the host's allocator: memory for one buffer or for all of a bundle's
+ * images, one behind the other. */
+typedef struct LichenMemoryRequest {
+  LichenStructureType type;
+  uint32_t size;
+  const void* next;
+  VkMemoryRequirements requirements;
+  VkMemoryPropertyFlags properties; /* all are needed; with HOST_VISIBLE, `mapped` is too */
+  /* VK_TRUE for the images: bufferImageGranularity between the two kinds is the host's to keep. */
+  VkBool32 optimalTiling;
+} LichenMemoryRequest;
+
+/* A piece of device memory. */
 typedef struct LichenDeviceMemory {
+  LichenStructureType type;
+  uint32_t size;
+  void* next;
   VkDeviceMemory memory;
-  VkDeviceSize offset; /* aligned as asked */
+  VkDeviceSize offset; /* bytes, aligned as asked */
   void* mapped;        /* of this piece, where asked for: not of the start of `memory` */
   void* handle;        /* the host's own, handed back on release */
 } LichenDeviceMemory;
 
 /* The host's allocator of device memory. Called only inside lichenVulkanCreateAssets (allocate,
- * release), lichenVulkanReleaseStaging and lichenVulkanDestroyAssets (release). */
+ * release), lichenVulkanReleaseStaging, and what destroys assets (release), on their thread. */
 typedef struct LichenDeviceAllocator {
+  LichenStructureType type;
+  uint32_t size;
+  const void* next;
   void* userData;
-  /* Memory for one buffer (with HOST_VISIBLE and HOST_COHERENT in `properties`, mapped) or for
-   * optimally tiled images (DEVICE_LOCAL). VK_SUCCESS or the reason why not. */
-  VkResult (*allocate)(void* userData, const VkMemoryRequirements* requirements,
-                       VkMemoryPropertyFlags properties, LichenDeviceMemory* memory);
+  /* Fills what follows `next` in `memory`. VK_SUCCESS or the reason why not. */
+  VkResult (*allocate)(void* userData, const LichenMemoryRequest* request,
+                       LichenDeviceMemory* memory);
   void (*release)(void* userData, const LichenDeviceMemory* memory);
 } LichenDeviceAllocator;
 
 typedef enum LichenVulkanFlags {
-  /* The uniform block is a VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC. */
+  /* The uniform block is a VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC: one set serves all frames in
+   * flight, each with its own offset. */
   LICHEN_VULKAN_DYNAMIC_UNIFORMS = 1
 } LichenVulkanFlags;
 
@@ -84,63 +108,83 @@ typedef struct LichenVulkanInfo {
   uint32_t size;
   const void* next;
   uint32_t headerVersion; /* LICHEN_HEADER_VERSION */
-  uint32_t flags;         /* LichenVulkanFlags */
+  uint32_t flags;         /* LichenVulkanFlags; no other bit is accepted */
   VkPhysicalDevice physicalDevice;
   VkDevice device;
   /* Either the functions, or the loader's vkGetInstanceProcAddr and the device's instance. */
   const LichenVulkanFunctions* functions;
   PFN_vkGetInstanceProcAddr getInstanceProcAddr;
   VkInstance instance;
-  const VkAllocationCallbacks* allocationCallbacks; /* of host memory; NULL: the driver's own */
-  /* NULL: the plugin allocates one block for a bundle's images, of at least 1 MiB, and one for
-   * its staging buffer. */
+  /* Of host memory, for every object that the plugin creates; copied. NULL: the driver's own. */
+  const VkAllocationCallbacks* allocationCallbacks;
+  /* Copied. NULL: the plugin allocates one block for a bundle's images and one for its staging
+   * buffer, of at least 1 MiB each. */
   const LichenDeviceAllocator* deviceAllocator;
-  /* Above 1 only when the samplerAnisotropy feature is enabled, and at most the device's limit;
-   * lichenFillUniforms wants the same value, the shaders LICHEN_ANISOTROPIC 1. 0 and 1: off. */
+  /* [0, 64] of the Gaussian images' sampler. 0 and 1: trilinear. Above 1 only when the
+   * samplerAnisotropy feature is enabled, at most the device's limit, and with the same value in
+   * LichenUniformInfo, which says what else follows. */
   float maxAnisotropy;
-  uint32_t firstBinding;     /* LICHEN_FIRST_BINDING of the shaders */
+  uint32_t firstBinding;     /* LICHEN_FIRST_BINDING of the shaders; layouts begin there */
   VkShaderStageFlags stages; /* that read the noise; 0: fragment and compute */
 } LichenVulkanInfo;
 
 typedef struct LichenVulkanContext_T* LichenVulkanContext;
 typedef struct LichenVulkanAssets_T* LichenVulkanAssets;
 
-/* Nothing that `info` points to is needed after the call, but for what its members stand for. */
+/* Creates two samplers. Nothing that `info` points to is needed after the call, but for what its
+ * members stand for: the device must outlive the context. */
 LICHEN_API LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* info,
                                                   LichenVulkanContext* context,
                                                   LichenDiagnostic* diagnostic);
-/* After all its assets. NULL is ignored. */
+/* After all its assets but the retired ones, which it destroys. NULL is ignored. */
 LICHEN_API void lichenVulkanDestroyContext(LichenVulkanContext context);
 
-/* Creates the bundle's images and fills a staging buffer; the bundle may be destroyed after. */
+/* Creates the bundle's images and fills a staging buffer; the bundle may be destroyed after. Takes
+ * device memory for the images and, until lichenVulkanReleaseStaging, as much for the buffer.
+ * LICHEN_ERROR_UNSUPPORTED names the table that the device cannot filter. */
 LICHEN_API LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle bundle,
                                                  LichenVulkanAssets* assets,
                                                  LichenDiagnostic* diagnostic);
-/* NULL is ignored. */
+/* When no command buffer that may still run uses them. NULL is ignored. */
 LICHEN_API void lichenVulkanDestroyAssets(LichenVulkanAssets assets);
 
-/* Records the copies and their barriers, outside a render pass, in a command buffer of a queue
- * that can transfer. What runs later on that queue may sample the images in any stage. */
+/* Records the copies and their barriers. `commandBuffer`: being recorded, outside a render pass, of
+ * a queue family with graphics or compute, the one on which the images will be sampled: they are
+ * VK_SHARING_MODE_EXCLUSIVE, and no ownership transfer is recorded. Later commands in submission
+ * order on that queue may sample them in any stage without a barrier; other queues of the family
+ * wait for a semaphore. Submit it once. LICHEN_ERROR_USAGE after lichenVulkanReleaseStaging. */
 LICHEN_API LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets,
                                                  VkCommandBuffer commandBuffer);
-/* Frees the staging buffer. May be called again; lichenVulkanDestroyAssets does it too. */
+/* Frees the staging buffer, when the upload has completed. May be called again; what destroys the
+ * assets does it too. NULL is ignored. */
 LICHEN_API void lichenVulkanReleaseStaging(LichenVulkanAssets assets);
 
-/* The layout of a noise's set, owned by the assets. Noises with as many maps have compatible
- * ones. noise < noiseCount. */
+/* Hot reload: create assets of the changed bundle, upload them, take sets from them, and retire the
+ * old ones instead of destroying them. Frames have numbers of the host's that grow; `lastFrame` is
+ * the last whose commands may use the old assets, which this call takes. NULL is ignored. */
+LICHEN_API void lichenVulkanRetireAssets(LichenVulkanAssets assets, uint64_t lastFrame);
+/* The device has completed `frame` and all before it: destroys what was retired up to there. */
+LICHEN_API void lichenVulkanFrameCompleted(LichenVulkanContext context, uint64_t frame);
+
+/* The layout of a noise's set, owned by the assets. Noises with as many maps, of any assets of the
+ * context, have identically defined layouts: a pipeline layout made with one outlives it and fits
+ * the sets of all. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetSetLayout(LichenVulkanAssets assets, uint32_t noise,
                                                  VkDescriptorSetLayout* layout);
 
 /* A set from the host's pool, written with the noise's images and with `uniforms`: a uniform
- * buffer's range of at least LICHEN_UNIFORM_BYTES. The pool needs no FREE_DESCRIPTOR_SET; the set
- * is the host's. */
+ * buffer's range of at least LICHEN_UNIFORM_BYTES. Once for each material, not each frame. The pool
+ * needs no FREE_DESCRIPTOR_SET; the set is the host's. noise < noiseCount.
+ * LICHEN_ERROR_OUT_OF_POOL_MEMORY where the pool is too small; on Vulkan 1.0 without
+ * VK_KHR_maintenance1 drivers need not notice. */
 LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint32_t noise,
                                                 VkDescriptorPool pool,
                                                 const VkDescriptorBufferInfo* uniforms,
                                                 VkDescriptorSet* set, LichenDiagnostic* diagnostic);
 
-/* For hosts that write descriptors themselves: the noise's 2 * mapCount combined image samplers,
- * each map's Gaussian image and then its table, written to imageInfos[0 ... 2 * mapCount). */
+/* For hosts that write descriptors themselves: the noise's combinedImageSamplerCount combined image
+ * samplers, each map's Gaussian image and then its table, written to imageInfos[0 ... that count).
+ * They live as long as the assets. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetImageInfos(LichenVulkanAssets assets, uint32_t noise,
                                                   VkDescriptorImageInfo* imageInfos);
 

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+// What goes wrong around the plugin: every Vulkan call and host allocation failing in turn, devices
+// that lack something, and hosts that hand in too little. Each gives a code and a message, and
+// leaves nothing behind.
+#include "plugin_calls.h"
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+/// Counts down while positive; the allocation that reaches 0 fails. Off inside Vulkan, where the
+/// layers allocate with the same operator and may not throw.
+thread_local int allocationsUntilFailure = 0;
+thread_local int insideVulkan = 0;
+
+} // namespace
+
+// Replaces the global operators of this program.
+void* operator new(std::size_t size) {
+  if (insideVulkan == 0 && allocationsUntilFailure > 0 && --allocationsUntilFailure == 0)
+    throw std::bad_alloc();
+  if (void* memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32, true}}};
+
+/// A device and a bundle, with a pool and a buffer for one set.
+struct Fixture {
+  Fixture() : device(requireDevice()), bundle(parseOrThrow(syntheticGlb(kMaps))) {
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 6}};
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 2;
+    poolInfo.pPoolSizes = sizes;
+    REQUIRE(vkCreateDescriptorPool(device->device(), &poolInfo, nullptr, &pool) == VK_SUCCESS);
+    buffer = device->createBuffer(LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
+                 .value();
+    uniforms = {buffer.handle, 0, LICHEN_UNIFORM_BYTES};
+  }
+  Fixture(const Fixture&) = delete;
+  Fixture& operator=(const Fixture&) = delete;
+  ~Fixture() {
+    vkDestroyDescriptorPool(device->device(), pool, nullptr);
+    lichenDestroyBundle(bundle);
+  }
+  [[nodiscard]] std::vector<std::string> messages() const { return device->messages().texts(); }
+
+  std::unique_ptr<HeadlessDevice> device;
+  LichenBundle bundle;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  DeviceBuffer buffer;
+  VkDescriptorBufferInfo uniforms{};
+};
+
+struct Created {
+  LichenResult result = LICHEN_SUCCESS;
+  std::string message;
+};
+
+/// Creates a context, assets and a set, and destroys what there is.
+Created createAndDestroy(const Fixture& fixture, const LichenVulkanInfo& info) {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  LichenVulkanContext context = nullptr;
+  LichenVulkanAssets assets = nullptr;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  LichenResult result = lichenVulkanCreateContext(&info, &context, &diagnostic);
+  CHECK((context != nullptr) == (result == LICHEN_SUCCESS));
+  if (result == LICHEN_SUCCESS) {
+    result = lichenVulkanCreateAssets(context, fixture.bundle, &assets, &diagnostic);
+    CHECK((assets != nullptr) == (result == LICHEN_SUCCESS));
+  }
+  if (result == LICHEN_SUCCESS) {
+    result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, &diagnostic);
+    CHECK((set != VK_NULL_HANDLE) == (result == LICHEN_SUCCESS));
+  }
+  lichenVulkanDestroyAssets(assets);
+  lichenVulkanDestroyContext(context);
+  vkResetDescriptorPool(fixture.device->device(), fixture.pool, 0);
+  return {result, diagnostic.text};
+}
+
+Created createWith(const Fixture& fixture, const LichenVulkanFunctions& functions) {
+  LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  info.functions = &functions;
+  return createAndDestroy(fixture, info);
+}
+
+/// Functions of a device with two ordinary types of memory, 4 and 5, behind some that only special
+/// uses may take.
+struct ManyMemoryTypes {
+  static constexpr std::array<VkMemoryPropertyFlags, 4> kSpecial{
+      VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD,
+      VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD | VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD,
+      VK_MEMORY_PROPERTY_PROTECTED_BIT, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT};
+  static inline std::vector<std::uint32_t> asked; ///< types of the allocations, in order
+  static inline std::uint32_t full = 0;           ///< the type that has no room
+
+  static void VKAPI_CALL properties(VkPhysicalDevice device,
+                                    VkPhysicalDeviceMemoryProperties* target) {
+    vkGetPhysicalDeviceMemoryProperties(device, target);
+    target->memoryTypeCount = std::uint32_t(kSpecial.size()) + 2;
+    for (std::uint32_t type = 0; type < target->memoryTypeCount; ++type)
+      target->memoryTypes[type] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT |
+                                       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                       VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+                                   0};
+    for (std::size_t type = 0; type < kSpecial.size(); ++type)
+      target->memoryTypes[type].propertyFlags |= kSpecial[type];
+  }
+  template <auto* kFunction, class Handle>
+  static void VKAPI_CALL anyType(VkDevice device, Handle handle,
+                                 VkMemoryRequirements* requirements) {
+    (*kFunction)(device, handle, requirements);
+    requirements->memoryTypeBits = ~0u;
+  }
+  static VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                      const VkAllocationCallbacks* callbacks,
+                                      VkDeviceMemory* memory) {
+    asked.push_back(info->memoryTypeIndex);
+    if (info->memoryTypeIndex == full)
+      return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    VkMemoryAllocateInfo real = *info;
+    real.memoryTypeIndex = 0; // the device's own first type
+    return vkAllocateMemory(device, &real, callbacks, memory);
+  }
+  static LichenVulkanFunctions functions() {
+    LichenVulkanFunctions f = loadedFunctions();
+    f.getPhysicalDeviceMemoryProperties = properties;
+    f.getImageMemoryRequirements = anyType<&vkGetImageMemoryRequirements>;
+    f.getBufferMemoryRequirements = anyType<&vkGetBufferMemoryRequirements>;
+    f.allocateMemory = allocate;
+    return f;
+  }
+};
+
+} // namespace
+
+TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves nothing behind") {
+  const Fixture fixture;
+  const LichenVulkanFunctions functions = Proxy::functions();
+  int failures = 0, ofPool = 0;
+  for (int n = 1;; ++n) {
+    Proxy::untilFailure = n;
+    const Created created = createWith(fixture, functions);
+    CHECK(Proxy::alive == 0);
+    CHECK(Proxy::garbageDestroyed == 0);
+    if (Proxy::untilFailure > 0) { // not reached: everything succeeded
+      CHECK(created.result == LICHEN_SUCCESS);
+      break;
+    }
+    ++failures;
+    ofPool += created.result == LICHEN_ERROR_OUT_OF_POOL_MEMORY ? 1 : 0;
+    INFO("call " << n << ": " << created.message);
+    CHECK((created.result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY ||
+           created.result == LICHEN_ERROR_OUT_OF_HOST_MEMORY ||
+           created.result == LICHEN_ERROR_OUT_OF_POOL_MEMORY));
+    CHECK((created.message.find("memory") != std::string::npos ||
+           created.message.find("pool is too small") != std::string::npos));
+  }
+  Proxy::untilFailure = 0;
+  // 2 samplers; format query, image, bind and view for 6 images; 2 blocks, 1 map; buffer and bind;
+  // 1 layout; 1 set.
+  CHECK(failures == 2 + 4 * 6 + 2 + 1 + 2 + 1 + 1);
+  CHECK(ofPool == 1);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("any host allocation of the plugin's that fails gives a code and leaves nothing behind") {
+  const Fixture fixture;
+  const LichenVulkanFunctions functions = Proxy::functions();
+  LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  info.functions = &functions;
+  Proxy::enter = [] { ++insideVulkan; };
+  Proxy::leave = [] { --insideVulkan; };
+  int failures = 0;
+  for (int n = 1;; ++n) {
+    LichenVulkanContext context = nullptr;
+    LichenVulkanAssets assets = nullptr;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    allocationsUntilFailure = n;
+    LichenResult result = lichenVulkanCreateContext(&info, &context, nullptr);
+    if (result == LICHEN_SUCCESS)
+      result = lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr);
+    if (result == LICHEN_SUCCESS)
+      result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, nullptr);
+    const bool reached = allocationsUntilFailure == 0;
+    allocationsUntilFailure = 0;
+    lichenVulkanDestroyAssets(assets);
+    lichenVulkanDestroyContext(context);
+    vkResetDescriptorPool(fixture.device->device(), fixture.pool, 0);
+    INFO("allocation " << n);
+    CHECK(Proxy::alive == 0);
+    CHECK(result == (reached ? LICHEN_ERROR_OUT_OF_HOST_MEMORY : LICHEN_SUCCESS));
+    if (!reached)
+      break;
+    ++failures;
+  }
+  Proxy::enter = Proxy::leave = [] {};
+  CHECK(failures > 10);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a host's device allocator that fails gives a code, and gets back what it gave") {
+  const Fixture fixture;
+  HostMemory memory(*fixture.device);
+  LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  info.deviceAllocator = &memory.callbacks;
+  for (const int n : {1, 2}) {
+    memory.untilFailure = n;
+    CHECK(createAndDestroy(fixture, info).result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY);
+    CHECK(memory.alive == 0);
+  }
+  memory.untilFailure = 3;
+  CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
+  CHECK(memory.alive == 0);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a device that cannot filter a table's format or size is refused by the table") {
+  const Fixture fixture;
+  LichenVulkanFunctions functions = loadedFunctions();
+  SECTION("no linear filter for the inverse table of slopes") {
+    functions.getPhysicalDeviceFormatProperties = [](VkPhysicalDevice device, VkFormat format,
+                                                     VkFormatProperties* properties) {
+      vkGetPhysicalDeviceFormatProperties(device, format, properties);
+      if (format == VK_FORMAT_R16G16_SFLOAT)
+        properties->optimalTilingFeatures &=
+            ~VkFormatFeatureFlags(VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
+    };
+    const Created created = createWith(fixture, functions);
+    CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
+    CHECK(created.message.find("VkFormat 83 and 16 x 16 x 1") != std::string::npos);
+  }
+  SECTION("no image of the format") {
+    functions.getPhysicalDeviceImageFormatProperties =
+        [](VkPhysicalDevice, VkFormat, VkImageType, VkImageTiling, VkImageUsageFlags,
+           VkImageCreateFlags, VkImageFormatProperties*) { return VK_ERROR_FORMAT_NOT_SUPPORTED; };
+    CHECK(createWith(fixture, functions).result == LICHEN_ERROR_UNSUPPORTED);
+  }
+  SECTION("3-D images that are not deep enough") {
+    functions.getPhysicalDeviceImageFormatProperties =
+        [](VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
+           VkImageUsageFlags usage, VkImageCreateFlags flags, VkImageFormatProperties* properties) {
+          const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+              device, format, type, tiling, usage, flags, properties);
+          properties->maxExtent.depth = 64;
+          return result;
+        };
+    const Created created = createWith(fixture, functions);
+    CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
+    CHECK(created.message.find("32 x 32 x 128") != std::string::npos);
+  }
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a Vulkan 1.0 device, which reports no transfer features, is accepted") {
+  const Fixture fixture;
+  LichenVulkanFunctions functions = loadedFunctions();
+  functions.getPhysicalDeviceFormatProperties = [](VkPhysicalDevice device, VkFormat format,
+                                                   VkFormatProperties* properties) {
+    vkGetPhysicalDeviceFormatProperties(device, format, properties);
+    properties->optimalTilingFeatures &= ~VkFormatFeatureFlags(VK_FORMAT_FEATURE_TRANSFER_SRC_BIT |
+                                                               VK_FORMAT_FEATURE_TRANSFER_DST_BIT);
+  };
+  CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
+}
+
+TEST_CASE("only ordinary memory is allocated, and the next type when a heap is full") {
+  const Fixture fixture;
+  const LichenVulkanFunctions functions = ManyMemoryTypes::functions();
+  ManyMemoryTypes::asked.clear();
+  ManyMemoryTypes::full = VK_MAX_MEMORY_TYPES;
+  CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
+  CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4});
+  ManyMemoryTypes::asked.clear();
+  ManyMemoryTypes::full = 4;
+  CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
+  CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 5, 4, 5});
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a host that hands in too little, or what is not known, is told so") {
+  const Fixture fixture;
+  const LichenVulkanInfo good = defaultVulkanInfo(*fixture.device);
+  LichenVulkanFunctions functions = loadedFunctions();
+  HostMemory memory(*fixture.device);
+  LichenVulkanInfo info = good;
+  const auto refused = [&](LichenResult result, const char* word) {
+    const Created created = createAndDestroy(fixture, info);
+    INFO(created.message);
+    CHECK(created.result == result);
+    CHECK(created.message.find(word) != std::string::npos);
+    info = good;
+  };
+  info.device = VK_NULL_HANDLE;
+  refused(LICHEN_ERROR_USAGE, "device");
+  info.getInstanceProcAddr = nullptr;
+  refused(LICHEN_ERROR_USAGE, "getInstanceProcAddr");
+  functions.createImage = nullptr;
+  info.functions = &functions;
+  refused(LICHEN_ERROR_USAGE, "functions");
+  functions = loadedFunctions();
+  functions.size = offsetof(LichenVulkanFunctions, cmdPipelineBarrier); // an older header's table
+  info.functions = &functions;
+  refused(LICHEN_ERROR_USAGE, "functions");
+  memory.callbacks.release = nullptr;
+  info.deviceAllocator = &memory.callbacks;
+  refused(LICHEN_ERROR_USAGE, "release");
+  memory.callbacks.type = LICHEN_STRUCTURE_DIAGNOSTIC;
+  info.deviceAllocator = &memory.callbacks;
+  refused(LICHEN_ERROR_USAGE, "type");
+  info.flags = 2;
+  refused(LICHEN_ERROR_USAGE, "flags 0x2");
+  info.maxAnisotropy = std::numeric_limits<float>::quiet_NaN();
+  refused(LICHEN_ERROR_USAGE, "maxAnisotropy");
+  info.maxAnisotropy = 65.0f;
+  refused(LICHEN_ERROR_USAGE, "maxAnisotropy");
+  info.firstBinding = UINT32_MAX;
+  refused(LICHEN_ERROR_USAGE, "firstBinding");
+  info.headerVersion = LICHEN_HEADER_VERSION + 1;
+  refused(LICHEN_ERROR_VERSION, "headerVersion");
+  info.next = &info;
+  refused(LICHEN_ERROR_VERSION, "next");
+  // An older header, which ended before `stages`, gives the default.
+  info.size = offsetof(LichenVulkanInfo, stages);
+  info.stages = ~0u;
+  CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("NULL handles and outputs, and indices out of range, are refused") {
+  const Fixture fixture;
+  const LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  LichenVulkanContext context = nullptr;
+  LichenVulkanAssets assets = nullptr;
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  std::array<VkDescriptorImageInfo, 6> images{};
+  CHECK(lichenVulkanCreateContext(&info, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanCreateContext(nullptr, &context, nullptr) == LICHEN_ERROR_USAGE);
+  REQUIRE(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_SUCCESS);
+  CHECK(lichenVulkanCreateAssets(nullptr, fixture.bundle, &assets, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanCreateAssets(context, nullptr, &assets, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanCreateAssets(context, fixture.bundle, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  REQUIRE(lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr) == LICHEN_SUCCESS);
+  CHECK(lichenVulkanGetSetLayout(nullptr, 0, &layout) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSetLayout(assets, 1, &layout) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSetLayout(assets, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetImageInfos(nullptr, 0, images.data()) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetImageInfos(assets, 1, images.data()) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetImageInfos(assets, 0, nullptr) == LICHEN_ERROR_USAGE);
+  const auto allocate = [&](LichenVulkanAssets a, std::uint32_t noise, VkDescriptorPool pool,
+                            const VkDescriptorBufferInfo* uniforms, VkDescriptorSet* target) {
+    return lichenVulkanAllocateSet(a, noise, pool, uniforms, target, nullptr);
+  };
+  const VkDescriptorBufferInfo noBuffer{VK_NULL_HANDLE, 0, LICHEN_UNIFORM_BYTES};
+  const VkDescriptorBufferInfo tooShort{fixture.buffer.handle, 0, LICHEN_UNIFORM_BYTES - 1};
+  CHECK(allocate(nullptr, 0, fixture.pool, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 1, fixture.pool, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, VK_NULL_HANDLE, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, fixture.pool, nullptr, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, fixture.pool, &noBuffer, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, fixture.pool, &tooShort, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, fixture.pool, &fixture.uniforms, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanRecordUpload(nullptr, VK_NULL_HANDLE) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanRecordUpload(assets, VK_NULL_HANDLE) == LICHEN_ERROR_USAGE);
+  lichenVulkanReleaseStaging(assets);
+  const auto submitted = fixture.device->submit([&](VkCommandBuffer commands) {
+    CHECK(lichenVulkanRecordUpload(assets, commands) == LICHEN_ERROR_USAGE);
+  });
+  CHECK(submitted.ok());
+  lichenVulkanReleaseStaging(nullptr);
+  lichenVulkanRetireAssets(nullptr, 0);
+  lichenVulkanFrameCompleted(nullptr, 0);
+  lichenVulkanDestroyAssets(nullptr);
+  lichenVulkanDestroyContext(nullptr);
+  lichenVulkanDestroyAssets(assets);
+  lichenVulkanDestroyContext(context);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
