@@ -65,6 +65,8 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
       return file.error();
     FindingList findings;
     static_cast<void>(inspect(file.value(), folderOf(path), findings));
+    if (!findings.all().empty() && findings.all().front().code == kNotGltf)
+      return Error{ErrorKind::badInput, path.string() + ": " + findings.all().front().message};
     return findings.all();
   } catch (const std::bad_alloc&) {
     return notEnoughMemory(path.string());

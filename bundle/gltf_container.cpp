@@ -107,8 +107,8 @@ void splitText(std::span<const std::byte> file, GltfContainer& container) {
     return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
   });
   if (first == file.end() || char(*first) != '{')
-    fail("not-gltf", "neither a GLB (first bytes glTF) nor a JSON object; a .glb or .gltf is "
-                     "accepted");
+    fail(kNotGltf, "neither a GLB (first bytes glTF) nor a JSON object; a .glb or .gltf is "
+                   "accepted");
   container.text = file;
 }
 

@@ -3,6 +3,7 @@
 #include "command.h"
 #include "exemplar.h"
 #include "options.h"
+#include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/synthesize.h>
@@ -21,9 +22,6 @@ namespace {
 /// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
 constexpr int kTilesPerPreview = 2;
 
-/// What README.md recommends at most.
-constexpr int kPlentyOfPixels = 1024;
-
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
 
@@ -38,13 +36,33 @@ struct Arguments {
   PreviewShape preview{};
 };
 
-Result<void> checkInput(const std::filesystem::path& input) {
+Result<MapExemplar> readExemplar(const std::string& input, std::vector<std::string>& notes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(input, ignored))
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: a folder; one image file is accepted, such as its base colour",
-                             input.string())};
-  return {};
+                 input +
+                     ": a folder; one image file is accepted, such as the base colour of a set"};
+  const Result<ImageFile> image = readImage(input);
+  if (!image)
+    return image.error();
+  return baseColorExemplar(image.value(), notes);
+}
+
+/// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
+std::string asUtf8(const std::string& text) {
+  constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD, as toText() puts it
+  std::string valid = nlohmann::json::parse(toText(text));
+  if (valid == text)
+    return text;
+  for (std::size_t at; (at = valid.find(kReplacement)) != std::string::npos;)
+    valid.replace(at, kReplacement.size(), "_");
+  return valid;
+}
+
+Accepted<std::string> nameText() {
+  return {"NAME", "UTF-8 text", [](const std::string& text) {
+            return asUtf8(text) == text ? std::optional(text) : std::nullopt;
+          }};
 }
 
 Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
@@ -94,8 +112,6 @@ void report(const Arguments& arguments, const BundleFile& file, bool periodic,
     fmt::print("{}\n", toText(json));
     return;
   }
-  for (const std::string& line : notes)
-    note(arguments.shared, line);
   say(arguments.shared, fmt::format("{}: {} x {}, {} KiB of tables, {:.2f} s", arguments.output,
                                     gaussian.width, gaussian.height, tableBytes / 1024, seconds));
 }
@@ -104,24 +120,27 @@ Result<int> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
-  if (Result<void> checked = checkInput(arguments.input); !checked)
-    return checked.error();
-  const Result<ImageFile> image = readImage(arguments.input);
-  if (!image)
-    return image.error();
   std::vector<std::string> notes;
-  const MapExemplar exemplar = baseColorExemplar(image.value(), notes);
-  // Before the work, which takes minutes: the user may rather shrink the photograph.
-  if (std::max(exemplar.width, exemplar.height) > kPlentyOfPixels)
-    note(
-        arguments.shared,
-        fmt::format("{} x {} pixels take long to bake and much memory to use; 256 to {} a side are "
-                    "plenty",
-                    exemplar.width, exemplar.height, kPlentyOfPixels));
+  const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
+    for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
+      note(arguments.shared, notes[n]);
+  };
+  const Result<MapExemplar> exemplar = readExemplar(arguments.input, notes);
+  if (!exemplar)
+    return exemplar.error();
+  printNotes(0); // before the work: the user may rather have another photograph
+  const std::size_t printed = notes.size();
+
+  ProgressLine progress("bake", arguments.shared);
+  TilingOptions options = arguments.tiling;
+  options.progress = [&](double fraction) {
+    progress.show(fraction);
+    return true;
+  };
   const std::string name = arguments.name.empty()
-                               ? std::filesystem::path(arguments.input).stem().string()
+                               ? asUtf8(std::filesystem::path(arguments.input).stem().string())
                                : arguments.name;
-  Result<TilingBake> bake = bakeTiling(name, {&exemplar, 1}, arguments.tiling);
+  Result<TilingBake> bake = bakeTiling(name, {&exemplar.value(), 1}, options);
   if (!bake)
     return bake.error();
   const bool periodic = bake.value().exemplarWasPeriodic;
@@ -132,6 +151,8 @@ Result<int> run(const Arguments& arguments) {
     return file.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
+  progress.erase();
+  printNotes(printed);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(arguments, file.value(), periodic, notes, seconds.count());
   return kDone;
@@ -145,8 +166,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
   addValue(verb, "--method", arguments->method, oneOf<std::string>({{"tiling", "tiling"}}),
            "tiling", "The noise method");
-  addText(verb, "--name", arguments->name, "NAME",
-          "Name of noise and material [default: the input's]");
+  addValue(verb, "--name", arguments->name, nameText(), "",
+           "Name of noise and material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(1e-6, 1e6), "1",
            "Width of the exemplar in metres");

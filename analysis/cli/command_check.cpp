@@ -24,6 +24,10 @@ const char* severityName(Finding::Severity severity) {
   return severity == Finding::Severity::error ? "error" : "warning";
 }
 
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 Result<int> run(const Arguments& arguments) {
   const Result<std::vector<Finding>> findings = checkBundle(arguments.bundle);
   if (!findings)
@@ -48,8 +52,8 @@ Result<int> run(const Arguments& arguments) {
                                         {"findings", list}};
     fmt::print("{}\n", toText(report));
   }
-  say(arguments.shared, fmt::format("{}: {} errors, {} warnings", arguments.bundle, errors,
-                                    findings.value().size() - errors));
+  say(arguments.shared, fmt::format("{}: {}, {}", arguments.bundle, counted(errors, "error"),
+                                    counted(findings.value().size() - errors, "warning")));
   return errors == 0 ? kDone : kFound;
 }
 

@@ -2,6 +2,7 @@
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
 #include "options.h"
+#include "progress_line.h"
 
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
@@ -70,11 +71,17 @@ Result<int> run(Arguments& arguments) {
   arguments.synthesis.height = arguments.size[1];
   if (Result<void> resolved = resolve(bundle.value(), arguments); !resolved)
     return resolved.error();
+  ProgressLine progress("synth", arguments.shared);
+  arguments.synthesis.progress = [&](double fraction) {
+    progress.show(fraction);
+    return true;
+  };
   const Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
   if (!image)
     return image.error();
   if (Result<void> written = writeImage(arguments.output, image.value()); !written)
     return written.error();
+  progress.erase();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.shared.json) {
     const nlohmann::ordered_json report{{"output", arguments.output},

@@ -2,11 +2,18 @@
 // Image file (1 to 4 channels) -> base colour exemplar (3 channels).
 #include "exemplar.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace lichen::cli {
 namespace {
+
+/// What README.md recommends.
+constexpr int kFewPixels = 64;
+constexpr int kGoodPixels = 256;
+constexpr int kPlentyOfPixels = 1024;
 
 template <Encoding kEncoding>
 std::vector<float> redGreenBlue(const Image<kEncoding>& image, std::vector<std::string>& notes) {
@@ -23,6 +30,34 @@ std::vector<float> redGreenBlue(const Image<kEncoding>& image, std::vector<std::
   if (!opaque)
     notes.push_back("the image has an alpha channel that is not all opaque; it is ignored");
   return values;
+}
+
+/// Whether no channel varies by more than a rounding.
+bool isOneColour(const MapExemplar& map) {
+  const std::size_t channels = map.channels.size();
+  for (std::size_t c = 0; c < channels; ++c) {
+    float least = map.values[c], most = map.values[c];
+    for (std::size_t i = c; i < map.values.size(); i += channels) {
+      least = std::min(least, map.values[i]);
+      most = std::max(most, map.values[i]);
+    }
+    if (most - least > float(map.quantum))
+      return false;
+  }
+  return true;
+}
+
+void noteContent(const MapExemplar& map, std::vector<std::string>& notes) {
+  const auto noteSize = [&](const char* remark) {
+    notes.push_back(fmt::format("{} x {} pixels {}; {} to {} a side are best", map.width,
+                                map.height, remark, kGoodPixels, kPlentyOfPixels));
+  };
+  if (isOneColour(map))
+    notes.push_back("the image has only one colour, and so will the noise");
+  else if (std::min(map.width, map.height) < kFewPixels)
+    noteSize("show little of a material");
+  if (std::max(map.width, map.height) > kPlentyOfPixels)
+    noteSize("take long to bake and much memory to use");
 }
 
 } // namespace
@@ -50,6 +85,7 @@ MapExemplar baseColorExemplar(const ImageFile& file, std::vector<std::string>& n
     for (float& value : map.values)
       value = highRange ? std::log2(1.0f + value) : linearToSrgb(value);
   }
+  noteContent(map, notes);
   return map;
 }
 

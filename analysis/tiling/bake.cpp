@@ -7,7 +7,7 @@
 #include "mip_chain.h"
 #include "prefilter.h"
 
-#include <lichen/image.h>
+#include <lichen/image_io.h>
 #include <lichen/tiling.h>
 
 #include <algorithm>
@@ -19,8 +19,6 @@ namespace {
 
 using namespace tiling;
 using transport::TransportOptions;
-
-constexpr int kMaxSide = 16384;
 
 float decoded(float value, ValueEncoding encoding) {
   switch (encoding) {
@@ -49,9 +47,9 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   if (maps.empty())
     return usage("no map to bake: at least one is needed");
   for (const MapExemplar& map : maps) {
-    if (map.width < 1 || map.height < 1 || map.width > kMaxSide || map.height > kMaxSide)
+    if (map.width < 1 || map.height < 1 || map.width > kMaxImageSide || map.height > kMaxImageSide)
       return usage("a map of " + std::to_string(map.width) + " x " + std::to_string(map.height) +
-                   " pixels: sides from 1 to " + std::to_string(kMaxSide) + " are accepted");
+                   " pixels: sides from 1 to " + std::to_string(kMaxImageSide) + " are accepted");
     if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
       return usage("a map of " + std::to_string(map.channels.size()) +
                    " channels: 1 to 3 are accepted");

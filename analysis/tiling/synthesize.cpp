@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bundle and options -> image, pixel by pixel through the CPU twin.
+#include "progress_part.h"
+
+#include <lichen/image_io.h>
 #include <lichen/synthesize.h>
 
 #include <tbb/parallel_for.h>
@@ -12,21 +15,23 @@
 namespace lichen {
 namespace {
 
-constexpr int kMaxSide = 16384;
 constexpr double kMaxOrigin = 0x1p40;
 constexpr int kMaxPreviewSide = 1024;
 /// One pixel then spans 1,024 tiles, far beyond the last mip; a footprint must stay a finite float.
 constexpr double kLeastTexelsPerTile = 0x1p-10;
+/// Evaluated between two calls of the progress: up to a second's work, rows enough for many
+/// threads.
+constexpr int kPixelsPerStrip = 1 << 20;
 /// A smaller periodic lattice would need less than three columns and four rows.
 constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
 Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
-  if (options.width < 1 || options.height < 1 || options.width > kMaxSide ||
-      options.height > kMaxSide)
+  if (options.width < 1 || options.height < 1 || options.width > kMaxImageSide ||
+      options.height > kMaxImageSide)
     return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                 ": sides from 1 to " + std::to_string(kMaxSide) + " pixels are accepted");
+                 ": sides from 1 to " + std::to_string(kMaxImageSide) + " pixels are accepted");
   if (options.noise >= bundle.noises.size())
     return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
@@ -58,6 +63,15 @@ const Table& gaussianOf(const Bundle& bundle, std::size_t noise, std::size_t map
   return bundle.tables[bundle.noises[noise].maps[map].gaussian];
 }
 
+/// Where the image's top left corner lies from the lattice's whole tile origin. A periodic lattice
+/// begins at 0 and knows no origin: the corner lies inside its first period.
+double startOf(double origin, double periodTiles, bool periodic) {
+  if (!periodic)
+    return origin - std::floor(origin);
+  const double start = std::fmod(origin, periodTiles);
+  return start < 0.0 ? start + periodTiles : start;
+}
+
 /// As synthesize(), with pixels per tile along each axis; the options are in range.
 Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions& options,
                                    const std::array<double, 2>& pixelsPerTile, std::size_t map) {
@@ -69,13 +83,11 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   placement.periodic = options.tileable;
   placement.periodTilesX = options.width / pixelsPerTile[0];
   placement.periodTilesY = options.height / pixelsPerTile[1];
-  const std::array<double, 2> whole{std::floor(options.origin[0]), std::floor(options.origin[1])};
-  placement.tileOriginX = std::int64_t(whole[0]);
-  placement.tileOriginY = std::int64_t(whole[1]);
-  const std::array<double, 2> start =
-      options.tileable
-          ? std::array<double, 2>{0.0, 0.0}
-          : std::array<double, 2>{options.origin[0] - whole[0], options.origin[1] - whole[1]};
+  placement.tileOriginX = std::int64_t(std::floor(options.origin[0]));
+  placement.tileOriginY = std::int64_t(std::floor(options.origin[1]));
+  const std::array<double, 2> start{
+      startOf(options.origin[0], placement.periodTilesX, options.tileable),
+      startOf(options.origin[1], placement.periodTilesY, options.tileable)};
   MaterialNoise material;
   material.noise = options.noise;
   material.seed = options.seed;
@@ -85,7 +97,7 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
 
   LinearImage image(options.width, options.height,
                     int(bundle.noises[options.noise].maps[map].channels.size()));
-  tbb::parallel_for(0, image.height, [&](int y) {
+  const auto evaluateRow = [&](int y) {
     TileFootprint at;
     at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
     at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
@@ -96,7 +108,13 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
           evaluator.value().evaluate(map, parameters, at, options.blend);
       std::copy_n(value.begin(), image.channels, image.pixel(x, y));
     }
-  });
+  };
+  const ProgressPart progress(options.progress);
+  const int stripRows = std::max(1, kPixelsPerStrip / image.width);
+  for (int y = 0; y < image.height; y += stripRows) {
+    tbb::parallel_for(y, std::min(y + stripRows, image.height), evaluateRow);
+    progress.reach(double(std::min(y + stripRows, image.height)) / image.height);
+  }
   return image;
 }
 
@@ -104,6 +122,8 @@ Result<LinearImage> evaluateInMemory(const Bundle& bundle, const SynthesisOption
                                      const std::array<double, 2>& pixelsPerTile, std::size_t map) {
   try {
     return evaluatePixels(bundle, options, pixelsPerTile, map);
+  } catch (const Interrupted&) {
+    return Error{ErrorKind::environment, "interrupted"};
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::resources, "not enough memory for an image of " +
                                            std::to_string(options.width) + "x" +

@@ -92,6 +92,7 @@ TEST_CASE("bake refuses option values that it does not know, with those that it 
   for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
     checkBakeRefuses({"--seed", seed}, kUsage,
                      {"--seed " + seed + ": a whole number from 0 to 4294967295 is accepted"});
+  checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "UTF-8 text is accepted"});
   for (const std::string metres : {"0", "-1", "nan", "inf", "wide"})
     checkBakeRefuses({"--tile", metres}, kUsage,
                      {"--tile " + metres + ": a number from 1e-06 to 1000000 is accepted"});
@@ -204,7 +205,23 @@ TEST_CASE("synth and check refuse what is not a bundle") {
   for (const std::string& bundle : {m.workplace.path("absent.glb"), m.image, plain, truncated})
     checkRefusal({"synth", bundle, "-o", output}, kBadInput,
                  {std::filesystem::path(bundle).filename().string()});
-  checkRefusal({"check", m.workplace.path("absent.glb")}, kBadInput, {"absent.glb"});
+  for (const std::string& file : {m.workplace.path("absent.glb"), m.image})
+    checkRefusal({"check", file}, kBadInput, {std::filesystem::path(file).filename().string()});
+}
+
+TEST_CASE("check ends with 1 where a glTF has faults, however many") {
+  const Made& m = made();
+  const std::string whole = m.workplace.read("stone.glb");
+  const std::string half = m.workplace.write("half.glb", whole.substr(0, whole.size() / 2));
+  const std::string plain = m.workplace.write("plain.gltf", std::string("{\"asset\": 1}"));
+  for (const std::string& file : {half, plain})
+    for (const Arguments& more : {Arguments{}, {"--quiet"}, {"--json"}}) {
+      Arguments arguments{"check", file};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Ended ended = runLichen(arguments);
+      CHECK(ended.code == 1);
+      CHECK_THAT(ended.output, Catch::Contains("error"));
+    }
 }
 
 TEST_CASE("check names the faults of a broken bundle and ends with 1") {
@@ -217,5 +234,21 @@ TEST_CASE("check names the faults of a broken bundle and ends with 1") {
   const Ended ended = runLichen({"check", path});
   CHECK(ended.code == 1);
   CHECK_THAT(ended.output, Catch::Contains("error: ") && Catch::Contains("inverseTable"));
+  CHECK_THAT(ended.output, Catch::EndsWith(": 1 error, 0 warnings\n"));
   CHECK(ended.errors.empty());
+  const Ended quiet = runLichen({"check", path, "--quiet"});
+  CHECK_THAT(quiet.output, Catch::StartsWith("error: ") && !Catch::Contains("warning"));
+}
+
+TEST_CASE("check prints warnings, but not with --quiet, and ends with 0") {
+  const Made& m = made();
+  const std::string plain =
+      m.workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));
+  const Ended ended = runLichen({"check", plain});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.output, Catch::StartsWith("warning: "));
+  CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
+  const Ended quiet = runLichen({"check", plain, "--quiet"});
+  CHECK(quiet.code == 0);
+  CHECK(quiet.output.empty());
 }

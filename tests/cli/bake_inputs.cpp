@@ -180,3 +180,27 @@ TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
       runLichen({"bake", workplace.path("holed.png"), "-o", workplace.path("a.glb")});
   CHECK_THAT(ended.errors, Catch::Contains("note: ") && Catch::Contains("alpha"));
 }
+
+TEST_CASE("an image of one colour or of few pixels is noted, a good one is not") {
+  const Workplace workplace;
+  SrgbImage grey(100, 100, 3);
+  grey.values.assign(grey.values.size(), 0.4f);
+  const auto only = [&](const std::string& name, const SrgbImage& image) {
+    const auto notes = notesOf(workplace, workplace.write(name, image));
+    return notes.size() == 1 ? notes[0].get<std::string>() : std::to_string(notes.size());
+  };
+  CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));
+  CHECK_THAT(only("grey.png", grey), Catch::Contains("one colour"));
+  CHECK_THAT(only("stamp.png", smooth(16)), Catch::Contains("16 x 16 pixels show little"));
+  CHECK(only("good.png", smooth(128)) == "0");
+}
+
+TEST_CASE("a file name that is not UTF-8 becomes a name that is") {
+  const Workplace workplace;
+  const std::string input = workplace.write("caf\xe9.png", smooth(16));
+  const std::string bundle = bake(workplace, input, "noise.glb");
+  CHECK(synth(workplace, bundle, {"--noise", "caf_", "--size", "8"}).width == 8);
+  const std::string accented = workplace.write("caf\xc3\xa9.png", smooth(16));
+  bake(workplace, accented, "noise.glb");
+  CHECK(synth(workplace, bundle, {"--noise", "caf\xc3\xa9", "--size", "8"}).width == 8);
+}

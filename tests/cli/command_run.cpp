@@ -7,10 +7,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <fcntl.h>
 #include <numbers>
+#include <pty.h>
 #include <span>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -28,15 +30,41 @@ std::string textOf(const std::filesystem::path& path) {
   return text;
 }
 
+/// A terminal that a program writes to and we read.
+struct Terminal {
+  int ours = -1;
+  int theirs = -1;
+};
+
+Terminal openTerminal() {
+  Terminal terminal;
+  REQUIRE(::openpty(&terminal.ours, &terminal.theirs, nullptr, nullptr, nullptr) == 0);
+  return terminal;
+}
+
+/// What is written until the last program that has the terminal ends; closes it.
+std::string readTerminal(const Terminal& terminal) {
+  ::close(terminal.theirs);
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (ssize_t got; (got = ::read(terminal.ours, buffer.data(), buffer.size())) > 0;)
+    text.append(buffer.data(), std::size_t(got));
+  ::close(terminal.ours);
+  return text;
+}
+
 /// In the child: never returns.
 [[noreturn]] void become(const std::filesystem::path& program, const Arguments& arguments,
                          const Limits& limits, const std::filesystem::path& output,
-                         const std::filesystem::path& errors) {
+                         const std::filesystem::path& errors, const Terminal& terminal) {
   const auto redirect = [](const std::filesystem::path& path, int descriptor) {
     ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
   };
   redirect(output, STDOUT_FILENO);
-  redirect(errors, STDERR_FILENO);
+  if (limits.terminal)
+    ::dup2(terminal.theirs, STDERR_FILENO);
+  else
+    redirect(errors, STDERR_FILENO);
   if (limits.fileBytes > 0) {
     std::signal(SIGXFSZ, SIG_IGN); // write() then fails, as on a full disk
     const rlimit limit{limits.fileBytes, limits.fileBytes};
@@ -58,21 +86,25 @@ Ended run(const std::filesystem::path& program, const Arguments& arguments, cons
   const TemporaryFolder folder;
   const std::filesystem::path output = folder.path() / "output";
   const std::filesystem::path errors = folder.path() / "errors";
+  const Terminal terminal = limits.terminal ? openTerminal() : Terminal{};
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0)
-    become(program, arguments, limits, output, errors);
+    become(program, arguments, limits, output, errors, terminal);
   if (limits.killedAfterMs > 0) {
     ::usleep(limits.killedAfterMs * 1000);
-    ::kill(child, SIGTERM);
+    ::kill(child, limits.signal);
   }
+  Ended ended;
+  if (limits.terminal)
+    ended.errors = readTerminal(terminal);
   int status = 0;
   REQUIRE(::waitpid(child, &status, 0) == child);
-  Ended ended;
   ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   // A child that was ended early may not have opened them.
   ended.output = std::filesystem::exists(output) ? textOf(output) : "";
-  ended.errors = std::filesystem::exists(errors) ? textOf(errors) : "";
+  if (std::filesystem::exists(errors))
+    ended.errors = textOf(errors);
   return ended;
 }
 

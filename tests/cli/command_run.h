@@ -4,6 +4,7 @@
 
 #include <lichen/image.h>
 
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -23,7 +24,9 @@ struct Ended {
 
 struct Limits {
   std::size_t fileBytes = 0;  ///< writing beyond fails, as on a full disk; 0 for no limit
-  unsigned killedAfterMs = 0; ///< SIGTERM then; 0 for never
+  unsigned killedAfterMs = 0; ///< `signal` then; 0 for never
+  int signal = SIGTERM;
+  bool terminal = false; ///< standard error is one
 };
 
 /// Runs a program and waits for its end.

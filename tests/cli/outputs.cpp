@@ -158,19 +158,36 @@ TEST_CASE("a full disk leaves the old file whole and no partial one") {
   CHECK(workplace.names() == names);
 }
 
-TEST_CASE("an interrupted bake leaves the old bundle or the new one, whole") {
+TEST_CASE("an interrupted bake leaves the old bundle or the new one, whole, and nothing else") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(24));
   const std::string bundle = bake(workplace, input, "moss.glb");
   const std::string before = workplace.read("moss.glb");
   bake(workplace, input, "other.glb", {"--seed", "2"});
   const std::string after = workplace.read("other.glb");
+  const Names names = workplace.names();
   REQUIRE((before != after));
-  for (const unsigned milliseconds : {1u, 20u, 60u, 150u, 400u}) {
-    Limits limits;
-    limits.killedAfterMs = milliseconds;
-    static_cast<void>(runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits));
-    const std::string now = workplace.read("moss.glb");
-    CHECK((now == before || now == after));
-  }
+  for (const int signal : {SIGINT, SIGTERM})
+    for (const unsigned milliseconds : {1u, 20u, 60u, 150u, 400u}) {
+      Limits limits;
+      limits.killedAfterMs = milliseconds;
+      limits.signal = signal;
+      static_cast<void>(runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits));
+      const std::string now = workplace.read("moss.glb");
+      CHECK((now == before || now == after));
+      CHECK(workplace.names() == names);
+    }
+}
+
+TEST_CASE("a bake that is interrupted while it works ends at once and leaves the old bundle") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", speckled(512, 512, 3));
+  const std::string bundle = workplace.write("moss.glb", std::string("the old one"));
+  Limits limits;
+  limits.killedAfterMs = 500; // of seconds
+  limits.signal = SIGINT;
+  const Ended ended = runLichen({"bake", input, "-o", bundle, "--threads", "1"}, limits);
+  CHECK(ended.code == -1); // by the signal, so that a script that called it stops too
+  CHECK(workplace.read("moss.glb") == "the old one");
+  CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
 }

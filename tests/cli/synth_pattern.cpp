@@ -94,6 +94,22 @@ TEST_CASE("opposite borders of a tileable image continue each other") {
   }
 }
 
+TEST_CASE("--origin shifts a tileable image in itself") {
+  const int side = 3 * kExemplarSide;
+  const SrgbImage still = made({"--size", "96x96", "--tileable"});
+  const SrgbImage shifted = made({"--size", "96x96", "--tileable", "--origin", "3000000.5,-1.25"});
+  SrgbImage expected(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      std::copy_n(
+          still.pixel((x + kExemplarSide / 2) % side, (y + side - kExemplarSide * 5 / 4) % side), 3,
+          expected.pixel(x, y));
+  CHECK(shareOfDifferent(shifted, still) > 0.9);
+  CHECK(shareOfDifferent(shifted, expected) == 0.0);
+  CHECK(seam(shifted, false) < 1.5);
+  CHECK(seam(shifted, true) < 1.5);
+}
+
 TEST_CASE("a tileable image is as varied as an endless one") {
   const SrgbImage tileable = made({"--size", "128x128", "--tileable"});
   const SrgbImage plain = made({"--size", "128x128"});

@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/image.h>
+#include <lichen/progress.h>
 #include <lichen/result.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -20,19 +21,22 @@ struct SynthesisOptions {
   /// Pixels across one exemplar's width, [1/1024, 2^24]; 0 for the exemplar's own, one texel a
   /// pixel.
   double texelsPerTile = 0.0;
-  /// Of the image's top left corner, in tiles. The integer part may be as large as 2^40.
+  /// Of the image's top left corner, in tiles, up to 2^40. Shifts a tileable image in itself: what
+  /// leaves at one border enters at the opposite one.
   std::array<double, 2> origin{0.0, 0.0};
   std::uint32_t seed = 1;
   bool tileable = false;       ///< opposite borders continue each other; at least half a tile
   double blendSharpness = 1.0; ///< [0.25, 16]
   double contrast = 1.0;       ///< [0, 4]
   BlendOperator blend = BlendOperator::histogramPreserving;
+  Progress progress; ///< empty: nobody watches
 };
 
 /// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
 /// footprint of one pixel. The result holds decoded values: light for colour; as many channels as
 /// the map has. Errors: usage for options out of range or a map that the noise has not; resources
-/// for memory. Multi-threaded, the same result for any number of threads.
+/// for memory; environment when `options.progress` stops it. Multi-threaded, the same result for
+/// any number of threads.
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
 /// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a

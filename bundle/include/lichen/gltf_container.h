@@ -20,6 +20,9 @@ struct GltfContainer {
   std::optional<std::span<const std::byte>> binaryChunk;
 };
 
+/// The code of the fault of a file that is no glTF at all.
+inline constexpr const char* kNotGltf = "not-gltf";
+
 /// Takes the frame off a .glb or .gltf and parses its JSON, up to 64 MiB of it, 64 levels deep; or
 /// says what is wrong. The fault's code is "memory" when memory did not suffice.
 [[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);

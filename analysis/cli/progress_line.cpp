@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Progress over a terminal's line, with the control codes that every terminal has.
+#include "progress_line.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace lichen::cli {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kQuietStart = 1s; // what is done sooner needs no line
+constexpr auto kInterval = 200ms;
+/// Before a hundredth is done, an estimate of the rest would jump.
+constexpr double kLeastForEstimate = 0.01;
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  return whole < 60 ? fmt::format("{} s", whole)
+                    : fmt::format("{} min {} s", whole / 60, whole % 60);
+}
+
+} // namespace
+
+ProgressLine::ProgressLine(std::string operation, const SharedOptions& options)
+    : operation_(std::move(operation)), wanted_(!options.quiet && ::isatty(STDERR_FILENO) == 1) {}
+
+void ProgressLine::show(double fraction) {
+  std::string text = fmt::format("{}: {} %", operation_, int(100.0 * fraction));
+  if (fraction >= kLeastForEstimate) {
+    const std::chrono::duration<double> gone = Clock::now() - start_;
+    text += fmt::format(", {} left", duration(gone.count() * (1.0 - fraction) / fraction));
+  }
+  write(text);
+}
+
+void ProgressLine::erase() {
+  if (shown_)
+    fmt::print(stderr, "\r\x1b[K");
+  shown_ = false;
+}
+
+void ProgressLine::write(const std::string& text) {
+  const Clock::time_point now = Clock::now();
+  if (!wanted_ || now - start_ < kQuietStart || (shown_ && now - last_ < kInterval))
+    return;
+  fmt::print(stderr, "\r\x1b[K{}", text);
+  std::fflush(stderr);
+  shown_ = true;
+  last_ = now;
+}
+
+} // namespace lichen::cli
