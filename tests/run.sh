@@ -3,6 +3,8 @@
 # tests/run.sh: every test but the long ones, on a bare Debian 12. Installs the packages that are
 # missing, builds, and runs the suite twice: optimized, and with the address and undefined-behaviour
 # sanitizers. The last line counts the tests of both runs; exit status 1 when one failed.
+# A test that is skipped has failed too, since all that tests need is installed here, a software
+# Vulkan device included; LICHEN_ALLOW_SKIPPED=1 lets them pass where that cannot be.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -56,7 +58,13 @@ run_suite release
 run_suite asan-ubsan
 
 step 'Result'
-[[ ${#skipped[@]} -eq 0 ]] || printf 'skipped: %s\n' "${skipped[@]}"
+for test in "${skipped[@]}"; do
+  if [[ ${LICHEN_ALLOW_SKIPPED:-} == 1 ]]; then
+    echo "skipped: $test"
+  else
+    failed+=("$test (skipped; LICHEN_ALLOW_SKIPPED=1 allows it)")
+  fi
+done
 [[ ${#failed[@]} -eq 0 ]] || printf 'FAILED: %s\n' "${failed[@]}"
 printf '%d passed, %d failed\n' "$passed" "${#failed[@]}"
 [[ $passed -gt 0 && ${#failed[@]} -eq 0 ]]
