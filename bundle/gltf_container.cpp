@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Frame of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting depth
 // is checked before it is used.
+#include "json_builder.h"
+
 #include <lichen/gltf_container.h>
 
 #include <algorithm>
@@ -112,22 +114,17 @@ void splitText(std::span<const std::byte> file, GltfContainer& container) {
   container.text = file;
 }
 
-json parseJson(std::span<const std::byte> text) {
+void parseJson(std::span<const std::byte> text, json& document) {
   if (text.size() > kMaxJsonBytes)
     fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; at most " +
                           std::to_string(kMaxJsonBytes) + " are accepted");
   if (nestsTooDeep(text))
     fail("json-depth",
          "JSON nested deeper than the accepted " + std::to_string(kMaxJsonDepth) + " levels");
-  json document;
-  try {
-    const auto* begin = reinterpret_cast<const char*>(text.data());
-    document = json::parse(begin, begin + text.size());
-  } catch (const json::parse_error& error) {
-    fail("json-syntax", "JSON syntax error at byte " + std::to_string(error.byte));
-  } catch (const json::exception&) { // a number beyond the range of double
-    fail("json-syntax", "JSON with a number that is out of range");
-  }
+  if (const std::optional<JsonFault> fault = buildJson(text, document))
+    fail("json-syntax", fault->isRange
+                            ? "JSON with a number that is out of range"
+                            : "JSON syntax error at byte " + std::to_string(fault->byte));
   if (!document.is_object())
     fail("json-syntax", "the JSON document is not an object");
   const auto asset = document.find("asset");
@@ -135,10 +132,11 @@ json parseJson(std::span<const std::byte> text) {
       !(*asset)["version"].is_string() ||
       (*asset)["version"].get_ref<const std::string&>().rfind("2.", 0) != 0)
     fail("asset-version", "absent or not 2.x; \"2.0\" is accepted", "/asset/version");
-  return document;
 }
 
 } // namespace
+
+GltfContainer::~GltfContainer() { dismantle(document); }
 
 std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file) {
   try {
@@ -148,7 +146,7 @@ std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file) {
       splitGlb(file, container);
     else
       splitText(file, container);
-    container.document = parseJson(container.text);
+    parseJson(container.text, container.document);
     return container;
   } catch (Fault& fault) {
     return std::move(fault.finding);

@@ -5,6 +5,7 @@
 #include "temporary_folder.h"
 
 #include <lichen/files.h>
+#include <lichen/gltf_container.h>
 
 #include <catch2/catch.hpp>
 
@@ -42,6 +43,22 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
 }
 
 } // namespace
+
+TEST_CASE("a document is what nlohmann's own parser makes of its text") {
+  for (const std::string rest :
+       {R"("a": null, "b": [true, false, [], {}, [[1], {"c": {}}]])",
+        R"("a": -1, "b": 18446744073709551615, "c": 0.1, "d": 1e300, "e": 18446744073709551616)",
+        R"("a": "\u00e9\ud83c\udf3f\n", "": "the empty name", "b": {"a": {"a": []}})",
+        R"("a": {"b": [1, 2, {"c": 3}]}, "a": [4], "a": {"b": "the last counts"})"}) {
+    const std::string text = R"({"asset": {"version": "2.0"}, )" + rest + "}";
+    const auto opened = openGltf(std::as_bytes(std::span(text)));
+    REQUIRE(std::holds_alternative<GltfContainer>(opened));
+    CHECK(std::get<GltfContainer>(opened).document == nlohmann::json::parse(text));
+  }
+  const std::string fault = R"({"asset": {"version": "2.0"}, "a" 1})";
+  CHECK(checkBundle(std::as_bytes(std::span(fault))).front().message ==
+        "JSON syntax error at byte 35");
+}
 
 TEST_CASE("every truncated length of a GLB is refused") {
   const std::vector<std::byte> file = smallFile();

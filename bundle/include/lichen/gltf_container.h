@@ -13,6 +13,11 @@
 namespace lichen {
 
 struct GltfContainer {
+  GltfContainer() = default;
+  GltfContainer(GltfContainer&&) noexcept = default;
+  GltfContainer& operator=(GltfContainer&&) noexcept = default;
+  ~GltfContainer(); ///< allocates nothing, unlike the document's own destructor
+
   nlohmann::json document; ///< an object; asset.version is 2.x
   bool isGlb = false;
   std::span<const std::byte> text; ///< of the document, borrowed from the file's bytes

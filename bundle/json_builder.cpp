@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// JSON text -> nlohmann::json; see json_builder.h.
+#include "json_builder.h"
+
+#include <utility>
+#include <vector>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+/// Receives the parser's events. A value is added empty and filled in its place, so that no nested
+/// value is ever held by a temporary.
+class Builder : public json::json_sax_t {
+public:
+  explicit Builder(json& root) : root_(root) {}
+
+  [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(json::number_integer_t value) override { return add(value); }
+  bool number_unsigned(json::number_unsigned_t value) override { return add(value); }
+  bool number_float(json::number_float_t value, const std::string&) override { return add(value); }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(json::binary_t& value) override { return add(std::move(value)); }
+  bool start_object(std::size_t) override { return open(json::value_t::object); }
+  bool start_array(std::size_t) override { return open(json::value_t::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
+    key_ = std::move(name);
+    return true;
+  }
+  bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override {
+    fault_ = JsonFault{byte, dynamic_cast<const json::out_of_range*>(&error) != nullptr};
+    return false;
+  }
+
+private:
+  json& place(json value) {
+    if (open_.empty())
+      return root_ = std::move(value);
+    json& parent = *open_.back();
+    if (parent.is_array()) {
+      parent.push_back(std::move(value));
+      return parent.back();
+    }
+    json& member = parent[key_];
+    dismantle(member); // of an earlier member of the same name
+    return member = std::move(value);
+  }
+  bool add(json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(json::value_t type) {
+    open_.push_back(&place(type));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  json& root_;
+  /// The arrays and objects around the next value. None moves before it is closed.
+  std::vector<json*> open_;
+  std::string key_;
+  std::optional<JsonFault> fault_;
+};
+
+} // namespace
+
+std::optional<JsonFault> buildJson(std::span<const std::byte> text, nlohmann::json& document) {
+  Builder builder(document);
+  const auto* begin = reinterpret_cast<const char*>(text.data());
+  json::sax_parse(begin, begin + text.size(), &builder);
+  return builder.fault();
+}
+
+void dismantle(nlohmann::json& value) noexcept {
+  if (auto* array = value.get_ptr<json::array_t*>()) {
+    for (; !array->empty(); array->pop_back())
+      dismantle(array->back());
+  } else if (auto* object = value.get_ptr<json::object_t*>()) {
+    for (; !object->empty(); object->erase(object->begin()))
+      dismantle(object->begin()->second);
+  }
+}
+
+} // namespace lichen
