@@ -4,6 +4,7 @@
 // Sampling, eq. 11 to 13].
 #include "environment.h"
 
+#include "orthonormal_frame.h"
 #include "sky.h"
 
 #include <algorithm>
@@ -86,13 +87,6 @@ glm::vec2 hammersley(std::uint32_t i, std::uint32_t n) {
   return {(float(i) + 0.5f) / float(n), (float(bits) + 0.5f) * kTwoToMinus32};
 }
 
-/// Columns: two tangents and the normal.
-glm::mat3 frameOf(glm::vec3 n) {
-  const glm::vec3 axis = std::abs(n.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 t = glm::normalize(glm::cross(axis, n));
-  return {t, glm::cross(n, t), n};
-}
-
 glm::vec3 onHemisphere(float cosine, float azimuth) {
   const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
   return {std::cos(azimuth) * sine, std::sin(azimuth) * sine, cosine};
@@ -164,7 +158,7 @@ CubeLevel fillCube(int side, const std::function<glm::vec3(glm::vec3)>& valueAlo
 
 glm::vec3 average(const PanoramaPyramid& pyramid, glm::vec3 axis,
                   const std::vector<Sample>& samples) {
-  const glm::mat3 frame = frameOf(axis);
+  const glm::mat3 frame = frameAlong(axis);
   glm::vec3 sum(0.0f);
   float weights = 0.0f;
   for (const Sample& sample : samples) {

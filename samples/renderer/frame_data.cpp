@@ -3,6 +3,7 @@
 #include "frame_data.h"
 
 #include "environment.h"
+#include "orthonormal_frame.h"
 #include "sampling.h"
 
 #include <algorithm>
@@ -45,9 +46,8 @@ shader::LightData lightData(const Light& light) {
 }
 
 glm::vec3 tilted(glm::vec3 direction, glm::vec2 disc, float radius) {
-  const glm::vec3 axis = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 x = glm::normalize(glm::cross(axis, direction));
-  return glm::normalize(direction + radius * (x * disc.x + glm::cross(direction, x) * disc.y));
+  const glm::mat3 frame = frameAlong(direction);
+  return glm::normalize(direction + radius * (frame[0] * disc.x + frame[1] * disc.y));
 }
 
 /// Uniform over the sky above kLeastSkyHeight.

@@ -3,6 +3,7 @@
 // floats are as precise far away as near [Reed 2015, Depth Precision Visualized].
 #include "framing.h"
 
+#include "orthonormal_frame.h"
 #include "printable.h"
 
 #include <algorithm>
@@ -127,11 +128,10 @@ glm::mat4 clipFromWorld(const Camera& camera, float aspect, glm::vec2 jitterClip
 }
 
 glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject) {
-  const glm::vec3 axis = std::abs(toward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 x = glm::normalize(glm::cross(axis, toward));
-  const glm::vec3 y = glm::cross(toward, x);
+  const glm::mat3 frame = frameAlong(toward);
   const float scale = 1.0f / subject.radius;
-  const glm::mat3 rows = glm::transpose(glm::mat3(x * scale, y * scale, toward * (-0.5f * scale)));
+  const glm::mat3 rows =
+      glm::transpose(glm::mat3(frame[0] * scale, frame[1] * scale, frame[2] * (-0.5f * scale)));
   return glm::mat4(glm::vec4(rows[0], 0), glm::vec4(rows[1], 0), glm::vec4(rows[2], 0),
                    glm::vec4(rows * -subject.center + glm::vec3(0, 0, 0.5f), 1));
 }

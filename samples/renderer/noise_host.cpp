@@ -13,6 +13,13 @@ namespace {
 constexpr std::uint32_t kUniformStride = 1024; // LICHEN_UNIFORM_BYTES on any device's alignment
 static_assert(kUniformStride >= LICHEN_UNIFORM_BYTES && kUniformStride % 256 == 0);
 
+// Roles are the first targets; height and opacity are none.
+static_assert(NOISE_BASE_COLOR == int(LICHEN_TARGET_BASE_COLOR) &&
+              NOISE_NORMAL == int(LICHEN_TARGET_NORMAL) &&
+              NOISE_ORM == int(LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC) &&
+              NOISE_EMISSIVE == int(LICHEN_TARGET_EMISSIVE) &&
+              NOISE_ROLES == int(LICHEN_TARGET_HEIGHT));
+
 template <class T>
 T initialized(LichenStructureType type) {
   T object;
@@ -107,9 +114,9 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
     if (map.target < NOISE_ROLES)
       roles.map[map.target] = int(m);
     else
-      notes_.push_back("the " +
-                       std::string(map.target == LICHEN_TARGET_HEIGHT ? "height" : "opacity") +
-                       " of the noise " + printable(properties.name) + " is not drawn");
+      notes_.insert("the " +
+                    std::string(map.target == LICHEN_TARGET_HEIGHT ? "height" : "opacity") +
+                    " of the noise " + printable(properties.name) + " is not drawn");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,8 @@ public:
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
 
-  /// What of the noises is not drawn, one sentence each for each material that uses them.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// What of the materials' noises is not drawn, one sentence each.
+  [[nodiscard]] const std::set<std::string>& notes() const { return notes_; }
 
 private:
   struct Release {
@@ -66,7 +67,7 @@ private:
   std::vector<std::uint32_t> noises_; ///< of each material, LICHEN_NO_NOISE for none
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
-  std::vector<std::string> notes_;
+  std::set<std::string> notes_;
 };
 
 } // namespace lichen::renderer

@@ -121,7 +121,7 @@ private:
   }
 
   void collectNotes() {
-    notes_ = noises_.notes();
+    notes_.assign(noises_.notes().begin(), noises_.notes().end());
     if (inputs_.lighting.dropped > 0)
       notes_.push_back("the scene has " +
                        std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +

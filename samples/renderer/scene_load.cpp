@@ -3,6 +3,7 @@
 #include "geometry.h"
 #include "gltf_file.h"
 #include "material_load.h"
+#include "orthonormal_frame.h"
 #include "printable.h"
 #include "scene.h"
 #include "scene_validate.h"
@@ -112,10 +113,8 @@ glm::mat4 localMatrix(const tinygltf::Node& node) {
 glm::mat4 rigid(const glm::mat4& m) {
   const glm::vec3 back = glm::vec3(m[2]);
   const glm::vec3 z = glm::length(back) > 0.0f ? glm::normalize(back) : glm::vec3(0, 0, 1);
-  const glm::vec3 up = std::abs(z.y) < 0.999f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
-  const glm::vec3 sideways = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
-  const glm::vec3 y =
-      glm::normalize(glm::length(sideways) > 0.0f ? sideways : up - z * glm::dot(z, up));
+  const glm::vec3 up = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
+  const glm::vec3 y = glm::length(up) > 0.0f ? glm::normalize(up) : frameAlong(z)[1];
   return glm::mat4(glm::vec4(glm::cross(y, z), 0), glm::vec4(y, 0), glm::vec4(z, 0), m[3]);
 }
 
@@ -306,6 +305,8 @@ Result<Scene> loadScene(GltfFile& file) {
     return named(materials.error());
   if (Result<void> walked = NodeWalk(model.value(), scene).run(); !walked)
     return named(walked.error());
+  std::sort(scene.notes.begin(), scene.notes.end());
+  scene.notes.erase(std::unique(scene.notes.begin(), scene.notes.end()), scene.notes.end());
   const auto hasNoise = [](const Material& material) { return material.hasNoise; };
   if (std::any_of(scene.materials.begin(), scene.materials.end(), hasNoise))
     scene.noiseBundle = noiseBundle(file, model.value());

@@ -454,8 +454,6 @@ Result<void> validateScene(const GltfFile& file, std::vector<std::string>& notes
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::resources, file.path.string() + ": not enough memory to check it"};
   }
-  std::sort(notes.begin(), notes.end());
-  notes.erase(std::unique(notes.begin(), notes.end()), notes.end());
   return {};
 }
 
