@@ -4,7 +4,8 @@
 // One unit of tile space is one exemplar. Rows of vertices lie 1 / kLatticeRowsPerTile apart, odd
 // rows shifted by half a cell: vertex (i, j) stands at x = (i + j / 2) / columnsPerTile,
 // y = j / rowsPerTile. With kLatticeRowsPerTile = 4 and columns = 2 sqrt(3) the triangles are
-// equilateral, with the side 1 / (2 sqrt(3)) of [HN18]'s own shader.
+// equilateral, with the side 1 / (2 sqrt(3)) of [HN18]'s own shader. All functions are pure, and so
+// safe on any thread.
 #pragma once
 
 #include <array>
@@ -80,8 +81,8 @@ struct Lattice {
 [[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles);
 
 /// Where an integer tile origin lies in the lattice's skewed coordinates: the cell, and the place
-/// inside it in [0, 1). Computed in double, exact for |tile| up to 2^40; the cell is taken modulo
-/// 2^32, as the hash takes it.
+/// inside it in [0, 1), the nearest float for |tile| up to 2^40; the cell is taken modulo 2^32, as
+/// the hash takes it.
 struct LatticeOrigin {
   std::array<std::int32_t, 2> cell{0, 0};
   std::array<float, 2> fraction{0.0f, 0.0f};
