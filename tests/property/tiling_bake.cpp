@@ -204,11 +204,14 @@ TEST_CASE("white noise loses what bilinear fetching and averaging of white noise
   REQUIRE(lost.perMip.size() == 9);
   for (std::size_t mip = 0; mip < 4; ++mip) {
     const double kept = 4.0 / 9.0 * std::pow(0.25, double(mip));
-    // Sampling error of a sample autocovariance over n texels: about 4 / sqrt(3 n) here.
+    // Over n texels and 3 channels the squared standard error of sum b(k) R(k) is (1/4)^2m / n
+    // times (4/9)^2 (2/3) for R(0), which only whole mips have exactly, and 0.035 for its
+    // neighbours: 0.41 (1/4)^m / sqrt(n). The tolerance is 4.4 of them, alpha 1e-5 a mip.
     const double texels = 65536.0 * std::pow(0.25, double(mip));
     CHECK(1.0 - scalarLoss(lost.perMip[mip]) ==
           Approx(kept).margin(4.0 * kept / std::sqrt(texels)));
   }
+  // Twice a correlation's standard error, 2 / sqrt(3 x 65536) = 0.0045; 4.4 of them.
   CHECK(lost.bilinear[0] == Approx(2.0).margin(0.02));
   CHECK(lost.bilinear[1] == Approx(2.0).margin(0.02));
 }
@@ -287,8 +290,8 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
     }
     const double mean = sum / kSamples;
     const double deviationOfValue = std::sqrt(std::max(0.0, squares / kSamples - mean * mean));
-    // Five standard errors of the Monte Carlo mean, and of the slab's own 64 stratified samples,
-    // whose error is below a third of independent samples'.
+    // Five standard errors of the Monte Carlo mean, alpha 6e-7, and of the slab's own 64 stratified
+    // samples, whose error is below a third of independent samples'.
     const double tolerance =
         5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 1.0 / 24.0);
     CHECK(double(slabs[kSlab].values[3 * cell]) == Approx(mean).margin(tolerance));
