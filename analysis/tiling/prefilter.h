@@ -12,19 +12,22 @@ namespace lichen::tiling {
 /// Slabs of a table: steps of 1/7 in kept amplitude (docs/decisions/002-inverse-table.md).
 inline constexpr int kTableLevels = 8;
 
-/// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k.
+/// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k: kTableLevels values
+/// from 0 to 1, in units of the full variance.
 [[nodiscard]] std::vector<double> tableLevels();
 
 /// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36) and S the covariance that fetches
 /// have lost when the mean loss is levels[k]: interpolated between the mips' in `lost`. Slab 0 is
 /// the table itself, the last the constant mean. Each slab's mean over the Gaussian values that
-/// remain is the table's mean.
+/// remain is the table's mean. `lost.perMip` has at least one matrix, symmetric and with
+/// eigenvalues in [0, 1], of as many rows as the table has dimensions. Throws std::bad_alloc.
 [[nodiscard]] std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
                                                          const LostVariance& lost);
 
-/// The slabs as one KTX2-ready table: D = 1 2-D (256 x L), D = 2 2-D (64 x 64 L), D = 3 3-D
-/// (32 x 32 x 32 L). Format by encoding and bits: RGBA8 SRGB for light, RGBA8 UNORM for other data
-/// in [0, 1], RGBA16F otherwise; one- and two-channel data as R and RG.
+/// The slabs (at least one, all of one shape) as one KTX2-ready table: D = 1 2-D (256 x L), D = 2
+/// 2-D (64 x 64 L), D = 3 3-D (32 x 32 x 32 L). Format by encoding and bits, 8 or 16: RGBA8 SRGB
+/// for light, RGBA8 UNORM for other data in [0, 1], RGBA16F otherwise; one- and two-channel data as
+/// R and RG. A fourth channel is 1.
 [[nodiscard]] Table inverseTableTexels(const std::vector<InverseTable>& slabs,
                                        ValueEncoding encoding, int bits);
 

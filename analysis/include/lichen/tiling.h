@@ -13,22 +13,29 @@
 
 namespace lichen {
 
-/// One map of an exemplar: `channels.size()` (1 to 3) interleaved values a pixel, row 0 at the top,
-/// in the encoding stated.
+/// One map of an exemplar: `channels.size()` interleaved values a pixel, row 0 at the top, in the
+/// encoding stated; value (x, y, c) is values[(y * width + x) * channels.size() + c].
 struct MapExemplar {
   MapTarget target = MapTarget::baseColor;
-  std::vector<MapChannel> channels;
+  std::vector<MapChannel> channels; ///< [1, 3], in the order of the values
   ValueEncoding encoding = ValueEncoding::srgb;
-  int width = 0;
-  int height = 0;
-  std::vector<float> values; ///< width * height * channels.size(), finite
-  /// The step between neighbouring stored values: 1/255 of an 8-bit file. Variation below its
-  /// rounding error counts as none.
+  int width = 0;  ///< pixels, [1, 16384]
+  int height = 0; ///< pixels, [1, 16384]
+  /// width * height * channels.size(), finite. Nominally in [0, 1] for srgb and linear, slopes of
+  /// [-20, 20] for slope, log2(1 + x) for log2; others are baked too, but 8-bit tables of srgb and
+  /// linear maps clamp to [0, 1].
+  std::vector<float> values;
+  /// The step between neighbouring stored values, (0, 1]: 1/255 of an 8-bit file. Variation below
+  /// its rounding error counts as none.
   double quantum = 1.0 / 255.0;
 };
 
 /// Whether the exemplar's opposite borders fit together.
-enum class Periodic { detect, yes, no };
+enum class Periodic {
+  detect, ///< measured on every map; one that does not tile makes all of them be blended
+  yes,
+  no
+};
 
 struct TilingOptions {
   Periodic periodic = Periodic::detect;
@@ -39,16 +46,17 @@ struct TilingOptions {
 
 /// What a bake made: tables numbered from 0 in the maps of `noise`.
 struct TilingBake {
-  Noise noise;
+  Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
-/// prefiltered slabs. Maps have sides of 1 to 16,384 pixels. Errors: usage for options or maps
-/// outside their ranges, resources when memory does not suffice,
-/// environment when `options.progress` stops it. Deterministic for any number of
-/// threads. O(N log N) in the number of pixels.
+/// prefiltered slabs. At least one map, each within the ranges above; maps may differ in size.
+/// `name` names the noise and, with the target, its tables.
+/// Errors: usage for options or maps outside their ranges, resources when memory does not suffice,
+/// environment when `options.progress` stops it. Thread-safe; runs on all cores, and the same bytes
+/// for any number of threads. O(N log N) in the number of pixels. Source: [HN18] section 4.
 [[nodiscard]] Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                                             const TilingOptions& options);
 

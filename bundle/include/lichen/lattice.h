@@ -47,7 +47,8 @@ inline constexpr double kLatticeColumnsPerTile = 3.46410161513775458705489268301
 
 /// log2 of the step between neighbouring tile offsets on a side of `size` >= 1 texels: the largest
 /// power of two that leaves at least 64 offsets. The first mips of a power-of-two image then stay
-/// aligned from tile to tile, so that minified tiles are equally sharp.
+/// aligned from tile to tile, so that minified tiles are equally sharp. Why 64:
+/// docs/decisions/005-tile-offsets.md.
 [[nodiscard]] constexpr std::uint32_t tileOffsetShift(std::uint32_t size) {
   constexpr std::uint32_t kLeastOffsetsLog2 = 6;
   const auto log2 = std::uint32_t(std::bit_width(size)) - 1u;
