@@ -100,6 +100,20 @@ TEST_CASE("stratified Gaussian sets have mean 1/2 and covariance I / 36 exactly"
     }
 }
 
+TEST_CASE("each coordinate of a stratified set has one value in the middle of each stratum") {
+  // Powers of the coordinates' bases fill their digits. Whitening moves what is left of the
+  // strata's middles: a correlation of about 0.01 times a value of at most 4 deviations, 0.007.
+  for (const auto& [count, axis] : {std::pair{std::size_t(4096), 0}, {4096, 1}, {6561, 2}}) {
+    std::vector<float> values;
+    for (const Point& p : stratifiedGaussian(count, 3, Precision::bits16))
+      values.push_back(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
+    std::sort(values.begin(), values.end());
+    for (std::size_t k = 0; k < count; ++k)
+      REQUIRE(double(values[k]) ==
+              Approx(gaussianQuantile((double(k) + 0.5) / double(count))).margin(0.007));
+  }
+}
+
 TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at three deviations") {
   std::vector<float> values;
   for (const Point& p : stratifiedGaussian(65536, 3, Precision::bits8)) {
@@ -321,9 +335,14 @@ TEST_CASE("the seam itself shows the displaced image alone, at every size") {
   for (const int side : {8, 16, 64}) {
     const Baked b = baked(test::threeMaterials(side, side, 2, 1));
     const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, side, side);
-    // Beside the corner both cross-fades have weight 1: half a side away on both axes.
-    const Point& corner = b.gaussian.matched[std::size_t(side / 2 * side + side / 2)];
-    CHECK(faded[0].x == Approx(corner.x).margin(1e-5));
+    // In the corners both cross-fades have weight 1: half a side away on both axes.
+    for (const int y : {0, side - 1})
+      for (const int x : {0, side - 1}) {
+        const Point& displaced =
+            b.gaussian.matched[std::size_t((y + side / 2) % side * side + (x + side / 2) % side)];
+        INFO(side << ": " << x << ", " << y);
+        CHECK(faded[std::size_t(y * side + x)].x == Approx(displaced.x).margin(1e-5));
+      }
   }
 }
 
@@ -365,6 +384,9 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
       REQUIRE(texels[i] == texels[i + 1]);
       REQUIRE(texels[i] == texels[i + 2]);
     }
+    for (std::size_t i = 4; i < std::size_t(256 * 4); i += 4) // brighter is more, but for a code
+      REQUIRE(texels[i] >= texels[i - 4] - 2.0f / 255.0f);
+    CHECK(texels[std::size_t(255 * 4)] > texels[0] + 0.1f);
   }
   SECTION("two colours lie on a line") {
     for (std::size_t i = 0; i < map.values.size(); i += 3) {
@@ -420,6 +442,23 @@ TEST_CASE("flat regions stay smooth once Gaussianized") {
   // Arbitrary order would make neighbours independent: a mean square of about 2 x 3 / 36 within
   // the half of the Gaussian that the colour takes, at least 0.08.
   CHECK(steps / double(count) < 0.04);
+}
+
+TEST_CASE("equal values are ordered as their surroundings are, within half a step of the file") {
+  MapExemplar map;
+  map.channels = {MapChannel::red};
+  map.width = 64;
+  map.height = 1;
+  for (int x = 0; x < map.width; ++x) // dark, flat, bright
+    map.values.push_back(x < 16 ? 0.2f : x < 48 ? 0.5f : 0.8f);
+  const ColorSpace space = colorSpaceOf(map);
+  const std::vector<Point> points = transportPoints(map, space);
+  CHECK(points[46].x > points[40].x);
+  CHECK(points[40].x > points[24].x);
+  CHECK(points[24].x > points[17].x);
+  for (std::size_t x = 0; x < points.size(); ++x)
+    CHECK(double(points[x].x) + space.moments.mean[0] ==
+          Approx(double(map.values[x])).margin(0.5 * map.quantum + 1e-6));
 }
 
 TEST_CASE("a bake does not depend on the number of threads") {
