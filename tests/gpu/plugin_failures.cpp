@@ -2,6 +2,7 @@
 // What goes wrong around the plugin: every Vulkan call and host allocation failing in turn, devices
 // that lack something, and hosts that hand in too little. Each gives a code and a message, and
 // leaves nothing behind.
+#include "exhausted_memory.h"
 #include "plugin_calls.h"
 #include "plugin_host.h"
 #include "require_device.h"
@@ -10,33 +11,10 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 using namespace lichen;
 using namespace lichen::test;
-
-namespace {
-
-/// Counts down while positive; the allocation that reaches 0 fails. Off inside Vulkan, where the
-/// layers allocate with the same operator and may not throw.
-thread_local int allocationsUntilFailure = 0;
-thread_local int insideVulkan = 0;
-
-} // namespace
-
-// Replaces the global operators of this program.
-void* operator new(std::size_t size) {
-  if (insideVulkan == 0 && allocationsUntilFailure > 0 && --allocationsUntilFailure == 0)
-    throw std::bad_alloc();
-  if (void* memory = std::malloc(size == 0 ? 1 : size))
-    return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -190,21 +168,24 @@ TEST_CASE("any host allocation of the plugin's that fails gives a code and leave
   const LichenVulkanFunctions functions = Proxy::functions();
   LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
   info.functions = &functions;
-  Proxy::enter = [] { ++insideVulkan; };
-  Proxy::leave = [] { --insideVulkan; };
+  Proxy::enter = ExhaustedMemory::spare; // the layers allocate too, and may not throw
+  Proxy::leave = ExhaustedMemory::refuse;
   int failures = 0;
   for (int n = 1;; ++n) {
     LichenVulkanContext context = nullptr;
     LichenVulkanAssets assets = nullptr;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    allocationsUntilFailure = n;
-    LichenResult result = lichenVulkanCreateContext(&info, &context, nullptr);
-    if (result == LICHEN_SUCCESS)
-      result = lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr);
-    if (result == LICHEN_SUCCESS)
-      result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, nullptr);
-    const bool reached = allocationsUntilFailure == 0;
-    allocationsUntilFailure = 0;
+    LichenResult result = LICHEN_SUCCESS;
+    bool reached = false;
+    {
+      const ExhaustedMemory memory(n);
+      result = lichenVulkanCreateContext(&info, &context, nullptr);
+      if (result == LICHEN_SUCCESS)
+        result = lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr);
+      if (result == LICHEN_SUCCESS)
+        result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, nullptr);
+      reached = memory.reached();
+    }
     lichenVulkanDestroyAssets(assets);
     lichenVulkanDestroyContext(context);
     vkResetDescriptorPool(fixture.device->device(), fixture.pool, 0);

@@ -3,6 +3,7 @@
 // memory exhausted anywhere inside becomes a result.
 #include "abi.h"
 #include "bundle_example.h"
+#include "exhausted_memory.h"
 
 #include <lichen/lattice.h>
 #include <lichen/lichen.h>
@@ -10,7 +11,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <lichen_interface.h>
 #include <limits>
@@ -19,32 +19,6 @@
 #include <string>
 
 using namespace lichen;
-
-namespace {
-
-/// Counts down while positive; the allocation that reaches 0 fails, and all after it: memory stays
-/// exhausted until the count is set anew.
-thread_local int allocationsUntilFailure = 0;
-thread_local bool exhausted = false;
-
-} // namespace
-
-// Replaces the global operators of this program. Not inlined: GCC would see malloc in one place and
-// operator delete in another, and warn of a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (allocationsUntilFailure > 0 && --allocationsUntilFailure == 0)
-    exhausted = true;
-  if (exhausted)
-    throw std::bad_alloc();
-  if (void* memory = std::malloc(size == 0 ? 1 : size))
-    return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return std::malloc(size == 0 ? 1 : size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -469,11 +443,13 @@ TEST_CASE("memory exhausted at any allocation of a parse is a result") {
   int failures = 0;
   for (int n = 1;; ++n) {
     LichenBundle bundle = nullptr;
-    allocationsUntilFailure = n;
-    const LichenResult result = lichenParseBundle(&info, &bundle, nullptr);
-    const bool reached = exhausted;
-    allocationsUntilFailure = 0;
-    exhausted = false;
+    LichenResult result = LICHEN_SUCCESS;
+    bool reached = false;
+    {
+      const test::ExhaustedMemory memory(n);
+      result = lichenParseBundle(&info, &bundle, nullptr);
+      reached = memory.reached();
+    }
     if (!reached) {
       CHECK(result == LICHEN_SUCCESS);
       lichenDestroyBundle(bundle);

@@ -14,9 +14,10 @@
  * Assets are immutable: a changed bundle makes new ones, and the old retire. Vulkan 1.0 is enough;
  * no extension and no optional feature is used unless `info` asks for it.
  *
- * Threads: many may create assets of one context at once. Calls on one LichenVulkanAssets object,
- * and lichenVulkanRetireAssets, lichenVulkanFrameCompleted and lichenVulkanDestroyContext on one
- * context, are the host's to order, as are Vulkan's own rules for pools and command buffers.
+ * Threads: many may create assets of one context at once, where the host's device allocator can be
+ * called by many. Calls on one LichenVulkanAssets object, and lichenVulkanRetireAssets,
+ * lichenVulkanFrameCompleted and lichenVulkanDestroyContext on one context, are the host's to
+ * order, as Vulkan's own calls on a pool or a command buffer are.
  */
 #ifndef LICHEN_VULKAN_H
 #define LICHEN_VULKAN_H

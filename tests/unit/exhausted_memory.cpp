@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Memory that runs out on demand; see exhausted_memory.h.
+#include "exhausted_memory.h"
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local int untilExhausted = 0; // counts down while positive
+thread_local bool exhausted = false;
+thread_local int spared = 0;
+
+} // namespace
+
+namespace lichen::test {
+
+ExhaustedMemory::ExhaustedMemory(int n) { untilExhausted = n; }
+ExhaustedMemory::~ExhaustedMemory() {
+  untilExhausted = 0;
+  exhausted = false;
+}
+bool ExhaustedMemory::reached() { return exhausted; }
+void ExhaustedMemory::spare() { ++spared; }
+void ExhaustedMemory::refuse() { --spared; }
+
+} // namespace lichen::test
+
+void* operator new(std::size_t size) {
+  if (spared == 0) {
+    if (untilExhausted > 0 && --untilExhausted == 0)
+      exhausted = true;
+    if (exhausted)
+      throw std::bad_alloc();
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return std::malloc(size == 0 ? 1 : size);
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
