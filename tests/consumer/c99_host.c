@@ -11,6 +11,32 @@ static int check(int condition, const char* what) {
   return condition ? 0 : 1;
 }
 
+/* The layout of version 1.0 on 64-bit systems: members are added after the last, and none moves. */
+#define KEEPS(Struct, lastMember, bytes, offset)                                                   \
+  check(sizeof(Struct) >= (bytes) && offsetof(Struct, lastMember) == (offset),                     \
+        #Struct " keeps its layout")
+
+static int checkLayouts(void) {
+  int failures = 0;
+  failures += KEEPS(LichenDiagnostic, text, 512, 16);
+  failures += KEEPS(LichenParseInfo, name, 48, 40);
+  failures += KEEPS(LichenBundleProperties, imageCount, 32, 24);
+  failures += KEEPS(LichenNoiseProperties, combinedImageSamplerCount, 40, 36);
+  failures += KEEPS(LichenMapProperties, tableImage, 48, 40);
+  failures += KEEPS(LichenMaterialProperties, texCoord, 32, 24);
+  failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
+  failures += KEEPS(LichenCopy, depth, 48, 44);
+  failures += KEEPS(LichenSamplerProperties, takesAnisotropy, 40, 32);
+  failures += KEEPS(LichenBinding, image, 32, 28);
+  failures += KEEPS(LichenUniformInfo, maxAnisotropy, 120, 112);
+  failures += KEEPS(LichenVulkanFunctions, cmdCopyBufferToImage, 208, 200);
+  failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);
+  failures += KEEPS(LichenDeviceMemory, handle, 48, 40);
+  failures += KEEPS(LichenDeviceAllocator, release, 40, 32);
+  failures += KEEPS(LichenVulkanInfo, stages, 96, 88);
+  return failures;
+}
+
 int main(void) {
   int failures = 0;
   LichenDiagnostic diagnostic;
@@ -26,6 +52,8 @@ int main(void) {
   LICHEN_INIT(vulkan, LICHEN_STRUCTURE_VULKAN_INFO);
   LICHEN_INIT(sampler, LICHEN_STRUCTURE_SAMPLER_PROPERTIES);
 
+  if (sizeof(void*) == 8)
+    failures += checkLayouts();
   failures += check(lichenGetVersion() == LICHEN_HEADER_VERSION, "header and library fit");
 
   parse.headerVersion = LICHEN_HEADER_VERSION;
