@@ -127,11 +127,11 @@ private:
                        std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
                        " lights; the " + std::to_string(MAX_LIGHTS) +
                        " that light it most are drawn");
-    if (settings_.environment &&
-        environment_.panorama.info.extent.width != std::uint32_t(settings_.environment->width))
+    const VkExtent3D panorama = environment_.panorama.info.extent;
+    if (settings_.environment && (panorama.width != std::uint32_t(settings_.environment->width) ||
+                                  panorama.height != std::uint32_t(settings_.environment->height)))
       notes_.push_back("the environment is larger than this device accepts; it is drawn at " +
-                       std::to_string(environment_.panorama.info.extent.width) + " x " +
-                       std::to_string(environment_.panorama.info.extent.height));
+                       std::to_string(panorama.width) + " x " + std::to_string(panorama.height));
   }
 
   DeviceImage target(VkFormat format, VkImageUsageFlags usage, std::uint32_t width,

@@ -137,7 +137,7 @@ struct Scene {
 inline constexpr std::size_t kMaxSceneVertices = std::size_t(1) << 26;
 /// Primitives placed in the world, each a draw call a pass.
 inline constexpr std::size_t kMaxSceneInstances = std::size_t(1) << 18;
-/// Vertices and indices of all instances together: what a small file could make a frame last for.
+/// Vertices and indices of all instances together: a small file may ask for a mesh many times.
 inline constexpr std::size_t kMaxDrawnVertices = std::size_t(1) << 28;
 /// Texels of all images together, 1 GiB of memory before mip levels.
 inline constexpr std::size_t kMaxSceneTexels = std::size_t(1) << 28;
