@@ -18,7 +18,6 @@ OrderedJson describeMap(const NoiseMap& map) {
     json["levels"] = map.levels;
   }
   json["mipLoss"] = map.mipLoss;
-  json["bilinearLoss"] = map.bilinearLoss;
   return json;
 }
 

@@ -262,15 +262,12 @@ void readLevels(ObjectReader& reader, NoiseMap& map) {
 
 void readLosses(ObjectReader& reader, NoiseMap& map) {
   if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
+    if (!loss->empty() && loss->front() != 0.0)
+      reader.error("map-mip-loss", "mipLoss",
+                   json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
     if (!std::is_sorted(loss->begin(), loss->end()))
       reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
     map.mipLoss = std::move(*loss);
-  }
-  if (const auto loss = reader.numbers("bilinearLoss", {0.0, 4.0})) {
-    if (loss->size() != 2)
-      return reader.error("map-bilinear-loss", "bilinearLoss",
-                          std::to_string(loss->size()) + " values; 2 are accepted");
-    std::copy(loss->begin(), loss->end(), map.bilinearLoss.begin());
   }
 }
 

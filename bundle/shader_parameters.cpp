@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace lichen {
@@ -25,6 +26,36 @@ shader::vec4 decodedMean(const Bundle& bundle, const NoiseMap& map) {
   return {mean[0], mean[1], mean[2], mean[3]};
 }
 
+/// Size of the largest map of a noise: tile offsets are whole texels of it.
+std::array<std::uint32_t, 2> tileTexels(const Noise& noise, const Bundle& bundle) {
+  std::array<std::uint32_t, 2> size{1, 1};
+  for (const NoiseMap& map : noise.maps) {
+    const Table& gaussian = bundle.tables[map.gaussian];
+    size = {std::max(size[0], gaussian.width), std::max(size[1], gaussian.height)};
+  }
+  return size;
+}
+
+/// How many of a map's first mips have texels that divide the step between tile offsets.
+shader::uint alignedMips(const Noise& noise, const Bundle& bundle, const Table& gaussian) {
+  const std::array<std::uint32_t, 2> tile = tileTexels(noise, bundle);
+  if (tile != std::array<std::uint32_t, 2>{gaussian.width, gaussian.height})
+    return 0;
+  const std::uint32_t step = std::min(tileOffsetShift(tile[0]), tileOffsetShift(tile[1]));
+  const int halvings = std::min(std::countr_zero(tile[0]), std::countr_zero(tile[1]));
+  return 1 + std::min(step, std::uint32_t(halvings));
+}
+
+/// sqrt(1 - loss) of each mip as unorm bytes, the first in the lowest byte of x; the last repeats.
+shader::uvec4 keptAmplitudes(const std::vector<double>& mipLoss) {
+  std::array<shader::uint, 4> words{};
+  for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && !mipLoss.empty(); ++mip) {
+    const double loss = mipLoss[std::min(mip, mipLoss.size() - 1)];
+    words[mip / 4] |= shader::uint(std::lround(255.0 * std::sqrt(1.0 - loss))) << (8 * (mip % 4));
+  }
+  return {words[0], words[1], words[2], words[3]};
+}
+
 } // namespace
 
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
@@ -35,15 +66,10 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   result.heightTexels = float(gaussian.height);
   result.dimensions = shader::uint(std::min(3, channelCount(gaussian.format)));
   result.mipCount = std::min<shader::uint>(gaussian.mipLevels, LICHEN_MAX_MIPS);
-  result.bilinearLossX = float(map.bilinearLoss[0]);
-  result.bilinearLossY = float(map.bilinearLoss[1]);
+  result.alignedMips = alignedMips(noise, bundle, gaussian);
   result.tableLevels = shader::uint(map.levels.size());
   result.mean = decodedMean(bundle, map);
-  std::array<float, LICHEN_MAX_MIPS> loss{};
-  for (std::size_t mip = 0; mip < loss.size() && !map.mipLoss.empty(); ++mip)
-    loss[mip] = float(map.mipLoss[std::min(mip, map.mipLoss.size() - 1)]);
-  for (std::size_t k = 0; k < 4; ++k)
-    result.mipLoss[k] = {loss[4 * k], loss[4 * k + 1], loss[4 * k + 2], loss[4 * k + 3]};
+  result.mipKept = keptAmplitudes(map.mipLoss);
   return result;
 }
 
@@ -83,11 +109,14 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.tileSizeMetres = float(noise.tileSizeMetres);
   result.seedWord = latticeSeed(material.seed, 0);
   result.seed = material.seed;
-  for (const NoiseMap& map : noise.maps) {
-    const Table& gaussian = bundle.tables[map.gaussian];
-    result.tileWidthTexels = std::max(result.tileWidthTexels, gaussian.width);
-    result.tileHeightTexels = std::max(result.tileHeightTexels, gaussian.height);
-  }
+  const std::array<std::uint32_t, 2> tile = tileTexels(noise, bundle);
+  const auto step = [](std::uint32_t size) {
+    return float(double(1u << tileOffsetShift(size)) / double(size));
+  };
+  result.offsetCountX = tile[0] >> tileOffsetShift(tile[0]);
+  result.offsetCountY = tile[1] >> tileOffsetShift(tile[1]);
+  result.offsetStepX = step(tile[0]);
+  result.offsetStepY = step(tile[1]);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "inverse_table.h"
 #include "mip_chain.h"
 #include "prefilter.h"
+#include "slab_means.h"
 
 #include <lichen/image_io.h>
 #include <lichen/tiling.h>
@@ -110,11 +111,13 @@ void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
     gaussian = gaussianize(map, points, space.dimensions(), periodic, precision, transport);
   }
   Table image = gaussianTable(gaussian, options.bits);
-  const LostVariance lost = lostVariance(image);
+  const std::vector<ChannelMatrix> lost = lostVariance(image);
   transport.progress = progress.part(gaussianized, 1.0);
   const InverseTable table =
       fitInverseTable(gaussian, points, values, int(map.channels.size()), transport);
-  Table inverse = inverseTableTexels(prefilteredSlabs(table, lost), map.encoding, options.bits);
+  std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  restoreSlabMeans(slabs, image, lost);
+  Table inverse = inverseTableTexels(slabs, map.encoding, options.bits);
 
   NoiseMap result;
   result.target = map.target;
@@ -124,9 +127,8 @@ void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
   appendValues(result.covariance, space.moments.covariance);
   result.levels = tableLevels();
   double loss = 0.0;
-  for (const ChannelMatrix& mip : lost.perMip)
+  for (const ChannelMatrix& mip : lost)
     result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
-  result.bilinearLoss = lost.bilinear;
   const std::string prefix = name + "." + std::string(nameOf(map.target));
   image.name = prefix + ".gaussian";
   inverse.name = prefix + ".inverse";

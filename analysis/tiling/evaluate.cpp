@@ -47,10 +47,12 @@ float uniformFromGaussian(float value) {
   return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
 }
 
-float mipLoss(const shader::LichenMap& map, int mip) {
-  const shader::vec4& four = map.mipLoss[mip / 4];
-  const std::array<float, 4> values{four.x, four.y, four.z, four.w};
-  return values[std::size_t(mip % 4)];
+/// The amplitude that the texels of a mip keep, of that of the Gaussian value.
+float mipKept(const shader::LichenMap& map, int mip) {
+  const std::array<shader::uint, 4> words{map.mipKept.x, map.mipKept.y, map.mipKept.z,
+                                          map.mipKept.w};
+  const int byte = std::min(mip, LICHEN_MAX_MIPS - 1);
+  return float((words[std::size_t(byte / 4)] >> (8 * (byte % 4))) & 255u) / 255.0f;
 }
 
 /// The footprint's sides in texels of the map: squared lengths, larger first.
@@ -76,36 +78,35 @@ float levelOf(float squaredLength) {
   return 0.5f * std::log2(std::max(squaredLength, kSmallest));
 }
 
-/// The variance that a bilinear fetch at level 0 loses, which depends on the sub-texel position
-/// that all three taps share: their offsets are whole texels of the tile.
-float magnifiedLoss(const shader::LichenMap& map, const shader::LichenNoise& noise,
-                    const TileFootprint& at) {
-  if (map.widthTexels != float(noise.tileWidthTexels) ||
-      map.heightTexels != float(noise.tileHeightTexels))
-    return mipLoss(map, 0);
-  const auto fraction = [](float v) { return v - std::floor(v); };
-  const float f = fraction(at.position[0] * map.widthTexels - 0.5f);
-  const float g = fraction(at.position[1] * map.heightTexels - 0.5f);
-  return 1.0f -
-         (1.0f - map.bilinearLossX * f * (1.0f - f)) * (1.0f - map.bilinearLossY * g * (1.0f - g));
+/// The variance that a bilinear fetch of one mip keeps.
+float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at) {
+  const float kept = mipKept(map, mip);
+  // Midway between four texels the fetch is their average, a texel of the next mip.
+  constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
+  const float loss = 4.0f - 4.0f * mipKept(map, mip + 1) / std::max(kept, kLeast);
+  // Where the taps do not share their place between texels, the average over all places.
+  constexpr float kAverage = 1.0f / 6.0f;
+  const auto share = [&](float position, float size) {
+    const float texel = std::ldexp(position * size, -mip) - 0.5f;
+    const float inside = texel - std::floor(texel);
+    return 1.0f - loss * (mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage);
+  };
+  return kept * kept * share(at.position[0], map.widthTexels) *
+         share(at.position[1], map.heightTexels);
 }
 
-/// The share of the variance that a tap loses. Between two mips a fetch blends a level with its own
-/// average: what is kept falls with the square of the finer one's weight.
+/// The share of the variance that a tap loses: a trilinear blend of a level and its own average.
 float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
                    const TileFootprint& at, const Extent& extent) {
   const float major = levelOf(extent.major);
   const float stretch =
       std::clamp(major - levelOf(extent.minor), 0.0f, std::log2(noise.maxAnisotropy));
-  const float lod = std::min(major - 0.5f * stretch, float(map.mipCount - 1));
-  const float finest = magnifiedLoss(map, noise, at);
-  if (lod <= 0.0f)
-    return finest;
+  const float lod = std::clamp(major - 0.5f * stretch, 0.0f, float(map.mipCount - 1));
   const int mip = int(lod);
-  const float keep = 1.0f - (lod - float(mip));
-  const float fine = mip == 0 ? finest : mipLoss(map, mip);
-  const float coarse = mipLoss(map, std::min(mip + 1, int(map.mipCount) - 1));
-  return coarse - keep * keep * (coarse - fine);
+  const float below = fetchKept(map, mip, at);
+  const float above = fetchKept(map, mip + 1, at);
+  const float rest = 1.0f - (lod - float(mip));
+  return 1.0f - (above + rest * rest * (below - above));
 }
 
 } // namespace

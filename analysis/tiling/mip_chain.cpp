@@ -64,50 +64,24 @@ Plane halved(const Plane& source) {
   return result;
 }
 
-/// Covariance between the level and itself shifted by (dx, dy), wrapping, symmetrised.
-ChannelMatrix autocovariance(const std::vector<float>& values, int width, int height, int stride,
-                             int channels, int dx, int dy) {
+/// Covariance of the first `channels` of `stride` interleaved values.
+ChannelMatrix covarianceOf(const std::vector<float>& values, int stride, int channels) {
   const auto n = Eigen::Index(channels);
-  ChannelVector mean = ChannelVector::Zero(n);
+  const auto count = Eigen::Index(values.size()) / stride;
+  using Texels = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
+  const Texels texels(values.data(), n, count, Eigen::OuterStride<>(stride));
+  const ChannelVector mean = texels.cast<double>().rowwise().mean();
   ChannelMatrix sum = ChannelMatrix::Zero(n, n);
-  const auto texel = [&](int x, int y) {
-    return &values[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(stride)];
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const float* a = texel(x, y);
-      const float* b = texel((x + dx + width) % width, (y + dy + height) % height);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        mean[i] += double(a[i]);
-        for (Eigen::Index j = 0; j < n; ++j)
-          sum(i, j) += double(a[i]) * double(b[j]);
-      }
-    }
-  const double count = double(width) * double(height);
-  mean /= count;
-  sum /= count;
-  const ChannelMatrix covariance = sum - mean * mean.transpose();
-  return 0.5 * (covariance + covariance.transpose());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const ChannelVector centred = texels.col(i).cast<double>() - mean;
+    sum += centred * centred.transpose();
+  }
+  return sum / double(count);
 }
 
 /// A Gaussian image with less than this variance, of 1/36, is constant up to the rounding of the
 /// sums.
 constexpr double kNoVariance = 1e-12;
-
-/// A bilinear fetch at a uniform sub-texel position averages neighbours with E[w^2] = 1/3 each and
-/// E[w (1 - w)] = 1/6: its covariance is sum b(k) R(k) with b = (1/6, 2/3, 1/6) on each axis.
-constexpr std::array<double, 3> kBilinearAutocorrelation{1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
-
-ChannelMatrix bilinearCovariance(const std::vector<float>& values, int width, int height,
-                                 int stride, int channels) {
-  ChannelMatrix sum = ChannelMatrix::Zero(channels, channels);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx)
-      sum += kBilinearAutocorrelation[std::size_t(dx + 1)] *
-             kBilinearAutocorrelation[std::size_t(dy + 1)] *
-             autocovariance(values, width, height, stride, channels, dx, dy);
-  return sum;
-}
 
 TexelFormat formatOf(int dimensions, int bits) {
   constexpr std::array<TexelFormat, 3> k8{TexelFormat::r8Unorm, TexelFormat::rg8Unorm,
@@ -140,34 +114,14 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
   return table;
 }
 
-LostVariance lostVariance(const Table& gaussian) {
+std::vector<ChannelMatrix> lostVariance(const Table& gaussian) {
   const int stride = channelCount(gaussian.format);
   const int channels = std::min(stride, kMaxChannels);
-  const auto n = Eigen::Index(channels);
-  LostVariance lost;
-  ChannelMatrix full;
-  for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip) {
-    const std::vector<float> values = decodeLevel(gaussian, mip);
-    const int width = std::max(1, int(gaussian.width >> mip));
-    const int height = std::max(1, int(gaussian.height >> mip));
-    const auto covarianceAt = [&](int dx, int dy) {
-      return autocovariance(values, width, height, stride, channels, dx, dy);
-    };
-    if (mip == 0) {
-      full = covarianceAt(0, 0);
-      const double variance = full.trace();
-      // The correlation of neighbours is in [-1, 1], but for rounding.
-      const auto lossAt = [&](int dx, int dy) {
-        return std::clamp(2.0 * (1.0 - covarianceAt(dx, dy).trace() / variance), 0.0, 4.0);
-      };
-      if (variance > kNoVariance)
-        lost.bilinear = {lossAt(1, 0), lossAt(0, 1)};
-    }
-    const double variance = full.trace() / double(n);
-    const ChannelMatrix kept = bilinearCovariance(values, width, height, stride, channels);
-    lost.perMip.push_back(variance > kNoVariance ? ChannelMatrix((full - kept) / variance)
-                                                 : ChannelMatrix(ChannelMatrix::Zero(n, n)));
-  }
+  const ChannelMatrix full = covarianceOf(decodeLevel(gaussian, 0), stride, channels);
+  const double variance = full.trace() / double(channels);
+  std::vector<ChannelMatrix> lost(gaussian.mipLevels, ChannelMatrix::Zero(channels, channels));
+  for (std::uint32_t mip = 1; mip < gaussian.mipLevels && variance > kNoVariance; ++mip)
+    lost[mip] = (full - covarianceOf(decodeLevel(gaussian, mip), stride, channels)) / variance;
   return lost;
 }
 

@@ -7,7 +7,6 @@
 
 #include <lichen/bundle.h>
 
-#include <array>
 #include <vector>
 
 namespace lichen::tiling {
@@ -17,15 +16,9 @@ namespace lichen::tiling {
 /// lose no row; D = 3 is stored with alpha 1.
 [[nodiscard]] Table gaussianTable(const Gaussianized& gaussianized, int bits);
 
-/// What fetches of the stored table lose of its level 0's covariance.
-struct LostVariance {
-  /// For each mip level, Cov(G) - Cov(bilinear fetch), averaged over sub-texel positions, in units
-  /// of the variance of a channel: 0 for nothing lost, the identity for everything.
-  std::vector<ChannelMatrix> perMip;
-  /// NoiseMap::bilinearLoss.
-  std::array<double, 2> bilinear{0.0, 0.0};
-};
-[[nodiscard]] LostVariance lostVariance(const Table& gaussian);
+/// For each mip level of the stored table, Cov(level 0) - Cov(level), in units of the variance of a
+/// channel: 0 for level 0, the identity where everything is lost.
+[[nodiscard]] std::vector<ChannelMatrix> lostVariance(const Table& gaussian);
 
 /// The mean over the channels of a loss matrix: the scalar that mipLoss and levels state.
 [[nodiscard]] double scalarLoss(const ChannelMatrix& loss);

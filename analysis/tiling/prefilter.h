@@ -18,11 +18,10 @@ inline constexpr int kTableLevels = 8;
 
 /// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36) and S the covariance that fetches
 /// have lost when the mean loss is levels[k]: interpolated between the mips' in `lost`. Slab 0 is
-/// the table itself, the last the constant mean. Each slab's mean over the Gaussian values that
-/// remain is the table's mean. `lost.perMip` has at least one matrix, symmetric and with
+/// the table itself, the last the constant mean. `lost` has at least one matrix, symmetric and with
 /// eigenvalues in [0, 1], of as many rows as the table has dimensions. Throws std::bad_alloc.
 [[nodiscard]] std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                                         const LostVariance& lost);
+                                                         const std::vector<ChannelMatrix>& lost);
 
 /// The slabs (at least one, all of one shape) as one KTX2-ready table: D = 1 2-D (256 x L), D = 2
 /// 2-D (64 x 64 L), D = 3 3-D (32 x 32 x 32 L). Format by encoding and bits, 8 or 16: RGBA8 SRGB

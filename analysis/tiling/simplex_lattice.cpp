@@ -29,11 +29,10 @@ std::array<float, 2> tapOf(const shader::LichenNoise& noise, const std::array<fl
     tap[0] -= float(columnPeriods) * noise.periodTilesX;
     tap[1] -= float(rowPeriods) * noise.periodTilesY;
   }
-  const std::array<std::uint32_t, 2> offset =
-      tileOffsetTexels(std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.tileWidthTexels,
-                       noise.tileHeightTexels);
-  tap[0] += float(offset[0]) / float(noise.tileWidthTexels);
-  tap[1] += float(offset[1]) / float(noise.tileHeightTexels);
+  const std::array<std::uint32_t, 2> offset = tileOffsetIndex(
+      std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.offsetCountX, noise.offsetCountY);
+  tap[0] += float(offset[0]) * noise.offsetStepX;
+  tap[1] += float(offset[1]) * noise.offsetStepY;
   return tap;
 }
 

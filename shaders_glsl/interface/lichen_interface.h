@@ -21,10 +21,13 @@
 #ifdef __cplusplus
 #include <cstdint>
 namespace lichen::shader {
+using uint = std::uint32_t;
 struct vec4 {
   float x, y, z, w;
 };
-using uint = std::uint32_t;
+struct uvec4 {
+  uint x, y, z, w;
+};
 #endif
 
 /// How one material uses one noise. May change every frame.
@@ -40,11 +43,14 @@ struct LichenNoise {
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
   int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows even
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
+  float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
+  uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
+  uint seedWord;                    // latticeSeed(seed, plane 0)
+  uint seed;                        // as the material gives it; triplanar derives its planes
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
-  uint seedWord;                          // latticeSeed(seed, plane 0)
-  uint seed;                              // as the material gives it; triplanar derives its planes
-  uint tileWidthTexels, tileHeightTexels; // of the largest map: offsets are whole texels of it
+  float reserved0, reserved1; // 0, as is reserved2: they bring the block to 512 bytes
+  vec4 reserved2;
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
@@ -52,11 +58,11 @@ struct LichenMap {
   float widthTexels, heightTexels; // of the Gaussian image's level 0
   uint dimensions;                 // D of the Gaussian image, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  float bilinearLossX, bilinearLossY;
-  uint tableLevels; // L, the slabs of the inverse table; 0 without a table
-  uint padding;     // to a multiple of 16 bytes
-  vec4 mean;        // of the decoded values; w is 1
-  vec4 mipLoss[4];  // lost variance of mip m in mipLoss[m / 4][m % 4]; repeats its last value
+  uint alignedMips;        // how many of the first mips' texels all taps meet at the same place
+  uint tableLevels;        // L, the slabs of the inverse table; 0 without a table
+  uint padding0, padding1; // to a multiple of 16 bytes
+  vec4 mean;               // of the decoded values; w is 1
+  uvec4 mipKept; // amplitude that mip m keeps, sqrt(1 - lost variance): unorm byte m of sixteen
 };
 
 /// The uniform block.

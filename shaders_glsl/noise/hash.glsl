@@ -30,15 +30,11 @@ uvec3 lichenPcg3d(uvec3 v) {
 /// The word that stands for a noise's seed and a projection plane (0 for uv).
 uint lichenLatticeSeed(uint seed, uint plane) { return lichenPcg(lichenPcg(seed) + plane); }
 
-/// The offset of vertex (i, j)'s tile, in whole texels of the largest map: [0, sizeTexels), in steps
-/// of the largest power of two that leaves at least 64 offsets, so that tiles share the alignment of
-/// the first mips and are equally sharp.
-uvec2 lichenTileOffsetTexels(int i, int j, uint seedWord, uvec2 sizeTexels) {
-  const int kLeastOffsetsLog2 = 6;
-  ivec2 shift = max(findMSB(sizeTexels) - kLeastOffsetsLog2, ivec2(0));
+/// Which of `counts` offsets on each axis vertex (i, j)'s tile has, [0, counts).
+uvec2 lichenTileOffsetIndex(int i, int j, uint seedWord, uvec2 counts) {
   // Conversion of int to uint keeps the bits, negative values included.
   uvec3 hash = lichenPcg3d(uvec3(uint(i), uint(j), seedWord));
-  return (((hash.xy >> 16u) * (sizeTexels >> shift)) >> 16u) << shift;
+  return ((hash.xy >> 16u) * counts) >> 16u;
 }
 
 #endif

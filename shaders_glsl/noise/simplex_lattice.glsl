@@ -8,6 +8,11 @@
 
 #include "../interface/lichen_interface.h"
 
+// 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
+#ifndef LICHEN_PERIODIC_LATTICE
+#define LICHEN_PERIODIC_LATTICE 1
+#endif
+
 struct LichenTriangle {
   ivec3 i, j;   // the vertices (i[k], j[k]), not yet reduced to a period
   vec3 weights; // barycentric, [0, 1]
@@ -46,7 +51,7 @@ void lichenReduceToPeriod(inout LichenTriangle triangle, LichenNoise noise, out 
                           out vec3 shiftY) {
   shiftX = vec3(0.0);
   shiftY = vec3(0.0);
-  if (noise.periodRows > 0) {
+  if (bool(LICHEN_PERIODIC_LATTICE) && noise.periodRows > 0) {
     ivec3 rows = lichenFloorDivide(triangle.j, noise.periodRows);
     triangle.j -= rows * noise.periodRows;
     triangle.i += rows * (noise.periodRows / 2);

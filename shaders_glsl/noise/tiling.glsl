@@ -18,6 +18,11 @@
 #define LICHEN_ANISOTROPIC 0
 #endif
 
+// 0 where every material's blendSharpness is 1. A literal, or the host's specialization constant.
+#ifndef LICHEN_BLEND_SHARPNESS
+#define LICHEN_BLEND_SHARPNESS 1
+#endif
+
 // Cells of a three-channel inverse table along each axis.
 #define LICHEN_TABLE_CELLS 32.0
 
@@ -33,10 +38,10 @@ struct LichenTaps {
 
 /// The offset of vertex (i, j)'s tile. [tiles]
 vec2 lichenTileOffset(int i, int j, LichenNoise noise) {
-  // Through int, below 2^16: float of uint is slower on devices with only signed conversions.
-  uvec2 sizeTexels = uvec2(noise.tileWidthTexels, noise.tileHeightTexels);
-  return vec2(ivec2(lichenTileOffsetTexels(i, j, noise.seedWord, sizeTexels))) /
-         vec2(ivec2(sizeTexels));
+  uvec2 index = lichenTileOffsetIndex(i, j, noise.seedWord,
+                                      uvec2(noise.offsetCountX, noise.offsetCountY));
+  // Through int, below 2^14: float of uint is slower on devices with only signed conversions.
+  return vec2(ivec2(index)) * vec2(noise.offsetStepX, noise.offsetStepY);
 }
 
 /// Lattice, weights and tap positions of a noise at one point. The gradients are those of
@@ -45,7 +50,7 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   // [HN18] Algorithm 1: the triangle and its three tiles.
   LichenTriangle triangle = lichenTriangleAt(position, noise);
   vec3 weights = triangle.weights;
-  if (noise.blendSharpness != 1.0) {
+  if (bool(LICHEN_BLEND_SHARPNESS) && noise.blendSharpness != 1.0) {
     weights = pow(weights, vec3(noise.blendSharpness));
     weights /= weights.x + weights.y + weights.z;
   }
@@ -101,33 +106,38 @@ vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
   return 0.5 + taps.gain * (blend - 0.5);
 }
 
-/// Lost variance of one mip level, < LICHEN_MAX_MIPS. Chosen, not indexed: a copied array that is
-/// indexed lives in memory on most devices.
-float lichenMipLoss(int mip, LichenMap map) {
-  vec4 four = mip < 8 ? (mip < 4 ? map.mipLoss[0] : map.mipLoss[1])
-                      : (mip < 12 ? map.mipLoss[2] : map.mipLoss[3]);
-  vec2 two = (mip & 2) == 0 ? four.xy : four.zw;
-  return (mip & 1) == 0 ? two.x : two.y;
+/// The amplitude that the texels of a mip keep, of that of the Gaussian value.
+float lichenMipKept(int mip, LichenMap map) {
+  // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
+  int byte = min(mip, LICHEN_MAX_MIPS - 1);
+  uint word = byte < 8 ? (byte < 4 ? map.mipKept.x : map.mipKept.y)
+                       : (byte < 12 ? map.mipKept.z : map.mipKept.w);
+  return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
+}
+
+/// The variance that a bilinear fetch of one mip keeps.
+float lichenFetchKept(int mip, LichenTaps taps, LichenMap map) {
+  float kept = lichenMipKept(mip, map);
+  // Midway between four texels the fetch is their average, a texel of the next mip.
+  const float kLeast = 1.0e-3; // of the unorm bytes, below the smallest
+  float loss = 4.0 - 4.0 * lichenMipKept(mip + 1, map) / max(kept, kLeast);
+  // Where the taps do not share their place between texels, the average over all places.
+  vec2 size = vec2(map.widthTexels, map.heightTexels) * exp2(-float(mip));
+  vec2 inside = fract(taps.position * size - 0.5);
+  vec2 between = mip < int(map.alignedMips) ? inside * (1.0 - inside) : vec2(1.0 / 6.0);
+  vec2 share = 1.0 - loss * between;
+  return kept * kept * share.x * share.y;
 }
 
 /// The variance of the Gaussian value that fetching loses, [0, 1] of its full variance.
-float lichenTilingLostVariance(LichenTaps taps, float level, LichenNoise noise, LichenMap map) {
-  // Magnified: bilinear interpolation loses most midway between texels. All three taps share the
-  // place between texels when the map has the size in which offsets are whole texels.
-  vec2 size = vec2(map.widthTexels, map.heightTexels);
-  vec2 inside = fract(taps.position * size - 0.5);
-  vec2 kept = 1.0 - vec2(map.bilinearLossX, map.bilinearLossY) * inside * (1.0 - inside);
-  bool sameSize = map.widthTexels == float(int(noise.tileWidthTexels)) &&
-                  map.heightTexels == float(int(noise.tileHeightTexels));
-  float lost0 = sameSize ? 1.0 - kept.x * kept.y : map.mipLoss[0].x;
-  // Minified: a trilinear blend of a level and its own average.
+float lichenTilingLostVariance(LichenTaps taps, float level, LichenMap map) {
   float clamped = clamp(level, 0.0, float(int(map.mipCount) - 1));
-  int below = int(clamped);
-  int above = min(below + 1, LICHEN_MAX_MIPS - 1);
-  float lostBelow = below == 0 ? lost0 : lichenMipLoss(below, map);
-  float lostAbove = lichenMipLoss(above, map);
-  float rest = 1.0 - (clamped - float(below));
-  return lostBelow + (1.0 - rest * rest) * (lostAbove - lostBelow);
+  int mip = int(clamped);
+  float keptBelow = lichenFetchKept(mip, taps, map);
+  float keptAbove = lichenFetchKept(mip + 1, taps, map);
+  // A trilinear blend of a level and its own average.
+  float rest = 1.0 - (clamped - float(mip));
+  return 1.0 - (keptAbove + rest * rest * (keptBelow - keptAbove));
 }
 
 /// The inverse table, at a Gaussian value of which the fraction `lostVariance` is missing.
@@ -157,7 +167,7 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
                   LichenMap map) {
   // [HN18] eq. 18.
   float level = lichenTilingLevel(taps, noise, map);
-  float lost = lichenTilingLostVariance(taps, level, noise, map);
+  float lost = lichenTilingLostVariance(taps, level, map);
   // Contrast scales what is missing with what is there.
   lost = min(1.0, noise.contrast * noise.contrast * lost);
   return lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost, map);
@@ -167,7 +177,7 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
 vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTaps taps, float gain,
                               LichenNoise noise, LichenMap map) {
   float level = lichenTilingLevel(taps, noise, map);
-  float lost = lichenTilingLostVariance(taps, level, noise, map);
+  float lost = lichenTilingLostVariance(taps, level, map);
   vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps, level);
   vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps, level);
   vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps, level);

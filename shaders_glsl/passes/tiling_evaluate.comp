@@ -40,7 +40,7 @@ void main() {
   } else if (kOperator == kOperatorGaussian) {
     float level = lichenTilingLevel(taps, noise, map);
     values[index] = vec4(lichenTilingGaussian(lichenGaussian0, taps, level),
-                         lichenTilingLostVariance(taps, level, noise, map));
+                         lichenTilingLostVariance(taps, level, map));
   } else {
     values[index] = lichenTiling(lichenGaussian0, lichenTable0, taps, noise, map);
   }

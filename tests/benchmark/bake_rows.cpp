@@ -59,7 +59,7 @@ double levelSeconds(const SrgbImage& image) {
   const Gaussianized gaussian =
       gaussianize(map, points, space.dimensions(), true, Precision::bits8, {});
   const Table table = gaussianTable(gaussian, 8);
-  const LostVariance lost = lostVariance(table);
+  const std::vector<ChannelMatrix> lost = lostVariance(table);
   std::vector<float> light;
   for (const float value : map.values)
     light.push_back(srgbToLinear(value));

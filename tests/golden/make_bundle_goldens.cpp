@@ -139,10 +139,9 @@ BundleFile feltExample() {
   map.gaussian = 0;
   map.inverseTable = 1;
   map.levels = example::levels(kLevels);
-  // Of white noise, a level keeps 4^-level of the variance, and a bilinear fetch 2/3 each way.
+  // Of white noise, a level keeps 4^-level of the variance.
   for (std::uint32_t level = 0; level < example::fullMipChain(kSide, kSide); ++level)
-    map.mipLoss.push_back(1.0 - 4.0 / 9.0 * std::pow(4.0, -double(level)));
-  map.bilinearLoss = {2.0, 2.0};
+    map.mipLoss.push_back(1.0 - std::pow(4.0, -double(level)));
   file.bundle.tables = {gaussianImage(gaussian), inverseTable(map.levels)};
   Noise noise;
   noise.name = "felt";

@@ -49,7 +49,7 @@ TEST_CASE("the shader's hash is the C++ hash, bit for bit, negative and wrapping
   for (std::size_t k = 0; k < questions.size(); ++k) {
     const auto [i, j, word, seed] = questions[k];
     const auto hash = pcg3d({i, j, word});
-    const auto offset = tileOffsetTexels(i, j, word, 512u, 300u);
+    const auto offset = tileOffsetIndex(i, j, word, 64u, 75u);
     REQUIRE(answers[3 * k] == Words{hash[0], hash[1], hash[2], 0u});
     REQUIRE(answers[3 * k + 1] == Words{offset[0], offset[1], 0u, 0u});
     REQUIRE(answers[3 * k + 2] == Words{latticeSeed(seed, word & 3u), pcg(i), 0u, 0u});

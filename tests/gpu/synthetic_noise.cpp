@@ -115,8 +115,7 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
   for (std::size_t k = 0; k < source.levels; ++k)
     map.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
   for (std::uint32_t level = 0; level < mipLevels; ++level)
-    map.mipLoss.push_back(1.0 - 0.6 * std::pow(0.4, double(level)));
-  map.bilinearLoss = {1.9, 1.1};
+    map.mipLoss.push_back(1.0 - std::pow(0.4, double(level)));
   return map;
 }
 

@@ -101,35 +101,34 @@ Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
     p[0] -= double(q) * double(n.periodTilesX);
     p[1] -= double(k) * double(n.periodTilesY);
   }
-  const auto offset = tileOffsetTexels(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord,
-                                       n.tileWidthTexels, n.tileHeightTexels);
-  return {p[0] + double(offset[0]) / n.tileWidthTexels,
-          p[1] + double(offset[1]) / n.tileHeightTexels};
+  const auto index = tileOffsetIndex(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord,
+                                     n.offsetCountX, n.offsetCountY);
+  return {p[0] + double(index[0]) * double(n.offsetStepX),
+          p[1] + double(index[1]) * double(n.offsetStepY)};
 }
 
 /// Step 5.
-double lostVariance(Vec2 p, double lambda, const shader::LichenNoise& n,
-                    const shader::LichenMap& m) {
-  const auto loss = [&](int level) {
-    const shader::vec4& four = m.mipLoss[level / 4];
-    const float members[] = {four.x, four.y, four.z, four.w};
-    return double(members[level % 4]);
+double lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
+  const shader::uint words[] = {m.mipKept.x, m.mipKept.y, m.mipKept.z, m.mipKept.w};
+  const auto amplitude = [&](int mip) {
+    mip = std::min(mip, 15);
+    return double(words[mip / 4] >> (8 * (mip % 4)) & 255u) / 255.0;
   };
-  double s0 = loss(0);
-  if (m.widthTexels == float(n.tileWidthTexels) && m.heightTexels == float(n.tileHeightTexels)) {
-    const double x = p[0] * double(m.widthTexels) - 0.5, y = p[1] * double(m.heightTexels) - 0.5;
-    const double f = x - std::floor(x), g = y - std::floor(y);
-    s0 = 1.0 - (1.0 - double(m.bilinearLossX) * f * (1.0 - f)) *
-                   (1.0 - double(m.bilinearLossY) * g * (1.0 - g));
-  }
-  const int last = int(m.mipCount) - 1;
-  if (lambda <= 0.0)
-    return s0;
-  if (lambda >= last)
-    return last == 0 ? s0 : loss(last);
+  const auto kept = [&](int mip) {
+    const double a = amplitude(mip);
+    if (a == 0.0)
+      return 0.0;
+    const double c = 4.0 * (1.0 - amplitude(mip + 1) / a);
+    const auto share = [&](double position, float size) {
+      const double x = position * double(size) / std::exp2(mip) - 0.5, f = x - std::floor(x);
+      return 1.0 - c * (mip < int(m.alignedMips) ? f * (1.0 - f) : 1.0 / 6.0);
+    };
+    return a * a * share(p[0], m.widthTexels) * share(p[1], m.heightTexels);
+  };
+  lambda = std::clamp(lambda, 0.0, double(m.mipCount - 1));
   const int mu = int(std::floor(lambda));
-  const double t = lambda - mu, low = mu == 0 ? s0 : loss(mu), high = loss(mu + 1);
-  return high - (1.0 - t) * (1.0 - t) * (high - low);
+  const double t = lambda - mu, below = kept(mu), above = kept(mu + 1);
+  return 1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above));
 }
 
 } // namespace
@@ -179,7 +178,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   }
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  sample.gaussian[3] = lostVariance(p, lambda, n, m);
+  sample.gaussian[3] = lostVariance(p, lambda, m);
 
   // Step 6.
   const double s = std::min(1.0, double(n.contrast) * double(n.contrast) * sample.gaussian[3]);

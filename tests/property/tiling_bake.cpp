@@ -12,11 +12,14 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <random>
 #include <tiling/borders.h>
 #include <tiling/gaussianize.h>
 #include <tiling/inverse_table.h>
 #include <tiling/mip_chain.h>
 #include <tiling/prefilter.h>
+#include <tiling/slab_means.h>
+#include <tiling/table_lookup.h>
 #include <transport/random.h>
 
 using namespace lichen;
@@ -209,25 +212,22 @@ TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
   CHECK(squares / double(count) < 0.1 * variance);
 }
 
-TEST_CASE("white noise loses what bilinear fetching and averaging of white noise must lose") {
-  // R(k) = 0 for k != 0: a bilinear fetch keeps (2/3)^2, each mip a quarter of the one before.
+TEST_CASE("the mips of white noise lose what averaging of white noise must lose") {
+  // Each mip averages four independent texels: it keeps a quarter of the variance before.
   Gaussianized white{256, 256, 3, stratifiedGaussian(256 * 256, 3, Precision::bits16), {}};
   for (std::size_t i = white.image.size(); i-- > 1;)
     std::swap(white.image[i], white.image[transport::randomBits(5, i) % (i + 1)]);
-  const LostVariance lost = lostVariance(gaussianTable(white, 16));
-  REQUIRE(lost.perMip.size() == 9);
-  for (std::size_t mip = 0; mip < 4; ++mip) {
-    const double kept = 4.0 / 9.0 * std::pow(0.25, double(mip));
-    // Over n texels and 3 channels the squared standard error of sum b(k) R(k) is (1/4)^2m / n
-    // times (4/9)^2 (2/3) for R(0), which only whole mips have exactly, and 0.035 for its
-    // neighbours: 0.41 (1/4)^m / sqrt(n). The tolerance is 4.4 of them, alpha 1e-5 a mip.
-    const double texels = 65536.0 * std::pow(0.25, double(mip));
-    CHECK(1.0 - scalarLoss(lost.perMip[mip]) ==
-          Approx(kept).margin(4.0 * kept / std::sqrt(texels)));
+  const std::vector<ChannelMatrix> lost = lostVariance(gaussianTable(white, 16));
+  REQUIRE(lost.size() == 9);
+  CHECK(scalarLoss(lost[0]) == 0.0);
+  for (std::size_t mip = 1; mip < 5; ++mip) {
+    const double kept = std::pow(0.25, double(mip));
+    // The mean of three sample variances over n texels has standard error kept sqrt(2 / (3 n)):
+    // five of them, false alarms below 1e-6 a level.
+    const double texels = 65536.0 * kept;
+    CHECK(1.0 - scalarLoss(lost[mip]) ==
+          Approx(kept).margin(5.0 * kept * std::sqrt(2.0 / (3.0 * texels))));
   }
-  // Twice a correlation's standard error, 2 / sqrt(3 x 65536) = 0.0045; 4.4 of them.
-  CHECK(lost.bilinear[0] == Approx(2.0).margin(0.02));
-  CHECK(lost.bilinear[1] == Approx(2.0).margin(0.02));
 }
 
 TEST_CASE("each mip texel is the average of the area it covers, for any size") {
@@ -265,16 +265,65 @@ TEST_CASE("each mip texel is the average of the area it covers, for any size") {
   }
 }
 
+TEST_CASE("blended mips decode to the mean colour, Gaussian or not") {
+  const Baked b = baked(test::threeMaterials(128, 128, 4));
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
+  const Table image = gaussianTable(b.gaussian, 16);
+  const std::vector<ChannelMatrix> lost = lostVariance(image);
+  std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  restoreSlabMeans(slabs, image, lost);
+  // Between the slabs of a mip the mean is interpolated like the values.
+  constexpr std::uint32_t kMip = 2;
+  const std::vector<float> texels = decodeLevel(image, kMip);
+  const std::size_t count = texels.size() / 4;
+  const double place = 7.0 * (1.0 - std::sqrt(1.0 - scalarLoss(lost[kMip])));
+  const auto slab = std::size_t(place);
+  const TableLookup<3> lower(slabs[slab]);
+  const TableLookup<3> upper(slabs[slab + 1]);
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> anywhere(0, count - 1);
+  std::exponential_distribution<double> exponential; // three, normalised: uniform in a triangle
+  constexpr int kSamples = 200000;
+  std::array<double, 3> sum{};
+  std::array<double, 3> squares{};
+  for (int k = 0; k < kSamples; ++k) {
+    std::array<double, 3> w{exponential(random), exponential(random), exponential(random)};
+    const double total = w[0] + w[1] + w[2];
+    const double norm = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / total;
+    std::array<float, 3> g{0.5f, 0.5f, 0.5f};
+    for (const double weight : w) {
+      const float* texel = &texels[4 * anywhere(random)];
+      for (std::size_t c = 0; c < 3; ++c)
+        g[c] += float(weight / total / norm) * (texel[c] - 0.5f);
+    }
+    const auto low = lower(g);
+    const auto high = upper(g);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = double(low[c]) + (place - double(slab)) * double(high[c] - low[c]);
+      sum[c] += value;
+      squares[c] += value * value;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double mean = sum[c] / kSamples;
+    const double variance = squares[c] / kSamples - mean * mean;
+    // Five standard errors of this sum and of the 65,536 fetches that the shift is measured with;
+    // the slab below and the one above are shifted for their own places between mips.
+    const double error = 5.0 * std::sqrt(variance * (1.0 / kSamples + 1.0 / 65536.0));
+    INFO("mean " << mean << ", slab mean " << slabs.back().values[c] << ", error " << error);
+    CHECK(mean == Approx(double(slabs.back().values[c])).margin(error));
+  }
+}
+
 TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
   const Baked b = baked(test::threeMaterials(96, 96, 4));
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
-  LostVariance lost; // half of everything, with channels that lose differently and together
-  ChannelMatrix half(3, 3);
+  ChannelMatrix half(3, 3); // of everything, with channels that lose differently and together
   half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
-  lost.perMip = {half};
   const std::vector<double> levels = tableLevels();
-  const std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  const std::vector<InverseTable> slabs = prefilteredSlabs(table, {half});
   REQUIRE(slabs.size() == levels.size());
   CHECK(slabs.front().values == table.values);
 

@@ -260,10 +260,9 @@ TEST_CASE("every fault of a map's description is found") {
       {"a table without levels", "required", [](GlbParts& p) { p.map(0, 0).erase("levels"); }},
       {"mip losses for other mips", "map-mip-loss",
        [](GlbParts& p) { p.map(1, 0)["mipLoss"].push_back(1.0); }},
-      {"falling mip losses", "map-mip-loss", [](GlbParts& p) { p.map(1, 0)["mipLoss"][1] = 0.1; }},
+      {"falling mip losses", "map-mip-loss", [](GlbParts& p) { p.map(1, 0)["mipLoss"][2] = 0.01; }},
       {"mip loss above 1", "range", [](GlbParts& p) { p.map(1, 0)["mipLoss"][3] = 1.5; }},
-      {"one bilinear loss", "map-bilinear-loss",
-       [](GlbParts& p) { p.map(1, 0)["bilinearLoss"] = {0.5}; }},
+      {"a loss at level 0", "map-mip-loss", [](GlbParts& p) { p.map(1, 0)["mipLoss"][0] = 0.01; }},
       {"huge list", "count",
        [](GlbParts& p) { p.map(1, 0)["mean"] = std::vector<double>(100000, 0.5); }},
   });

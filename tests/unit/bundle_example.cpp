@@ -26,8 +26,7 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
   for (std::uint32_t level = 0; level < mipLevels; ++level)
-    map.mipLoss.push_back(double(level + 1) / double(mipLevels));
-  map.bilinearLoss = {0.5, 0.25};
+    map.mipLoss.push_back(double(level) / double(mipLevels));
   return map;
 }
 

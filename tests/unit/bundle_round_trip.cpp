@@ -29,7 +29,6 @@ void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
   CHECK(a.inverseTable == b.inverseTable);
   CHECK(a.levels == b.levels);
   CHECK(a.mipLoss == b.mipLoss);
-  CHECK(a.bilinearLoss == b.bilinearLoss);
 }
 
 void checkSameBundle(const Bundle& a, const Bundle& b) {

@@ -162,14 +162,18 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(noise.offsetX == 3.0f);
   CHECK(noise.seedWord == latticeSeed(9, 0));
   CHECK(noise.maxAnisotropy == 1.0f);
-  CHECK(noise.tileWidthTexels == 4);
-  CHECK(noise.tileHeightTexels == 2);
+  CHECK(noise.offsetCountX == 4); // every texel of 4 x 2
+  CHECK(noise.offsetCountY == 2);
+  CHECK(noise.offsetStepX == 0.25f);
+  CHECK(noise.offsetStepY == 0.5f);
   const shader::LichenMap& map = filled.uniforms.maps[0];
   CHECK(map.widthTexels == 4.0f);
   CHECK(map.dimensions == 1);
   CHECK(map.tableLevels == 2);
-  CHECK(map.mipLoss[0].x == Approx(1.0 / 3.0));
-  CHECK(map.mipLoss[3].w == 1.0f); // the last value repeats
+  CHECK(map.alignedMips == 1);
+  // sqrt(1 - loss) of losses 0, 1/3, 2/3 in 255ths: 255, 208, 147; the last repeats.
+  CHECK(map.mipKept.x == 0x9393d0ffu);
+  CHECK(map.mipKept.w == 0x93939393u);
   const Table& table = file.bundle.tables[1];
   CHECK(map.mean.x == Approx(std::to_integer<int>(table.texels.back()) / 255.0));
   CHECK(map.mean.w == 1.0f);
@@ -437,7 +441,7 @@ TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
 TEST_CASE("memory exhausted at any allocation of a parse is a result") {
   BundleFile file = example::smallest();
   file.bundle.tables[0] = example::patternTable("", TexelFormat::r8Unorm, 64, 64, 0, 7);
-  file.bundle.noises[0].maps[0].mipLoss.assign(7, 0.5);
+  file.bundle.noises[0].maps[0].mipLoss.assign(7, 0.0);
   const std::vector<std::byte> glb = encodeGlb(file).value();
   const LichenParseInfo info = parseInfo(glb);
   int failures = 0;

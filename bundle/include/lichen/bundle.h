@@ -115,13 +115,9 @@ struct NoiseMap {
   std::size_t gaussian = 0;                ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
-  /// Variance that a bilinear fetch of each mip level of the Gaussian image loses, averaged over
-  /// sub-texel positions; one value per mip level, in [0, 1], not decreasing.
+  /// Share of level 0's variance that each mip level of the Gaussian image has lost; one value per
+  /// mip level, in [0, 1], not decreasing.
   std::vector<double> mipLoss;
-  /// (a, b): at mip 0 and sub-texel position (f, g) in [0, 1)^2 the fetch loses
-  /// 1 - (1 - a f (1 - f)) (1 - b g (1 - g)); each in [0, 4], above 2 where
-  /// neighbouring texels are anticorrelated.
-  std::array<double, 2> bilinearLoss{0.0, 0.0};
 };
 
 /// One noise: maps that share lattice, hash, seed and weights.

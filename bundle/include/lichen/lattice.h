@@ -55,17 +55,24 @@ inline constexpr double kLatticeColumnsPerTile = 3.46410161513775458705489268301
   return log2 > kLeastOffsetsLog2 ? log2 - kLeastOffsetsLog2 : 0u;
 }
 
+/// Which of `countX` x `countY` offsets a vertex's tile has. The high 16 bits of the hash are
+/// scaled, which is unbiased to 128 / 65536 for the at most 127 offsets of each side.
+[[nodiscard]] constexpr std::array<std::uint32_t, 2>
+tileOffsetIndex(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t countX,
+                std::uint32_t countY) {
+  const std::array<std::uint32_t, 3> h = pcg3d({i, j, seedWord});
+  return {((h[0] >> 16u) * countX) >> 16u, ((h[1] >> 16u) * countY) >> 16u};
+}
+
 /// The offset of a vertex's tile in whole texels: components in [0, width) x [0, height), multiples
-/// of the step. The high 16 bits of the hash are scaled, which is unbiased to 128 / 65536.
+/// of the step.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>
 tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t width,
                  std::uint32_t height) {
-  const std::array<std::uint32_t, 3> h = pcg3d({i, j, seedWord});
-  const auto offset = [](std::uint32_t hash, std::uint32_t size) {
-    const std::uint32_t shift = tileOffsetShift(size);
-    return (((hash >> 16u) * (size >> shift)) >> 16u) << shift;
-  };
-  return {offset(h[0], width), offset(h[1], height)};
+  const std::uint32_t shiftX = tileOffsetShift(width);
+  const std::uint32_t shiftY = tileOffsetShift(height);
+  const auto index = tileOffsetIndex(i, j, seedWord, width >> shiftX, height >> shiftY);
+  return {index[0] << shiftX, index[1] << shiftY};
 }
 
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.

@@ -291,7 +291,7 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
 
 /* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
  * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
-#define LICHEN_UNIFORM_BYTES 768
+#define LICHEN_UNIFORM_BYTES 512
 
 /* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
  */

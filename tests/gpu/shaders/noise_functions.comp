@@ -4,7 +4,7 @@
 // The parts of the tiling, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
 #include "lichen.glsl"
 
-const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset in 512 x 300, seed and pcg
+const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset of 64 x 75, seed and pcg
 const int kTriangle = 1;    // (position as float bits, cell) -> i, j, weights as float bits
 const int kCdf = 2;         // float bits -> float bits
 const int kFloorDivide = 3; // (value, period) -> quotient
@@ -22,8 +22,8 @@ void main() {
   uvec4 first = uvec4(0u), second = uvec4(0u), third = uvec4(0u);
   if (kFunction == kHash) {
     first.xyz = lichenPcg3d(question.xyz);
-    second.xy = lichenTileOffsetTexels(int(question.x), int(question.y), question.z,
-                                       uvec2(512u, 300u));
+    second.xy =
+        lichenTileOffsetIndex(int(question.x), int(question.y), question.z, uvec2(64u, 75u));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
     LichenNoise noise;

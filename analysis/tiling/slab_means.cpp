@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Slabs, Gaussian image -> slabs whose means over what the shader fetches are the exemplar's.
+#include "slab_means.h"
+
+#include "prefilter.h"
+#include "table_lookup.h"
+
+#include <lichen/lattice.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+/// Blended fetches for a slab's mean. Independent values of deviation 0.3 would give it a standard
+/// error of 0.0012; one tap of each is stratified over the image, which lowers that.
+constexpr std::uint32_t kSamples = 1u << 16u;
+
+/// A level between two mips: the trilinear fetch `rest` mip + (1 - rest) (mip + 1).
+struct Between {
+  std::size_t mip = 0;
+  float rest = 1.0f;
+};
+
+/// Where fetches lose `level` of the variance: 1 - level = above + rest^2 (below - above), since a
+/// mip's average is the mip above.
+Between betweenMips(double level, const std::vector<ChannelMatrix>& lost) {
+  std::size_t mip = 0;
+  while (mip + 2 < lost.size() && scalarLoss(lost[mip + 1]) < level)
+    ++mip;
+  const double below = 1.0 - scalarLoss(lost[mip]);
+  const double above = 1.0 - scalarLoss(lost[std::min(mip + 1, lost.size() - 1)]);
+  if (below <= above)
+    return {mip, 1.0f};
+  return {mip, float(std::sqrt(std::clamp((1.0 - level - above) / (below - above), 0.0, 1.0)))};
+}
+
+/// The stored image's mips as the shader reads them.
+class Mips {
+public:
+  explicit Mips(const Table& gaussian)
+      : width_(gaussian.width), height_(gaussian.height),
+        stride_(std::size_t(channelCount(gaussian.format))) {
+    for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip)
+      levels_.push_back(decodeLevel(gaussian, mip));
+  }
+
+  [[nodiscard]] std::uint32_t texelCount(std::size_t mip) const {
+    return std::uint32_t(levels_[mip].size() / stride_);
+  }
+
+  /// A texel of the mip, and with it the texel of the next one that averages it; about 1/2.
+  [[nodiscard]] std::array<float, 3> fetch(const Between& between, std::uint32_t texel) const {
+    const std::size_t mip = between.mip;
+    const std::size_t next = std::min(mip + 1, levels_.size() - 1);
+    const std::size_t width = side(width_, mip);
+    const std::size_t column = std::min(texel % width / 2, side(width_, next) - 1);
+    const std::size_t row = std::min(texel / width / 2, side(height_, next) - 1);
+    const float* fine = &levels_[mip][texel * stride_];
+    const float* coarse = &levels_[next][(row * side(width_, next) + column) * stride_];
+    std::array<float, 3> value{};
+    for (std::size_t c = 0; c < std::min<std::size_t>(stride_, 3); ++c)
+      value[c] = between.rest * fine[c] + (1.0f - between.rest) * coarse[c] - 0.5f;
+    return value;
+  }
+
+private:
+  static std::size_t side(std::uint32_t size, std::size_t mip) {
+    return std::max<std::size_t>(1, size >> mip);
+  }
+
+  std::uint32_t width_;
+  std::uint32_t height_;
+  std::size_t stride_;
+  std::vector<std::vector<float>> levels_;
+};
+
+/// [HN18] eq. 8 on three texels at random, with weights uniform in the triangle.
+std::array<float, 3> blendedFetch(const Mips& mips, const Between& between, std::uint32_t sample) {
+  const std::uint32_t count = mips.texelCount(between.mip);
+  const std::array<std::uint32_t, 3> tap = pcg3d({sample, 0u, 0u});
+  const std::array<std::uint32_t, 3> place = pcg3d({sample, 1u, 0u});
+  const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };
+  float a = random(place[0]);
+  float b = random(place[1]);
+  if (a + b > 1.0f) {
+    a = 1.0f - a;
+    b = 1.0f - b;
+  }
+  const std::array<float, 3> weights{a, b, 1.0f - a - b};
+  const std::array<std::uint32_t, 3> texels{std::uint32_t(std::uint64_t(sample) * count / kSamples),
+                                            tap[1] % count, tap[2] % count};
+  const float norm = std::sqrt(a * a + b * b + weights[2] * weights[2]);
+  std::array<float, 3> value{0.5f, 0.5f, 0.5f};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<float, 3> tapValue = mips.fetch(between, texels[k]);
+    for (std::size_t c = 0; c < 3; ++c)
+      value[c] += weights[k] / norm * tapValue[c];
+  }
+  return value;
+}
+
+template <std::size_t kDimensions>
+std::array<double, 4> meanOfFetches(const InverseTable& slab, const Mips& mips,
+                                    const Between& between) {
+  const TableLookup<kDimensions> lookup(slab);
+  std::array<double, 4> mean{};
+  for (std::uint32_t sample = 0; sample < kSamples; ++sample) {
+    const std::array<float, 4> value = lookup(blendedFetch(mips, between, sample));
+    for (std::size_t c = 0; c < 4; ++c)
+      mean[c] += double(value[c]) / kSamples;
+  }
+  return mean;
+}
+
+std::array<double, 4> meanOf(const InverseTable& slab, const Mips& mips, const Between& between) {
+  switch (slab.dimensions) {
+  case 1:
+    return meanOfFetches<1>(slab, mips, between);
+  case 2:
+    return meanOfFetches<2>(slab, mips, between);
+  default:
+    return meanOfFetches<3>(slab, mips, between);
+  }
+}
+
+} // namespace
+
+void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
+                      const std::vector<ChannelMatrix>& lost) {
+  const Mips mips(gaussian);
+  const InverseTable& exact = slabs.front();
+  const std::vector<float>& mean = slabs.back().values;
+  const std::vector<double> levels = tableLevels();
+  const auto channels = std::size_t(exact.channels);
+  tbb::parallel_for(std::size_t(1), slabs.size() - 1, [&](std::size_t k) {
+    InverseTable& slab = slabs[k];
+    const std::array<double, 4> fetched = meanOf(slab, mips, betweenMips(levels[k], lost));
+    for (std::size_t c = 0; c < channels; ++c) {
+      float low = exact.values[c];
+      float high = low;
+      for (std::size_t i = c; i < exact.values.size(); i += channels) {
+        low = std::min(low, exact.values[i]);
+        high = std::max(high, exact.values[i]);
+      }
+      const auto shift = float(double(mean[c]) - fetched[c]);
+      for (std::size_t i = c; i < slab.values.size(); i += channels)
+        slab.values[i] = std::clamp(slab.values[i] + shift, low, high);
+    }
+  });
+}
+
+} // namespace lichen::tiling
