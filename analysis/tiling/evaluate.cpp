@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
-// the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl.
+// the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl, with a
+// trilinear sampler.
 #include "simplex_lattice.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -55,27 +56,15 @@ float mipKept(const shader::LichenMap& map, int mip) {
   return float((words[std::size_t(byte / 4)] >> (8 * (byte % 4))) & 255u) / 255.0f;
 }
 
-/// The footprint's sides in texels of the map: squared lengths, larger first.
-struct Extent {
-  float major = 0.0f;
-  float minor = 0.0f;
-};
-
-Extent extentOf(const shader::LichenMap& map, const TileFootprint& at) {
-  const auto squaredLength = [&](const std::array<float, 2>& d) {
+/// The level of detail of the footprint, at least 0: log2 of its longer side in texels.
+float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
+  const auto squaredTexels = [&](const std::array<float, 2>& d) {
     const float x = d[0] * map.widthTexels;
     const float y = d[1] * map.heightTexels;
     return x * x + y * y;
   };
-  const float x = squaredLength(at.dx);
-  const float y = squaredLength(at.dy);
-  return {std::max(x, y), std::min(x, y)};
-}
-
-/// log2 of a squared length, halved; a vanishing footprint is far below the first mip.
-float levelOf(float squaredLength) {
-  constexpr float kSmallest = 1e-12f;
-  return 0.5f * std::log2(std::max(squaredLength, kSmallest));
+  const float squared = std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)});
+  return std::min(0.5f * std::log2(squared), float(map.mipCount - 1));
 }
 
 /// The variance that a bilinear fetch of one mip keeps.
@@ -96,12 +85,7 @@ float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at) 
 }
 
 /// The share of the variance that a tap loses: a trilinear blend of a level and its own average.
-float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
-                   const TileFootprint& at, const Extent& extent) {
-  const float major = levelOf(extent.major);
-  const float stretch =
-      std::clamp(major - levelOf(extent.minor), 0.0f, std::log2(noise.maxAnisotropy));
-  const float lod = std::clamp(major - 0.5f * stretch, 0.0f, float(map.mipCount - 1));
+float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float lod) {
   const int mip = int(lod);
   const float below = fetchKept(map, mip, at);
   const float above = fetchKept(map, mip + 1, at);
@@ -224,11 +208,8 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
                                 const TileFootprint& at, BlendOperator blend) const {
   const Map& map = maps_[mapIndex];
   const tiling::Taps taps = tiling::tapsAt(noise, at.position);
-  const Extent extent = extentOf(map.constants, at);
-  const float stretch = std::clamp(levelOf(extent.major) - levelOf(extent.minor), 0.0f,
-                                   std::log2(noise.maxAnisotropy));
-  const float lod = levelOf(extent.major) - stretch;
-  const float lost = lostVariance(map.constants, noise, at, extent);
+  const float lod = levelOfDetail(map.constants, at);
+  const float lost = lostVariance(map.constants, at, lod);
   const bool decodeFirst = blend != BlendOperator::histogramPreserving;
   const Value middle =
       decodeFirst ? Value{map.constants.mean.x, map.constants.mean.y, map.constants.mean.z, 1.0f}
