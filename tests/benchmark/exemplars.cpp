@@ -13,6 +13,19 @@ namespace lichen::bench {
 namespace {
 
 constexpr int kSide = 256;
+/// Slope for a step of 1 in height from pixel to pixel: a relief of a few pixels.
+constexpr float kRelief = 4.0f;
+
+MapExemplar mapOf(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding,
+                  const SrgbImage& sizes) {
+  MapExemplar map;
+  map.target = target;
+  map.channels = std::move(channels);
+  map.encoding = encoding;
+  map.width = sizes.width;
+  map.height = sizes.height;
+  return map;
+}
 
 /// The top left corner, as RGB.
 SrgbImage crop(const SrgbImage& image) {
@@ -66,9 +79,35 @@ MapExemplar baseColorMap(const SrgbImage& image) {
   return map;
 }
 
-Bundle bakedBundle(const SrgbImage& image) {
+std::vector<MapExemplar> materialSet(int sidePixels) {
+  const SrgbImage color = exemplars::rust(sidePixels);
+  MapExemplar height = mapOf(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, color);
+  MapExemplar normal = mapOf(MapTarget::normal, {MapChannel::slopeX, MapChannel::slopeY},
+                             ValueEncoding::slope, color);
+  MapExemplar orm = mapOf(MapTarget::occlusionRoughnessMetallic,
+                          {MapChannel::occlusion, MapChannel::roughness, MapChannel::metallic},
+                          ValueEncoding::linear, color);
+  for (int y = 0; y < sidePixels; ++y)
+    for (int x = 0; x < sidePixels; ++x) {
+      const auto at = [&](int column, int row) {
+        return color.pixel(column % sidePixels, row % sidePixels);
+      };
+      const float here = at(x, y)[1];
+      height.values.push_back(here);
+      normal.values.insert(normal.values.end(), {kRelief * (at(x + 1, y)[1] - here),
+                                                 kRelief * (here - at(x, y + 1)[1])});
+      orm.values.insert(orm.values.end(), {here, at(x, y)[2], at(x, y)[0]});
+    }
+  return {baseColorMap(color), normal, orm, height};
+}
+
+Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {
   const MapExemplar map = baseColorMap(image);
-  Result<TilingBake> bake = bakeTiling("benchmark", {&map, 1}, {});
+  return bakedBundle({&map, 1}, options);
+}
+
+Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {
+  Result<TilingBake> bake = bakeTiling("benchmark", maps, options);
   if (!bake) {
     std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
     std::exit(int(bake.error().kind));

@@ -6,6 +6,7 @@
 #include <lichen/image.h>
 #include <lichen/tiling.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,14 @@ struct Exemplar {
 
 [[nodiscard]] MapExemplar baseColorMap(const SrgbImage& image);
 
-/// The bundle of one baked exemplar, with its material. Ends the program with the bake's message if
-/// it fails: there is nothing to measure then.
-[[nodiscard]] Bundle bakedBundle(const SrgbImage& image);
+/// A generated material set: base colour (RGB), normal (two slopes), occlusion-roughness-metallic
+/// and height, all of one surface.
+[[nodiscard]] std::vector<MapExemplar> materialSet(int sidePixels);
+
+/// The bundle of a baked exemplar, or set, with its material. Ends the program with the bake's
+/// message if it fails: there is nothing to measure then.
+[[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
+                                 const TilingOptions& options = {});
+[[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
 
 } // namespace lichen::bench

@@ -86,6 +86,14 @@ int main(int argumentCount, char** arguments) {
     std::printf("%.6f %.3f\n", seconds, peakMemoryMegabytes());
     return 0;
   }
+  nlohmann::ordered_json machine;
+  std::string line;
+  for (const auto& [what, value] : machineFacts()) {
+    machine[what] = value;
+    line += (line.empty() ? "" : "; ") + what + ": " + value;
+  }
+  if (!json)
+    std::printf("%s\n\n", line.c_str());
   if (markdown)
     std::puts("| family | what | measured | target | verdict | how |\n|---|---|---|---|---|---|");
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -102,6 +110,6 @@ int main(int argumentCount, char** arguments) {
     }
   }
   if (json)
-    std::puts(nlohmann::ordered_json{{"rows", rows}}.dump(2).c_str());
+    std::puts(nlohmann::ordered_json{{"machine", machine}, {"rows", rows}}.dump(2).c_str());
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <lichen/synthesize.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -32,6 +33,58 @@ SrgbImage synthesized(const Bundle& bundle, int side) {
   SynthesisOptions options;
   options.width = options.height = side;
   return toSrgb(require(synthesize(bundle, options)));
+}
+
+/// Covariances between base colour and the other maps' channels; images of equal size.
+std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
+  std::vector<std::vector<double>> mean(maps.size());
+  const std::size_t count = maps.front().pixelCount();
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const auto channels = std::size_t(maps[m].channels);
+    mean[m].assign(channels, 0.0);
+    for (std::size_t i = 0; i < maps[m].values.size(); ++i)
+      mean[m][i % channels] += double(maps[m].values[i]) / double(count);
+  }
+  std::vector<double> result;
+  const LinearImage& color = maps.front();
+  for (std::size_t m = 1; m < maps.size(); ++m)
+    for (std::size_t d = 0; d < mean[m].size(); ++d)
+      for (std::size_t c = 0; c < mean.front().size(); ++c) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count; ++i)
+          sum += (double(color.values[i * mean.front().size() + c]) - mean.front()[c]) *
+                 (double(maps[m].values[i * mean[m].size() + d]) - mean[m][d]);
+        result.push_back(sum / double(count));
+      }
+  return result;
+}
+
+/// How far a result's covariances between maps are from its exemplar's, as a share of their norm.
+Row crossCovarianceRow() {
+  const std::vector<MapExemplar> set = materialSet(int(kExemplarSide));
+  const Bundle bundle = bakedBundle(set);
+  std::vector<LinearImage> exemplar, result;
+  for (const MapExemplar& map : set) {
+    exemplar.emplace_back(map.width, map.height, int(map.channels.size()));
+    exemplar.back().values = map.values;
+    if (map.encoding == ValueEncoding::srgb)
+      for (float& value : exemplar.back().values)
+        value = srgbToLinear(value);
+    SynthesisOptions options;
+    options.width = options.height = kResultSide;
+    options.map = map.target;
+    result.push_back(require(synthesize(bundle, options)));
+  }
+  const std::vector<double> wanted = crossCovariances(exemplar);
+  const std::vector<double> found = crossCovariances(result);
+  double error = 0.0, norm = 0.0;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    error += (found[k] - wanted[k]) * (found[k] - wanted[k]);
+    norm += wanted[k] * wanted[k];
+  }
+  return {"cross-covariance between the maps of a set, 4 exemplars a side",
+          100.0 * std::sqrt(error / norm), 3.0, "%",
+          "base colour with normal, ORM and height; rust"};
 }
 
 /// One measure over all exemplars.
@@ -73,6 +126,7 @@ std::vector<Row> resultRows() {
   lattice.append(rows, "lattice_visibility, 16 exemplars a side", 0.03, "");
   spectrum.append(rows, "spectrum_distance_db, 4 exemplars a side", 0.6, "dB");
   seam.append(rows, "seam_visibility, 4 exemplars a side", 1.1, "");
+  rows.push_back(crossCovarianceRow());
   return rows;
 }
 

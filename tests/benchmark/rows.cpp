@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 #include <string>
+#include <thread>
 
 namespace lichen::bench {
 
@@ -16,6 +17,31 @@ double median(std::vector<double> values) {
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<std::pair<std::string, std::string>> machineFacts() {
+  const auto valueOf = [](const char* file, const std::string& key) {
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);)
+      if (line.rfind(key, 0) == 0) {
+        const std::size_t start = line.find_first_not_of(" \t", line.find(':') + 1);
+        return start == std::string::npos ? std::string() : line.substr(start);
+      }
+    return std::string("unknown");
+  };
+  std::string load = "unknown";
+  std::getline(std::ifstream("/proc/loadavg"), load);
+#ifdef __clang__
+  const char* const compiler = __VERSION__;
+#else
+  const char* const compiler = "GCC " __VERSION__;
+#endif
+  return {{"processor", valueOf("/proc/cpuinfo", "model name")},
+          {"cores", std::to_string(std::thread::hardware_concurrency())},
+          {"memory", valueOf("/proc/meminfo", "MemTotal")},
+          {"load", load.substr(0, load.find(' '))},
+          {"compiler", compiler},
+          {"build", LICHEN_BENCH_BUILD}};
 }
 
 double peakMemoryMegabytes() {

@@ -33,7 +33,10 @@ template <class Work>
 /// Peak resident memory of this process so far, in MB (VmHWM of /proc/self/status).
 [[nodiscard]] double peakMemoryMegabytes();
 
-std::vector<Row> bakeRows();      ///< time and memory of a bake, time of the table's levels
+/// What the numbers depend on: processor and its cores, memory, load, compiler, build.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> machineFacts();
+
+std::vector<Row> bakeRows();      ///< time and memory of bakes, time of the table's levels
 std::vector<Row> growthRows();    ///< time and memory of larger bakes
 std::vector<Row> transportRows(); ///< cost over the certified bound, speckle
 std::vector<Row> synthRows();     ///< speed of the CPU twin

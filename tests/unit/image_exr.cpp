@@ -150,10 +150,12 @@ TEST_CASE("channels are chosen by name, and what is missing or left over is note
 }
 
 TEST_CASE("negative EXR values become 0, with a note") {
-  Exr exr = {.hasOddValue = true, .oddValue = -2.5f};
-  const Decoded decoded = decode(makeExr(exr));
-  CHECK(decoded.image.values[0] == 0.0f);
-  CHECK(decoded.notes == Notes{"1 negative values set to 0"});
+  for (const float value : {-2.5f, -0x1p-20f}) {
+    Exr exr = {.hasOddValue = true, .oddValue = value};
+    const Decoded decoded = decode(makeExr(exr));
+    CHECK(decoded.image.values[0] == 0.0f);
+    CHECK(decoded.notes == Notes{"1 negative values set to 0"});
+  }
 }
 
 TEST_CASE("NaN and infinite EXR values are refused with their place") {
