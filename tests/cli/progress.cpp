@@ -22,7 +22,7 @@ struct Made {
     return {"bake", photograph, "-o", workplace.path("new.glb"), "--threads", "1"};
   }
   [[nodiscard]] Arguments longSynth() const {
-    return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "2000", "--threads", "1"};
+    return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "2400", "--threads", "1"};
   }
 };
 
