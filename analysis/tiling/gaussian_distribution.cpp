@@ -27,8 +27,9 @@ double shiftedRadicalInverse(std::size_t i, std::size_t base, std::size_t count)
   return inverse + 0.5 * place;
 }
 
-/// Clamping loses variance and the whitening that restores it clamps a little more; each pass
-/// reduces the error about hundredfold, so this many leave nothing that 8 bits could hold.
+/// Clamping loses variance and the whitening that restores it clamps a little more. Of 65,536
+/// points the covariance is off by 5e-3 of the variance when clamped, and by 1.2e-4, 3e-6, 8e-8,
+/// 2e-9 after 1 to 4 passes; rounding to 8 bits leaves 4e-5, so two would do.
 constexpr int kWhiteningPasses = 4;
 
 /// Columns are points: mean becomes 1/2 and covariance I / 36, by the inverse square root of the
@@ -39,10 +40,13 @@ void whiten(MatrixXd& points) {
   const MatrixXd covariance = points * points.transpose() / double(points.cols());
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance);
   const double variance = kGaussianDeviation * kGaussianDeviation;
+  // Where there are no more points than dimensions, directions without variance stay without. Such
+  // eigenvalues are below 1e-15 of the variance; the least of any larger set is 0.08 (4 points).
+  constexpr double kNoVariance = 1e-9;
   VectorXd scale(covariance.rows());
   for (Eigen::Index k = 0; k < scale.size(); ++k) {
     const double value = solver.eigenvalues()[k];
-    scale[k] = value > variance * 1e-9 ? std::sqrt(variance / value) : 1.0;
+    scale[k] = value > kNoVariance * variance ? std::sqrt(variance / value) : 1.0;
   }
   points = solver.eigenvectors() * scale.asDiagonal() * solver.eigenvectors().transpose() * points;
   points.array() += kGaussianMean;

@@ -545,6 +545,23 @@ TEST_CASE("a bake does not depend on the number of threads") {
   CHECK(one.noise.maps[0].mipLoss == many.noise.maps[0].mipLoss);
 }
 
+TEST_CASE("one map that does not tile makes the whole set be blended") {
+  const MapExemplar whole = test::threeMaterials(64, 64, 1);
+  const MapExemplar crop = test::cropped(test::threeMaterials(128, 128, 2), 9, 5, 64, 64);
+  TilingOptions options;
+  options.transport = TransportEffort::fast;
+  const auto wasPeriodic = [&](const std::vector<MapExemplar>& maps) {
+    const Result<TilingBake> bake = bakeTiling("x", maps, options);
+    REQUIRE(bake);
+    return bake.value().exemplarWasPeriodic;
+  };
+  CHECK(wasPeriodic({whole}));
+  CHECK_FALSE(wasPeriodic({whole, crop}));
+  CHECK_FALSE(wasPeriodic({crop, whole}));
+  options.periodic = Periodic::yes;
+  CHECK(wasPeriodic({crop}));
+}
+
 TEST_CASE("options and maps out of range are refused") {
   const MapExemplar map = test::threeMaterials(8, 8, 1, 1);
   TilingOptions options;

@@ -9,6 +9,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstring>
+#include <numeric>
+
 using namespace lichen;
 using example::GlbParts;
 
@@ -83,6 +86,22 @@ TEST_CASE("every truncated length of a KTX2 file is refused") {
       encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
   for (std::size_t length = 0; length < file.size(); ++length)
     REQUIRE_FALSE(decodeKtx2(std::span(file).first(length), "x").ok());
+}
+
+TEST_CASE("each mip level of a KTX2 file starts at a multiple of its texels' size and of four") {
+  for (const TexelFormat format :
+       {TexelFormat::r8Unorm, TexelFormat::rg8Unorm, TexelFormat::rgba8Srgb,
+        TexelFormat::rg16Sfloat, TexelFormat::rgba16Sfloat, TexelFormat::rgba32Sfloat})
+    for (const std::uint32_t levels : {1u, 2u, 3u}) {
+      const std::vector<std::byte> file =
+          encodeKtx2(example::patternTable("", format, 5, 3, 0, levels));
+      for (std::size_t level = 0; level < levels; ++level) {
+        constexpr std::size_t kLevelIndex = 80; // KTX 2.0, section 3.1
+        std::uint64_t offset = 0;
+        std::memcpy(&offset, file.data() + kLevelIndex + 24 * level, sizeof offset);
+        CHECK(offset % std::lcm(texelBytes(format), std::size_t(4)) == 0);
+      }
+    }
 }
 
 TEST_CASE("every fault of the GLB framing is found") {
