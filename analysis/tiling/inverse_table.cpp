@@ -147,8 +147,6 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
   }
 
   TransportOptions alike = options; // Gaussian to Gaussian: nearly the identity
-  alike.trees = 2;
-  alike.exactRounds = 0;
   alike.progress = {};
   const std::vector<std::uint32_t> cellOf = transport::improveAssignment(
       chosenPoints, middles, transport::assign(chosenGaussian, middles, alike), options);

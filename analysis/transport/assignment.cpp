@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Transport between equal point sets: N points and N points -> a permutation.
-// Random partition trees on preconditioned points, merged; then two-opt and exact blocks.
+// Multiscale matching of preconditioned points; then two-opt and exact blocks.
 #include "assignment.h"
 
 #include "local_blocks.h"
+#include "multiscale.h"
 #include "partition_tree.h"
 #include "precondition.h"
 #include "random.h"
@@ -13,11 +14,10 @@
 namespace lichen::transport {
 namespace {
 
-/// Pairs that swapInsideBlocks compares with each other: cheap, so more rounds of fewer.
-constexpr int kSwapBlockSize = 16;
+/// What the multiscale matching takes of the default effort's time.
+constexpr double kMultiscaleWork = 0.4;
 
-/// Salts, so that trees and block partitions draw from different streams.
-constexpr std::uint64_t kTreeStream = 1;
+/// Salts, so that the two kinds of block draw from different streams.
 constexpr std::uint64_t kSwapStream = 2;
 constexpr std::uint64_t kExactStream = 3;
 
@@ -25,46 +25,24 @@ std::uint64_t streamSeed(std::uint64_t seed, std::uint64_t stream, int round) {
   return randomBits(seed * 4 + stream, std::uint64_t(round));
 }
 
-/// Takes over what a second matching does better: each of its pairs is tried as an exchange.
-void merge(const PointPair& points, std::vector<std::uint32_t>& assignment,
-           std::vector<std::uint32_t>& sourceOf, const std::vector<std::uint32_t>& other) {
-  for (std::size_t i = 0; i < assignment.size(); ++i) {
-    const std::size_t j = sourceOf[other[i]];
-    const Point& si = points.source[i];
-    const Point& sj = points.source[j];
-    const Point& ti = points.target[assignment[i]];
-    const Point& tj = points.target[assignment[j]];
-    const Point ds{si.x - sj.x, si.y - sj.y, si.z - sj.z};
-    const Point dt{ti.x - tj.x, ti.y - tj.y, ti.z - tj.z};
-    if (dot(ds, dt) < 0.0f) {
-      std::swap(assignment[i], assignment[j]);
-      sourceOf[assignment[i]] = std::uint32_t(i);
-      sourceOf[assignment[j]] = std::uint32_t(j);
-    }
-  }
-}
-
-std::vector<std::uint32_t> mergedTrees(const PointPair& points, const TransportOptions& options) {
-  const auto tree = [&](int round) {
-    return partitionTreeMatching(points.source, points.target,
-                                 streamSeed(options.seed, kTreeStream, round));
-  };
-  std::vector<std::uint32_t> assignment = tree(0);
-  std::vector<std::uint32_t> sourceOf(assignment.size());
-  for (std::size_t i = 0; i < assignment.size(); ++i)
-    sourceOf[assignment[i]] = std::uint32_t(i);
-  for (int round = 1; round < options.trees; ++round)
-    merge(points, assignment, sourceOf, tree(round));
+/// The matching of two sets on a line.
+std::vector<std::uint32_t> sorted(const PointPair& points) {
+  const PartitionOrder order = partitionOrder(points.source, points.target, 1);
+  std::vector<std::uint32_t> assignment(points.source.size());
+  for (std::size_t k = 0; k < assignment.size(); ++k)
+    assignment[order.source[k]] = order.target[k];
   return assignment;
 }
 
 void improve(const PointPair& points, std::vector<std::uint32_t>& assignment,
-             const TransportOptions& options) {
-  for (int round = 0; round < options.swapRounds; ++round)
-    swapInsideBlocks(points, assignment, kSwapBlockSize,
-                     streamSeed(options.seed, kSwapStream, round));
+             const TransportOptions& options, ProgressPart progress) {
+  const double rounds = options.swapRounds + options.exactRounds;
+  for (int round = 0; round < options.swapRounds; ++round) {
+    progress.reach(round / rounds);
+    swapInsideRegions(points, assignment, streamSeed(options.seed, kSwapStream, round));
+  }
   for (int round = 0; round < options.exactRounds; ++round) {
-    options.progress.reach(double(round) / options.exactRounds);
+    progress.reach((options.swapRounds + round) / rounds);
     solveInsideBlocks(points, assignment, options.blockSize,
                       streamSeed(options.seed, kExactStream, round));
   }
@@ -75,11 +53,11 @@ void improve(const PointPair& points, std::vector<std::uint32_t>& assignment,
 TransportOptions optionsFor(TransportEffort effort) {
   switch (effort) {
   case TransportEffort::fast:
-    return {.trees = 4, .swapRounds = 4, .exactRounds = 0};
+    return {.swapRounds = 1, .exactRounds = 0};
   case TransportEffort::standard:
     break;
   case TransportEffort::exact:
-    return {.exactRounds = 60};
+    return {.swapRounds = 8, .exactRounds = 60};
   }
   return {};
 }
@@ -90,8 +68,11 @@ std::vector<std::uint32_t> assign(std::span<const Point> source, std::span<const
   if (source.empty())
     return {};
   const PointPair points = precondition(source, target);
-  std::vector<std::uint32_t> assignment = mergedTrees(points, options);
-  improve(points, assignment, options);
+  if (points.dimensions < 2)
+    return sorted(points);
+  std::vector<std::uint32_t> assignment =
+      multiscaleMatching(points, options.progress.part(0.0, kMultiscaleWork));
+  improve(points, assignment, options, options.progress.part(kMultiscaleWork, 1.0));
   return assignment;
 }
 
@@ -102,7 +83,7 @@ std::vector<std::uint32_t> improveAssignment(std::span<const Point> source,
   assert(source.size() == target.size() && source.size() == start.size());
   if (source.empty())
     return {};
-  improve(precondition(source, target), start, options);
+  improve(precondition(source, target), start, options, options.progress);
   return start;
 }
 

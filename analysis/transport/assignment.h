@@ -13,12 +13,12 @@
 
 namespace lichen::transport {
 
-/// How much work assign() does. The defaults cost about 8 microseconds a point and core and leave
-/// the transport cost a few tenths of a per cent above the optimum.
+/// How much work assign() does beyond the multiscale matching. The defaults cost about 7
+/// microseconds a point and core and leave the transport cost a tenth of a per cent above the
+/// optimum.
 struct TransportOptions {
-  int trees = 8;       ///< [1, 256] random binary-partition trees, merged
-  int swapRounds = 6;  ///< rounds of two-opt inside small blocks
-  int exactRounds = 6; ///< rounds of exact assignment inside blocks of `blockSize`
+  int swapRounds = 4;  ///< rounds of two-opt inside small blocks, several times in regions
+  int exactRounds = 1; ///< rounds of exact assignment inside blocks of `blockSize`
   int blockSize = 48;  ///< [2, 256] points
   std::uint64_t seed = 1;
   ProgressPart progress{};
@@ -31,13 +31,13 @@ struct TransportOptions {
 /// coordinates. Directions in which the sources do not vary are matched arbitrarily.
 /// O(N log N) time, about 80 bytes a point beyond the arguments. The same result for any number of
 /// threads. Throws std::bad_alloc and Interrupted.
-/// Source: binary-partition trees [G25], on the pair of sets made alike by the closed-form map
-/// between their covariances (docs/theory.md).
+/// Multiscale matching, then exchanges inside blocks, on the pair of sets made alike by the
+/// closed-form map between their covariances (docs/theory.md).
 [[nodiscard]] std::vector<std::uint32_t> assign(std::span<const Point> source,
                                                 std::span<const Point> target,
                                                 const TransportOptions& options);
 
-/// As above, improving the bijection `start` instead of growing trees.
+/// As above, improving the bijection `start` instead of making one.
 [[nodiscard]] std::vector<std::uint32_t> improveAssignment(std::span<const Point> source,
                                                            std::span<const Point> target,
                                                            std::vector<std::uint32_t> start,

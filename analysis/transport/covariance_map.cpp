@@ -6,10 +6,14 @@
 #include <cmath>
 
 namespace lichen::transport {
+namespace {
+
+/// (2^-20)^2: float coordinates carry 24 bits, of which sums of many keep about 20.
+constexpr double kNoVariance = 1e-12;
+
+} // namespace
 
 SmallMatrix power(const SmallMatrix& symmetric, double exponent) {
-  // (2^-20)^2: float coordinates carry 24 bits, of which sums of many keep about 20.
-  constexpr double kNoVariance = 1e-12;
   const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(symmetric);
   const auto& values = solver.eigenvalues();
   const double floor = kNoVariance * std::max(values.maxCoeff(), 0.0);
@@ -17,6 +21,12 @@ SmallMatrix power(const SmallMatrix& symmetric, double exponent) {
   for (Eigen::Index k = 0; k < values.size(); ++k)
     powered[k] = values[k] > floor ? std::pow(values[k], exponent) : 0.0;
   return solver.eigenvectors() * powered.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+int rank(const SmallMatrix& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(symmetric, Eigen::EigenvaluesOnly);
+  const double floor = kNoVariance * std::max(solver.eigenvalues().maxCoeff(), 0.0);
+  return int((solver.eigenvalues().array() > floor).count());
 }
 
 SmallMatrix covarianceMap(const SmallMatrix& from, const SmallMatrix& to) {

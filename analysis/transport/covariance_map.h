@@ -15,6 +15,9 @@ using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 
 /// semidefinite.
 [[nodiscard]] SmallMatrix power(const SmallMatrix& symmetric, double exponent);
 
+/// How many eigenvalues do not count as zero.
+[[nodiscard]] int rank(const SmallMatrix& symmetric);
+
 /// The symmetric optimal-transport map between centred Gaussians,
 /// A^(-1/2) (A^(1/2) B A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19 eq. 2.40].
 [[nodiscard]] SmallMatrix covarianceMap(const SmallMatrix& from, const SmallMatrix& to);

@@ -11,7 +11,9 @@ namespace {
 /// Rows are padded to whole vectors of 16 floats (AVX-512), so the sweep has no remainder loop.
 constexpr std::size_t kLanes = 16;
 
-/// An improvement below this share of the largest exchange cost is rounding of float products.
+/// An improvement below this share of the largest exchange cost is rounding: an exchange is the
+/// difference of two products of three terms, each rounded by 2^-24 of up to the block's largest
+/// coordinate squared, tens of times the largest exchange in a small block; a path adds several.
 constexpr float kRelativeTolerance = 1e-5f;
 
 /// One Bellman-Ford sweep: distance[j] <- min(distance[j], distance[i] + exchange[i][j]) for every

@@ -154,6 +154,7 @@ double sumOfSquares(std::span<const Point> points) {
 TransportBound boundTransportCost(std::span<const Point> source, std::span<const Point> target,
                                   std::span<const std::uint32_t> assignment, double tolerance) {
   assert(source.size() == target.size() && source.size() == assignment.size());
+  assert(tolerance >= 1e-6 && tolerance <= 1.0);
   TransportBound bound;
   if (source.empty())
     return bound;

@@ -44,7 +44,7 @@ PointPair precondition(std::span<const Point> source, std::span<const Point> tar
   const Matrix3d map =
       covarianceMap(covarianceOf(source, sourceMean), covarianceOf(target, targetMean));
   return {transformed(source, sourceMean, power(map, 0.5)),
-          transformed(target, targetMean, power(map, -0.5))};
+          transformed(target, targetMean, power(map, -0.5)), rank(map)};
 }
 
 } // namespace lichen::transport

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// An auction in which a group of buyers chooses among a few leaves of sites.
+#pragma once
+
+#include "point_arrays.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace lichen::transport {
+
+inline constexpr std::uint32_t kNoPartner = std::numeric_limits<std::uint32_t>::max();
+
+/// Auction [B88] with cost |x_i - y_j|^2 between as many buyers x as sites y. Both lie in an order
+/// in which neighbours are close in space (PartitionOrder): kGroupSize successive buyers share
+/// candidates, which are whole leaves of kLeafSize successive sites, so that a bid is a loop over
+/// contiguous floats. Keeps references to the points. Sequential.
+class LeafAuction {
+public:
+  static constexpr std::size_t kLeafSize = 8;
+  static constexpr std::size_t kGroupSize = 32;
+  /// Candidates of a group, at most. 24 leave twice as many buyers without a site on the hardest of
+  /// the benchmark's exemplars, 48 take longer and leave no fewer.
+  static constexpr std::size_t kMostLeaves = 32;
+
+  LeafAuction(const PointArrays& buyers, const PointArrays& sites, std::span<const float> prices);
+
+  [[nodiscard]] std::size_t groupCount() const { return groups_.size(); }
+  /// The first kMostLeaves of `leaves` become the candidates of a group; they are distinct.
+  void setCandidates(std::size_t group, std::span<const std::uint32_t> leaves);
+
+  /// Groups bid in turn, prices rising by `increment` >= 0 at least, until at most `leftOver`
+  /// buyers have no site or `rounds` are over.
+  void run(float increment, std::size_t leftOver, int rounds);
+
+  /// The site of each buyer, or kNoPartner.
+  [[nodiscard]] const std::vector<std::uint32_t>& siteOf() const { return siteOf_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& buyerOf() const { return buyerOf_; }
+  [[nodiscard]] float price(std::size_t site) const {
+    return weight_[site] - dot(sites_[site], sites_[site]);
+  }
+  /// The least |x - y|^2 + price among a buyer's candidates.
+  [[nodiscard]] float leastCost(std::size_t buyer) const;
+
+private:
+  struct Group {
+    std::uint32_t waiting = 0; ///< bit k: buyer k of the group has no site
+    std::uint32_t leafCount = 0;
+    std::uint32_t leaves[kMostLeaves] = {};
+  };
+  struct Candidates;
+
+  void visit(std::size_t group, float increment);
+  void give(std::uint32_t buyer, std::uint32_t site);
+
+  const PointArrays& buyers_;
+  const PointArrays& sites_;
+  /// |y|^2 + price; infinite where the last leaf has no site.
+  std::vector<float> weight_;
+  std::vector<std::uint32_t> siteOf_;
+  std::vector<std::uint32_t> buyerOf_;
+  std::vector<Group> groups_;
+  std::size_t waiting_ = 0;
+};
+
+} // namespace lichen::transport
