@@ -14,7 +14,9 @@ namespace lichen::tiling {
 namespace {
 
 /// Gaussian samples for each cell's average. The stratified set is whitened, so a linear table is
-/// averaged exactly whatever its size.
+/// averaged exactly whatever its size. Against 4096 samples, on the generated rust of 256 x 256 a
+/// cell is off by 1.8, 1.05, 0.41 codes of 8 bits (root mean square; at worst 10, 5, 2) with 32,
+/// 64, 256; time grows in proportion, and 256 take twice the target of 0.3 s.
 constexpr std::size_t kSamplesPerCell = 64;
 
 /// The loss matrix whose scalar is `level`, between nothing lost, the mips' and everything lost.
