@@ -144,6 +144,9 @@ Result<int> run(const Arguments& arguments) {
   if (!bake)
     return bake.error();
   const bool periodic = bake.value().exemplarWasPeriodic;
+  for (const TransportBound& bound : bake.value().transportBounds)
+    notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
+                                100.0 * bound.excess()));
   if (!periodic)
     notes.push_back("the exemplar's borders do not fit together; they were blended");
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());

@@ -23,6 +23,9 @@ constexpr double kLeftOver = 0.002;
 /// Photographs take 10 to 30.
 constexpr std::size_t kMostBids = 200;
 
+/// Some tenths of a second, after which the caller may end the auction.
+constexpr std::size_t kBidsBetweenReports = 1u << 16u;
+
 struct Choice {
   std::uint32_t place = 0;
   double cost = std::numeric_limits<double>::infinity();
@@ -48,7 +51,8 @@ Choice choose(const Point& buyer, const PriceTree& sites, const Shortlist& list)
 
 } // namespace
 
-void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment) {
+void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment,
+                const ProgressPart& progress) {
   if (buyers.size() < 2)
     return;
   std::vector<Shortlist> lists(buyers.size());
@@ -59,6 +63,8 @@ void runAuction(std::span<const Point> buyers, PriceTree& sites, double incremen
   std::iota(waiting.begin(), waiting.end(), 0u);
   const auto leftOver = std::size_t(kLeftOver * double(buyers.size()));
   for (std::size_t bid = 0; waiting.size() > leftOver && bid < kMostBids * buyers.size(); ++bid) {
+    if (bid % kBidsBetweenReports == 0)
+      progress.reach(0.0);
     const std::uint32_t buyer = waiting.front();
     waiting.pop_front();
     Choice choice = choose(buyers[buyer], sites, lists[buyer]);

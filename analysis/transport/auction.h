@@ -4,6 +4,7 @@
 
 #include "point.h"
 #include "price_tree.h"
+#include "progress_part.h"
 
 #include <span>
 
@@ -12,7 +13,8 @@ namespace lichen::transport {
 /// Buyers bid for their cheapest site until nearly all have one [B88]: raises the prices
 /// in `sites` towards those at which every buyer's cheapest site is another, by at least
 /// `increment` > 0 a bid. As many buyers as sites. Sequential but for the first searches, so the
-/// result does not depend on the number of threads.
-void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment);
+/// result does not depend on the number of threads. Throws Interrupted.
+void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment,
+                const ProgressPart& progress);
 
 } // namespace lichen::transport

@@ -74,9 +74,10 @@ std::vector<double> carriedOver(std::span<const Point> buyers, std::vector<doubl
 
 std::vector<double> pricesAfterAuction(std::span<const Point> buyers,
                                        std::span<const Point> targets,
-                                       std::span<const double> prices, double increment) {
+                                       std::span<const double> prices, double increment,
+                                       const ProgressPart& progress) {
   PriceTree sites(targets, prices);
-  runAuction(buyers, sites, increment);
+  runAuction(buyers, sites, increment, progress);
   std::vector<double> raised(targets.size());
   for (std::uint32_t place = 0; place < targets.size(); ++place)
     raised[sites.siteAt(place)] = sites.price(place);
@@ -98,7 +99,7 @@ double pairsCost(std::span<const Point> buyers, std::span<const Point> targets) 
 }
 
 /// The best dual value found for the preconditioned problem.
-double bestDualValue(const PointPair& pairs, double increment) {
+double bestDualValue(const PointPair& pairs, double increment, const ProgressPart& progress) {
   std::vector<std::size_t> sizes{pairs.source.size()};
   while (sizes.back() > kSmallestSubset)
     sizes.push_back(sizes.back() / kRefinement);
@@ -112,7 +113,7 @@ double bestDualValue(const PointPair& pairs, double increment) {
     while (step * kStepsOfGap * double(buyers.size()) < gap)
       step *= kStepRatio;
     for (; step >= last; step /= kStepRatio)
-      prices = pricesAfterAuction(buyers, targets, prices, step);
+      prices = pricesAfterAuction(buyers, targets, prices, step, progress);
     if (level == 1)
       return dualValue(buyers, targets, prices);
     prices = carriedOver(buyers, leastCosts(buyers, PriceTree(targets, prices)),
@@ -152,7 +153,8 @@ double sumOfSquares(std::span<const Point> points) {
 } // namespace
 
 TransportBound boundTransportCost(std::span<const Point> source, std::span<const Point> target,
-                                  std::span<const std::uint32_t> assignment, double tolerance) {
+                                  std::span<const std::uint32_t> assignment, double tolerance,
+                                  ProgressPart progress) {
   assert(source.size() == target.size() && source.size() == assignment.size());
   assert(tolerance >= 1e-6 && tolerance <= 1.0);
   TransportBound bound;
@@ -174,7 +176,7 @@ TransportBound boundTransportCost(std::span<const Point> source, std::span<const
   // sum |x - y|^2 = sum |x|^2 + sum |y|^2 - 2 sum <x, y>, about the means; <x, y> = <x', y'>.
   const PointPair points = precondition(source, target);
   const double dual =
-      bestDualValue(shuffledPairs(points, assignment), tolerance * bound.centredCost);
+      bestDualValue(shuffledPairs(points, assignment), tolerance * bound.centredCost, progress);
   const double squares = sumOfSquares(points.source) + sumOfSquares(points.target);
   const double largestProduct = 0.5 * (squares - dual);
   // By Cauchy and Schwarz the errors of all products of a bijection sum up to no more than this.

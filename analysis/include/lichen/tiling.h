@@ -49,6 +49,8 @@ struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
+  /// With TransportEffort::exact, of each map that varies: how near the optimum its matching is.
+  std::vector<TransportBound> transportBounds;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
