@@ -14,6 +14,11 @@ namespace {
 /// Colours on a line or in a plane leave exactly the rounding's variance across it, up to sampling.
 constexpr double kLeastOverRounding = 2.0;
 
+/// Share of its surroundings in a pixel's point. Blending breaks up what neighbours of nearly one
+/// colour, in places far apart in G, have in common; docs/decisions/009-surroundings.md has the
+/// spectra that 0, 0.03, 0.1 and 0.25 give.
+constexpr float kSurroundings = 0.1f;
+
 /// One a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
 void blur(std::vector<float>& values, std::vector<float>& scratch, int width, int height,
           int channels, int stepX, int stepY) {
@@ -113,13 +118,16 @@ std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& spa
   const std::vector<float> around = surroundings(map);
   const auto [low, high] = std::minmax_element(map.values.begin(), map.values.end());
   const float range = std::max(*high - *low, std::numeric_limits<float>::min());
-  const auto tieBreak = float(0.5 * map.quantum) / range;
+  // Half a quantum of the surroundings orders pixels of equal value. On a line the order by value is
+  // exact, and stays.
+  const float tieBreak = float(0.5 * map.quantum) / range;
+  const float share = space.dimensions() == 1 ? tieBreak : std::max(kSurroundings, tieBreak);
   std::vector<Point> points(map.values.size() / std::size_t(channels));
   tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
     ChannelVector d(channels);
     for (int c = 0; c < channels; ++c) {
       const std::size_t k = i * std::size_t(channels) + std::size_t(c);
-      d[c] = double(map.values[k] + tieBreak * (around[k] - map.values[k])) - space.moments.mean[c];
+      d[c] = double(map.values[k] + share * (around[k] - map.values[k])) - space.moments.mean[c];
     }
     const ChannelVector p = space.basis * d;
     points[i] = {float(p[0]), p.size() > 1 ? float(p[1]) : 0.0f, p.size() > 2 ? float(p[2]) : 0.0f};

@@ -38,7 +38,9 @@ struct ColorSpace {
 
 /// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of
 /// equal value are ordered by the average of their surroundings, at most half a quantum, so that
-/// flat regions stay smooth once Gaussianized. The image wraps at its borders.
+/// flat regions stay smooth once Gaussianized. In two and three dimensions a point has a tenth of
+/// its surroundings, so that regions of nearly one colour stay together in the Gaussian image, too
+/// (docs/decisions/009-surroundings.md). The image wraps at its borders.
 [[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space);
 
 } // namespace lichen::tiling

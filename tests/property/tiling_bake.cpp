@@ -429,8 +429,8 @@ TEST_CASE("blended borders continue each other as neighbours inside do") {
   double inside = 0.0;
   for (int x = 0; x < 95; ++x)
     inside += meanStep(faded, x, x + 1) / 95.0;
-  // Grain hides part of the seam: unrelated borders differ by a quarter more here.
-  CHECK(meanStep(b.gaussian.matched, 95, 0) > 1.2 * inside);
+  // Grain hides part of the seam: unrelated borders differ by a fifth more here.
+  CHECK(meanStep(b.gaussian.matched, 95, 0) > 1.15 * inside);
   CHECK(meanStep(faded, 95, 0) < 1.1 * inside);
 }
 
