@@ -56,6 +56,11 @@ shader::uvec4 keptAmplitudes(const std::vector<double>& mipLoss) {
   return {words[0], words[1], words[2], words[3]};
 }
 
+/// The whole tiles of an offset, or on a periodic lattice its whole periods, in tiles.
+double wholePart(double offset, bool periodic, double periodTiles) {
+  return periodic ? std::floor(offset / periodTiles) * periodTiles : std::floor(offset);
+}
+
 } // namespace
 
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
@@ -83,8 +88,6 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.uvToTileXY = float(sine);
   result.uvToTileYX = float(-sine);
   result.uvToTileYY = float(cosine);
-  result.offsetX = float(material.offset[0]);
-  result.offsetY = float(material.offset[1]);
   result.blendSharpness = float(material.blendSharpness);
   result.contrast = float(material.contrast);
 
@@ -97,9 +100,15 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.periodRows = lattice.periodRows;
   result.periodTilesX = float(placement.periodTilesX);
   result.periodTilesY = float(placement.periodTilesY);
+  // Whole tiles or periods of the offset go where they are exact, so that floats hold the rest.
+  const double wholeX = wholePart(material.offset[0], placement.periodic, placement.periodTilesX);
+  const double wholeY = wholePart(material.offset[1], placement.periodic, placement.periodTilesY);
+  result.offsetX = float(material.offset[0] - wholeX);
+  result.offsetY = float(material.offset[1] - wholeY);
   const LatticeOrigin origin = placement.periodic
                                    ? LatticeOrigin{}
-                                   : latticeOrigin(placement.tileOriginX, placement.tileOriginY);
+                                   : latticeOrigin(placement.tileOriginX + std::int64_t(wholeX),
+                                                   placement.tileOriginY + std::int64_t(wholeY));
   result.cellI = origin.cell[0];
   result.cellJ = origin.cell[1];
   result.fractionI = origin.fraction[0];

@@ -226,6 +226,32 @@ TEST_CASE("crossing an integer tile origin changes nothing") {
       REQUIRE(first.pixel(x, y)[0] == Approx(second.pixel(x - 128, y - 128)[0]).margin(2e-4));
 }
 
+TEST_CASE("an offset of the material is exact however far it goes") {
+  // A billion tiles and three eighths are a tile origin and an offset; of a periodic lattice, whole
+  // periods and what is left. All are binary fractions: nothing is rounded but the origin's place.
+  MaterialNoise far;
+  far.offset = {1e9 + 0.375, -1e9 + 0.25};
+  MaterialNoise near;
+  near.offset = {0.375, 0.25};
+  Placement origin;
+  origin.tileOriginX = 1'000'000'000;
+  origin.tileOriginY = -1'000'000'000;
+  Placement periodic;
+  periodic.periodic = true;
+  periodic.periodTilesX = periodic.periodTilesY = 2.0;
+  const Bundle& bundle = exampleBundle();
+  const auto same = [](const shader::LichenNoise& a, const shader::LichenNoise& b) {
+    CHECK(a.offsetX == b.offsetX);
+    CHECK(a.offsetY == b.offsetY);
+    CHECK(a.cellI == b.cellI);
+    CHECK(a.cellJ == b.cellJ);
+    CHECK(a.fractionI == b.fractionI);
+    CHECK(a.fractionJ == b.fractionJ);
+  };
+  same(shaderNoise(bundle, far, {}), shaderNoise(bundle, near, origin));
+  same(shaderNoise(bundle, far, periodic), shaderNoise(bundle, near, periodic));
+}
+
 TEST_CASE("a tileable image continues across all its borders as it does inside") {
   // Mean step from line k to line k + 1, wrapping; a line is a column when `columns`.
   const auto stepAfter = [](const LinearImage& image, int k, bool columns) {

@@ -150,7 +150,7 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   BundleFile file = example::smallest();
   file.bundle.materials[0]->scale = 0.5;
   file.bundle.materials[0]->rotation = 0.25;
-  file.bundle.materials[0]->offset = {3.0, -2.0};
+  file.bundle.materials[0]->offset = {3.0, -1.75};
   file.bundle.materials[0]->seed = 9;
   const OwnedBundle bundle(file);
   const Filled filled = fill(bundle.handle, uniformInfo());
@@ -159,7 +159,11 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(noise.uvToTileXX == Approx(2.0 * std::cos(0.25)));
   CHECK(noise.uvToTileXY == Approx(2.0 * std::sin(0.25)));
   CHECK(noise.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
-  CHECK(noise.offsetX == 3.0f);
+  CHECK(noise.offsetX == 0.0f); // whole tiles are in the lattice's origin
+  CHECK(noise.offsetY == 0.25f);
+  const LatticeOrigin origin = latticeOrigin(3, -2);
+  CHECK(std::array{noise.cellI, noise.cellJ} == origin.cell);
+  CHECK(std::array{noise.fractionI, noise.fractionJ} == origin.fraction);
   CHECK(noise.seedWord == latticeSeed(9, 0));
   CHECK(noise.maxAnisotropy == 1.0f);
   CHECK(noise.offsetCountX == 4); // every texel of 4 x 2
