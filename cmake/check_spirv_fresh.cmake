@@ -29,7 +29,7 @@ foreach(source IN LISTS SOURCES)
     endif()
   endif()
   if(SPIRV_VAL)
-    execute_process(COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${committed}
+    execute_process(COMMAND ${SPIRV_VAL} --target-env vulkan1.0 ${committed}
                     RESULT_VARIABLE invalid ERROR_VARIABLE text)
     if(invalid)
       message(FATAL_ERROR "spirv-val refuses spirv/${name}.spv:\n${text}")

@@ -3,7 +3,7 @@ find_program(LICHEN_GLSLANG glslangValidator)
 mark_as_advanced(LICHEN_GLSLANG)
 
 # spirv-opt is never run: it can change an image, and the SPIR-V is what is pinned.
-set(LICHEN_GLSLANG_FLAGS -V --target-env vulkan1.1)
+set(LICHEN_GLSLANG_FLAGS -V --target-env vulkan1.0)
 
 # lichen_embed_shaders(TARGET SOURCES a.vert b.frag ... [DEFINES NAME=VALUE ...]): an interface
 # library with a header for each source, a.vert.h, that holds `const uint32_t a_vert[]`. The include

@@ -39,7 +39,7 @@ set(rest "${document}")
 next_block(glsl)
 while(NOT block STREQUAL "")
   file(WRITE ${WORK_DIR}/document.frag "${block}")
-  execute_process(COMMAND ${GLSLANG} -V --target-env vulkan1.1 -I${INCLUDE}
+  execute_process(COMMAND ${GLSLANG} -V --target-env vulkan1.0 -I${INCLUDE}
                           -o ${WORK_DIR}/document.spv ${WORK_DIR}/document.frag
                   RESULT_VARIABLE failed OUTPUT_VARIABLE output)
   if(failed)

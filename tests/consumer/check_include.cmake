@@ -2,7 +2,7 @@
 # from any first binding, and refuses a number of maps that no noise has.
 function(compile stage defines)
   list(TRANSFORM defines PREPEND -D)
-  execute_process(COMMAND ${GLSLANG} -V --target-env vulkan1.1 -S ${stage} -I${INCLUDE} ${defines}
+  execute_process(COMMAND ${GLSLANG} -V --target-env vulkan1.0 -S ${stage} -I${INCLUDE} ${defines}
                           -o ${WORK_DIR}/host_shader.spv ${SHADER}
                   RESULT_VARIABLE result OUTPUT_VARIABLE output)
   set(failed ${result} PARENT_SCOPE)
