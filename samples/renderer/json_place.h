@@ -3,6 +3,8 @@
 // what would be accepted. Validation code only; the Fault is caught at its public boundary.
 #pragma once
 
+#include <lichen/result.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -21,6 +23,7 @@ inline constexpr std::size_t kMaxElements = std::size_t(1) << 18;
 /// A fault of the document, as one line without the file's name.
 struct Fault {
   std::string message;
+  ErrorKind kind = ErrorKind::badInput;
 };
 
 /// A value of the document and where it stands.

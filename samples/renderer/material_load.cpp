@@ -159,13 +159,22 @@ TextureImage asBytes(const SrgbImage& image) {
   return result;
 }
 
+/// An image's file: a view of a buffer, or what the image has loaded itself.
+std::span<const std::byte> fileOf(const tinygltf::Model& model, const tinygltf::Image& image) {
+  if (image.bufferView < 0)
+    return std::as_bytes(std::span(image.image));
+  const tinygltf::BufferView& view = model.bufferViews[std::size_t(image.bufferView)];
+  return std::as_bytes(std::span(model.buffers[std::size_t(view.buffer)].data))
+      .subspan(view.byteOffset, view.byteLength);
+}
+
 Result<TextureImage> decode(const tinygltf::Model& model, std::size_t index) {
-  const tinygltf::Image& image = model.images[index];
+  const std::span<const std::byte> bytes = fileOf(model, model.images[index]);
   const std::string name = "/images/" + std::to_string(index);
-  if (image.image.empty())
+  if (bytes.empty())
     return Error{ErrorKind::badInput, name + ": its file cannot be read; a PNG or JPEG inside the "
                                              "scene's folder is accepted"};
-  Result<ImageFile> file = decodeImage(std::as_bytes(std::span(image.image)), name);
+  Result<ImageFile> file = decodeImage(bytes, name);
   if (!file)
     return file.error();
   const auto* pixels = std::get_if<SrgbImage>(&file.value().pixels);

@@ -141,5 +141,10 @@ inline constexpr std::size_t kMaxSceneInstances = std::size_t(1) << 18;
 inline constexpr std::size_t kMaxDrawnVertices = std::size_t(1) << 28;
 /// Texels of all images together, 1 GiB of memory before mip levels.
 inline constexpr std::size_t kMaxSceneTexels = std::size_t(1) << 28;
+/// Bytes of all buffers together, however many of them name one file: what one GLB can hold, which
+/// the noise bundle is.
+inline constexpr std::size_t kMaxBufferBytes = (std::size_t(1) << 32) - 1;
+/// Bytes of all image files and data URIs together: two for each of kMaxSceneTexels.
+inline constexpr std::size_t kMaxImageBytes = std::size_t(1) << 29;
 
 } // namespace lichen::renderer

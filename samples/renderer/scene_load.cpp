@@ -24,11 +24,18 @@ namespace {
 
 // ---- tinygltf's callbacks --------------------------------------------------------------------
 
-/// Keeps the file's bytes: which of them are decoded, and as what, is decided by the materials.
+/// Keeps the bytes of a file or data URI, whose sum over all images is `total`: which of them are
+/// decoded, and as what, is decided by the materials. Those of a bufferView stay in their buffer.
 bool keepImageBytes(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                    const unsigned char* bytes, int size, void*) {
-  image->image.assign(bytes, bytes + size);
+                    const unsigned char* bytes, int size, void* total) {
   image->as_is = true;
+  if (image->bufferView >= 0)
+    return true;
+  auto& sum = *static_cast<std::size_t*>(total);
+  sum += std::size_t(size);
+  if (sum > kMaxImageBytes)
+    return false;
+  image->image.assign(bytes, bytes + size);
   return true;
 }
 
@@ -63,7 +70,8 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const st
 
 Result<tinygltf::Model> loadModel(GltfFile& file) {
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keepImageBytes, nullptr);
+  std::size_t imageBytes = 0;
+  loader.SetImageLoader(keepImageBytes, &imageBytes);
   loader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &file.path});
   tinygltf::Model model;
   std::string error;
@@ -75,6 +83,9 @@ Result<tinygltf::Model> loadModel(GltfFile& file) {
   const bool loaded = file.container.isGlb
                           ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, "")
                           : loader.LoadASCIIFromString(&model, &error, &warning, text, size, "");
+  if (imageBytes > kMaxImageBytes)
+    return Error{ErrorKind::resources, "/images: more than " + std::to_string(kMaxImageBytes) +
+                                           " bytes of files in all; smaller images are accepted"};
   if (!loaded)
     return Error{ErrorKind::badInput, "cannot be loaded: " + printable(error, 160)};
   for (const tinygltf::BufferView& view : model.bufferViews)

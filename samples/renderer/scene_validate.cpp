@@ -5,6 +5,7 @@
 
 #include "json_place.h"
 #include "printable.h"
+#include "scene.h"
 
 #include <lichen/bundle.h>
 
@@ -106,6 +107,11 @@ private:
       place.fail("byteLength " + std::to_string(length) + " is more than the BIN chunk's " +
                  std::to_string(chunk->size()));
     bufferLengths_.push_back(length);
+    bufferBytes_ += length;
+    if (bufferBytes_ > kMaxBufferBytes)
+      throw Fault{"/buffers: more than " + std::to_string(kMaxBufferBytes) +
+                      " bytes in all; a smaller scene is accepted",
+                  ErrorKind::resources};
   }
 
   void bufferView(const Place& place) {
@@ -409,6 +415,7 @@ private:
   Place root_;
   std::vector<std::string>& notes_;
   std::vector<std::uint64_t> bufferLengths_;
+  std::uint64_t bufferBytes_ = 0; ///< their sum
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
   std::vector<std::size_t> parents_; ///< the number of nodes for a root
@@ -450,7 +457,7 @@ Result<void> validateScene(const GltfFile& file, std::vector<std::string>& notes
   try {
     Validator(file, notes).run();
   } catch (const Fault& fault) {
-    return Error{ErrorKind::badInput, file.path.string() + ": " + fault.message};
+    return Error{fault.kind, file.path.string() + ": " + fault.message};
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::resources, file.path.string() + ": not enough memory to check it"};
   }

@@ -360,6 +360,40 @@ TEST_CASE("a small file that draws without end is refused for its size") {
   CHECK(drawn.message.find(std::to_string(renderer::kMaxDrawnVertices)) != std::string::npos);
 }
 
+TEST_CASE("buffers that are together larger than a GLB are refused before they are read") {
+  const TemporaryFolder folder;
+  GltfScene scene = triangleScene();
+  for (int i = 0; i < 2; ++i)
+    scene.json["buffers"].push_back(
+        {{"byteLength", renderer::kMaxBufferBytes / 2}, {"uri", "absent.bin"}});
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxBufferBytes)) != std::string::npos);
+}
+
+TEST_CASE("one large file that many images name is refused") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLarge = std::size_t(1) << 26;
+  const auto file = writeInto(folder, "large.png", {});
+  std::filesystem::resize_file(file, kLarge);
+  GltfScene scene = triangleScene();
+  scene.json["images"] =
+      json(std::vector<json>(renderer::kMaxImageBytes / kLarge + 1, {{"uri", "large.png"}}));
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxImageBytes)) != std::string::npos);
+}
+
+TEST_CASE("images that share a view take no memory of their own") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLarge = std::size_t(1) << 20;
+  GltfScene scene = triangleScene();
+  const std::size_t view = scene.addView(std::vector<std::byte>(kLarge));
+  scene.json["images"] =
+      json(std::vector<json>(renderer::kMaxImageBytes / kLarge + 1, {{"bufferView", view}}));
+  CHECK(renderer::readScene(writeInto(folder, "shared.glb", scene.glb())).ok());
+}
+
 TEST_CASE("a strip counts as the triangles that it becomes") {
   const TemporaryFolder folder;
   GltfScene scene = triangleScene();
