@@ -65,7 +65,8 @@ const float kShadowTapTexels = 0.5;
 // r tan a at most. (Across the axes the reach is longer; the depth maps' slope bias is for that.)
 const float kShadowReachTexels = kShadowTapTexels + 1.0;
 
-/// Four taps of hardware comparison around a place of a depth map.
+/// Four taps of hardware comparison around a place of a depth map. Here and below the level is
+/// explicit: neighbouring pixels may not come here, so there are no derivatives to choose it by.
 float sunVisibility(Shading s) {
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.x);
   vec3 place = (frame.sunFromWorld * vec4(lifted, 1.0)).xyz;
@@ -73,10 +74,10 @@ float sunVisibility(Shading s) {
     return 1.0;
   vec2 texel = kShadowTapTexels / vec2(textureSize(sunDepth, 0));
   float depth = min(place.z, 1.0);
-  return 0.25 * (texture(sunDepth, vec3(place.xy + vec2(-texel.x, -texel.y), depth)) +
-                 texture(sunDepth, vec3(place.xy + vec2(texel.x, -texel.y), depth)) +
-                 texture(sunDepth, vec3(place.xy + vec2(-texel.x, texel.y), depth)) +
-                 texture(sunDepth, vec3(place.xy + texel, depth)));
+  return 0.25 * (textureLod(sunDepth, vec3(place.xy + vec2(-texel.x, -texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(place.xy + vec2(texel.x, -texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(place.xy + vec2(-texel.x, texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(place.xy + texel, depth), 0.0));
 }
 
 /// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in
@@ -90,8 +91,12 @@ float skyVisibility(Shading s) {
     float weight = max(dot(s.normal, frame.skyDirection[k].xyz), 0.0);
     vec3 place = (frame.skyFromWorld[k] * vec4(lifted, 1.0)).xyz;
     bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
-    seen += weight *
-            (outside ? 1.0 : texture(skyDepth, vec4(place.xy, float(k), min(place.z, 1.0))));
+    // textureLod takes no array of shadow maps in this GLSL; gradients of zero mean level 0 too.
+    float open = 1.0;
+    if (!outside)
+      open = textureGrad(skyDepth, vec4(place.xy, float(k), min(place.z, 1.0)), vec2(0.0),
+                         vec2(0.0));
+    seen += weight * open;
     all += weight;
   }
   return seen / all;
