@@ -37,9 +37,13 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(sum))))
     return;
+  vec3 radiance = texelFetch(frameColor, pixel, 0).rgb;
   // A light reflected in a mirror may exceed what half floats hold.
-  vec3 light = min(texelFetch(frameColor, pixel, 0).rgb, vec3(kMaxHalf)) * settings.exposure;
+  vec3 light = min(radiance, vec3(kMaxHalf)) * settings.exposure;
   vec4 value = vec4(settings.toneMap == 1 ? neutral(light) : light, 1.0);
+  // min and max of a NaN are undefined: a fault of the shading must reach the picture's reader.
+  if (any(isnan(radiance)))
+    value.rgb = radiance;
   if (settings.first == 0)
     value += imageLoad(sum, pixel);
   imageStore(sum, pixel, value);
