@@ -167,7 +167,7 @@ Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options
   VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
   features.enabledValidationFeatureCount = 1;
   features.pEnabledValidationFeatures = &enabled;
-  VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages_);
+  VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(*messages_);
   if (options.validation) {
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     info.enabledLayerCount = 1;

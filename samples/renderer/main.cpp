@@ -37,8 +37,8 @@ Result<void> listDevices(bool json) {
   return {};
 }
 
-Result<void> checkMessages(HeadlessDevice& device) {
-  const std::vector<std::string> texts = device.messages().texts();
+Result<void> checkMessages(const ValidationMessages& messages) {
+  const std::vector<std::string> texts = messages.texts();
   if (texts.empty())
     return {};
   for (const std::string& text : texts)
@@ -61,8 +61,8 @@ std::size_t triangleCount(const Scene& scene) {
   return triangles;
 }
 
-void report(const Command& command, const char* device, const Scene& scene, const Picture& picture,
-            double seconds) {
+void report(const Command& command, const std::string& device, const Scene& scene,
+            const Picture& picture, double seconds) {
   if (command.json) {
     std::vector<std::string> notes = scene.notes;
     notes.insert(notes.end(), picture.notes.begin(), picture.notes.end());
@@ -80,7 +80,8 @@ void report(const Command& command, const char* device, const Scene& scene, cons
     std::printf("%s\n", object.dump(2, ' ', false, kReplace).c_str());
   } else if (!command.quiet) {
     std::printf("%s: %d x %d, %d frame%s on %s, %.2f s\n", command.output.c_str(), command.size[0],
-                command.size[1], command.frames, command.frames == 1 ? "" : "s", device, seconds);
+                command.size[1], command.frames, command.frames == 1 ? "" : "s", device.c_str(),
+                seconds);
   }
 }
 
@@ -119,10 +120,14 @@ Result<void> run(const Command& command) {
   note(command, picture.value().notes);
   if (Result<void> written = writePicture(command.output, picture.value().pixels); !written)
     return written;
+  const std::string deviceName = device.value()->properties().deviceName;
+  const std::shared_ptr<const ValidationMessages> messages = device.value()->keptMessages();
+  device.value().reset(); // the layers report what was never destroyed
+  if (Result<void> silent = checkMessages(*messages); !silent)
+    return silent;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  report(command, device.value()->properties().deviceName, scene.value(), picture.value(),
-         seconds.count());
-  return checkMessages(*device.value());
+  report(command, deviceName, scene.value(), picture.value(), seconds.count());
+  return {};
 }
 
 int fail(const Error& error) {

@@ -71,6 +71,20 @@ TEST_CASE("synchronization validation reports a missing barrier") {
   CHECK(device->messages().texts().front().find("SYNC-HAZARD-READ") != std::string::npos);
 }
 
+TEST_CASE("what validation says of objects that outlive their device is kept") {
+  auto device = lichen::test::requireDevice();
+  const auto messages = device->keptMessages();
+  VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+  info.size = 256;
+  info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+  VkBuffer leaked = VK_NULL_HANDLE;
+  REQUIRE(vkCreateBuffer(device->device(), &info, nullptr, &leaked) == VK_SUCCESS);
+  CHECK(messages->texts().empty());
+  device.reset();
+  REQUIRE(messages->errors() == 1);
+  CHECK(messages->texts().front().find("vkDestroyDevice") != std::string::npos);
+}
+
 TEST_CASE("an image reads back as it was cleared") {
   const auto device = lichen::test::requireDevice();
   DeviceImageInfo info;

@@ -119,7 +119,9 @@ public:
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
   [[nodiscard]] const VkPhysicalDeviceProperties& properties() const { return properties_; }
-  [[nodiscard]] ValidationMessages& messages() { return messages_; }
+  [[nodiscard]] ValidationMessages& messages() { return *messages_; }
+  /// The same, to be read after the device's end, which may add to them.
+  [[nodiscard]] std::shared_ptr<const ValidationMessages> keptMessages() const { return messages_; }
 
   /// `hostVisible` memory is mapped and coherent; otherwise the buffer is device-local.
   [[nodiscard]] Result<DeviceBuffer> createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
@@ -152,7 +154,7 @@ private:
   std::uint32_t queueFamily_ = 0;
   VkCommandPool commandPool_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
-  ValidationMessages messages_;
+  std::shared_ptr<ValidationMessages> messages_ = std::make_shared<ValidationMessages>();
 };
 
 /// An Error for a failed Vulkan call: resources for exhausted memory, else environment.
