@@ -71,8 +71,9 @@ public:
     inputs_.frames = settings.frames;
     environment_ = uploadEnvironment(device, objects_, prepareEnvironment(panorama()));
     collectNotes();
+    const VkFilter filter = depthFilter();
     createTargets();
-    createFrameSet();
+    createFrameSet(filter);
     createAccumulateSet();
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
@@ -145,6 +146,22 @@ private:
     return take(device_.createImage(info));
   }
 
+  /// How depth maps are filtered. Vulkan guarantees all that is asked of the colour formats, and of
+  /// depth only that some format can be drawn to.
+  [[nodiscard]] VkFilter depthFilter() const {
+    VkFormatProperties depth{};
+    vkGetPhysicalDeviceFormatProperties(device_.physicalDevice(), kDepthFormat, &depth);
+    constexpr VkFormatFeatureFlags kNeeded =
+        VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    if ((depth.optimalTilingFeatures & kNeeded) != kNeeded)
+      throw Failure{{ErrorKind::environment,
+                     "Vulkan device \"" + std::string(device_.properties().deviceName) +
+                         "\" cannot draw and sample VK_FORMAT_D32_SFLOAT, which shadows need"}};
+    const bool linear =
+        (depth.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
+    return linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; // nearest: harder edges of shadows
+  }
+
   void createTargets() {
     const std::uint32_t w = settings_.width;
     const std::uint32_t h = settings_.height;
@@ -178,9 +195,9 @@ private:
     }
   }
 
-  void createFrameSet() {
+  void createFrameSet(VkFilter depthFilter) {
     VkSamplerCreateInfo compare{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
-    compare.magFilter = compare.minFilter = VK_FILTER_LINEAR;
+    compare.magFilter = compare.minFilter = depthFilter;
     compare.addressModeU = compare.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     compare.compareEnable = VK_TRUE;
     compare.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
