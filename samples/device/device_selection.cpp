@@ -227,6 +227,8 @@ Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) 
   vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
   if (!containsFeatures(available, options.features))
     return Error{ErrorKind::environment, device + " lacks a feature that this program needs"};
+  VkPhysicalDeviceFeatures features = options.features;
+  features.fullDrawIndexUint32 = available.fullDrawIndexUint32;
 
   const float priority = 1.0f;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -241,7 +243,7 @@ Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) 
   info.pNext = &features13;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
-  info.pEnabledFeatures = &options.features;
+  info.pEnabledFeatures = &features;
   info.enabledExtensionCount = std::uint32_t(options.deviceExtensions.size());
   info.ppEnabledExtensionNames = options.deviceExtensions.data();
   if (const VkResult result = vkCreateDevice(physicalDevice_, &info, nullptr, &device_);

@@ -167,15 +167,26 @@ void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
 
 } // namespace
 
-GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
-                     const NoiseHost& noises) {
-  const std::uint32_t longestSide = device.properties().limits.maxImageDimension2D;
+Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits) {
+  const std::uint32_t longestSide = limits.maxImageDimension2D;
   for (const TextureImage& image : scene.images)
     if (std::uint32_t(std::max(image.width, image.height)) > longestSide)
-      throw Failure{{ErrorKind::environment,
-                     scene.name + ": an image of " + std::to_string(image.width) + " x " +
-                         std::to_string(image.height) + "; this device accepts up to " +
-                         std::to_string(longestSide) + " on a side"}};
+      return Error{ErrorKind::environment,
+                   scene.name + ": an image of " + std::to_string(image.width) + " x " +
+                       std::to_string(image.height) + "; this device accepts up to " +
+                       std::to_string(longestSide) + " on a side"};
+  const std::size_t lastIndex = limits.maxDrawIndexedIndexValue;
+  for (const Primitive& primitive : scene.primitives)
+    if (primitive.vertices.size() - 1 > lastIndex)
+      return Error{ErrorKind::environment,
+                   scene.name + ": a primitive of " + std::to_string(primitive.vertices.size()) +
+                       " vertices; this device accepts up to " + std::to_string(lastIndex + 1)};
+  return {};
+}
+
+GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+                     const NoiseHost& noises) {
+  take(fitsDevice(scene, device.properties().limits));
   GpuScene gpu;
   uploadGeometry(device, scene, gpu);
   createMaterials(device, objects, scene, noises, gpu);

@@ -25,6 +25,9 @@ struct GpuScene {
   std::vector<VkDescriptorSet> materialSets; ///< one per Scene::materials
 };
 
+/// Errors: environment for an image or a primitive larger than the limits.
+[[nodiscard]] Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits);
+
 /// `noises` tells which maps a material takes from its noise. Throws a Failure.
 [[nodiscard]] GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
                                    const NoiseHost& noises);

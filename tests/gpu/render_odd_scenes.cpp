@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes that glTF allows and exporters seldom write: each is drawn, the validation layers say
 // nothing, and no value of the picture is NaN.
+#include "gpu_scene.h"
 #include "rendered.h"
 
 #include <lichen/image_io.h>
@@ -158,6 +159,29 @@ TEST_CASE("odd scenes are drawn, and the validation layers say nothing") {
     CHECK(std::all_of(picture.values.begin(), picture.values.end(),
                       [](float v) { return std::isfinite(v) && v >= 0.0f; }));
   }
+}
+
+TEST_CASE("an image or a primitive too large for the device is refused with its size") {
+  renderer::Scene scene;
+  scene.images.resize(1);
+  scene.images[0].width = 9;
+  scene.primitives.resize(1);
+  scene.primitives[0].vertices.resize(6);
+  VkPhysicalDeviceLimits limits{};
+  limits.maxImageDimension2D = 9;
+  limits.maxDrawIndexedIndexValue = 5;
+  CHECK(renderer::fitsDevice(scene, limits).ok());
+  scene.images[0].width = 10;
+  const auto image = renderer::fitsDevice(scene, limits);
+  REQUIRE_FALSE(image.ok());
+  CHECK(image.error().message.find("10 x 1; this device accepts up to 9") != std::string::npos);
+  scene.images.clear();
+  scene.primitives[0].vertices.resize(7);
+  const auto primitive = renderer::fitsDevice(scene, limits);
+  REQUIRE_FALSE(primitive.ok());
+  CHECK(primitive.error().kind == ErrorKind::environment);
+  CHECK(primitive.error().message.find("7 vertices; this device accepts up to 6") !=
+        std::string::npos);
 }
 
 TEST_CASE("a scene of more lights than are drawn says so once") {

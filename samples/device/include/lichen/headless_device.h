@@ -24,7 +24,8 @@ struct HeadlessDeviceOptions {
   /// GPU, else the first integrated, virtual, or CPU device.
   std::string choice;
   bool validation = false; ///< the Khronos layer, with synchronization validation
-  /// Core features that must be there. dynamicRendering and synchronization2 always are.
+  /// Core features that must be there. dynamicRendering and synchronization2 always are, and
+  /// fullDrawIndexUint32 where the device has it: limits.maxDrawIndexedIndexValue holds as it is.
   VkPhysicalDeviceFeatures features{};
   std::vector<const char*> instanceExtensions;
   std::vector<const char*> deviceExtensions;
