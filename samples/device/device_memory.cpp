@@ -74,6 +74,7 @@ DeviceBuffer& DeviceBuffer::operator=(DeviceBuffer&& other) noexcept {
     mapped = std::exchange(other.mapped, nullptr);
     device_ = std::exchange(other.device_, VK_NULL_HANDLE);
     memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    allocations_ = other.allocations_;
   }
   return *this;
 }
@@ -82,6 +83,8 @@ void DeviceBuffer::reset() {
   if (device_ == VK_NULL_HANDLE)
     return;
   vkDestroyBuffer(device_, std::exchange(handle, VK_NULL_HANDLE), nullptr);
+  if (memory_ != VK_NULL_HANDLE)
+    --*allocations_;
   vkFreeMemory(device_, std::exchange(memory_, VK_NULL_HANDLE), nullptr);
   mapped = nullptr;
   device_ = VK_NULL_HANDLE;
@@ -95,6 +98,7 @@ DeviceImage& DeviceImage::operator=(DeviceImage&& other) noexcept {
     info = other.info;
     device_ = std::exchange(other.device_, VK_NULL_HANDLE);
     memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    allocations_ = other.allocations_;
   }
   return *this;
 }
@@ -104,17 +108,27 @@ void DeviceImage::reset() {
     return;
   vkDestroyImageView(device_, std::exchange(view, VK_NULL_HANDLE), nullptr);
   vkDestroyImage(device_, std::exchange(handle, VK_NULL_HANDLE), nullptr);
+  if (memory_ != VK_NULL_HANDLE)
+    --*allocations_;
   vkFreeMemory(device_, std::exchange(memory_, VK_NULL_HANDLE), nullptr);
   device_ = VK_NULL_HANDLE;
 }
 
 Result<VkDeviceMemory> HeadlessDevice::allocate(const VkMemoryRequirements& requirements,
                                                 VkMemoryPropertyFlags wanted) {
+  const std::uint32_t most = properties_.limits.maxMemoryAllocationCount;
+  if (allocations_ >= most)
+    return Error{ErrorKind::resources, "this Vulkan device accepts up to " + std::to_string(most) +
+                                           " allocations, one for each texture and buffer; fewer "
+                                           "are accepted"};
+  // Protected memory is for protected queues, lazily allocated memory for transient attachments.
+  constexpr VkMemoryPropertyFlags kUnwanted =
+      VK_MEMORY_PROPERTY_PROTECTED_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT;
   VkPhysicalDeviceMemoryProperties memory{};
   vkGetPhysicalDeviceMemoryProperties(physicalDevice_, &memory);
   for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
     if ((requirements.memoryTypeBits & (1u << type)) == 0 ||
-        (memory.memoryTypes[type].propertyFlags & wanted) != wanted)
+        (memory.memoryTypes[type].propertyFlags & (wanted | kUnwanted)) != wanted)
       continue;
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = requirements.size;
@@ -123,6 +137,7 @@ Result<VkDeviceMemory> HeadlessDevice::allocate(const VkMemoryRequirements& requ
     if (const VkResult result = vkAllocateMemory(device_, &info, nullptr, &handle);
         result != VK_SUCCESS)
       return vulkanError("allocating " + std::to_string(info.allocationSize) + " bytes", result);
+    ++allocations_;
     return handle;
   }
   return Error{ErrorKind::environment, "the Vulkan device has no memory of the kind needed"};
@@ -148,6 +163,7 @@ Result<DeviceBuffer> HeadlessDevice::createBuffer(VkDeviceSize size, VkBufferUsa
   if (!memory)
     return memory.error();
   buffer.memory_ = memory.value();
+  buffer.allocations_ = &allocations_;
   void* mapped = nullptr;
   VkResult result = vkBindBufferMemory(device_, buffer.handle, buffer.memory_, 0);
   if (result == VK_SUCCESS && hostVisible)
@@ -183,6 +199,7 @@ Result<DeviceImage> HeadlessDevice::createImage(const DeviceImageInfo& wanted) {
   if (!memory)
     return memory.error();
   image.memory_ = memory.value();
+  image.allocations_ = &allocations_;
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   view.image = image.handle;
   view.viewType = wanted.extent.depth > 1 ? VK_IMAGE_VIEW_TYPE_3D : wanted.viewType;

@@ -85,6 +85,25 @@ TEST_CASE("what validation says of objects that outlive their device is kept") {
   CHECK(messages->texts().front().find("vkDestroyDevice") != std::string::npos);
 }
 
+TEST_CASE("more allocations than the device accepts are refused until one is freed") {
+  const auto device = lichen::test::requireDevice();
+  // Drivers accept thousands, some of them any number.
+  auto& properties = const_cast<VkPhysicalDeviceProperties&>(device->properties());
+  properties.limits.maxMemoryAllocationCount = 2;
+  const auto create = [&] {
+    return device->createBuffer(256, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, true);
+  };
+  auto first = create();
+  const auto second = create();
+  REQUIRE((first.ok() && second.ok()));
+  const auto third = create();
+  REQUIRE_FALSE(third.ok());
+  CHECK(third.error().kind == ErrorKind::resources);
+  first.value().reset();
+  CHECK(create().ok());
+  CHECK(create().ok()); // the last one is gone
+}
+
 TEST_CASE("an image reads back as it was cleared") {
   const auto device = lichen::test::requireDevice();
   DeviceImageInfo info;

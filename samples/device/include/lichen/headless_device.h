@@ -65,6 +65,7 @@ private:
   friend class HeadlessDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
 };
 
 struct DeviceImageInfo {
@@ -96,6 +97,7 @@ private:
   friend class HeadlessDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
 };
 
 /// One device with one queue for graphics, compute and transfer. Not thread-safe, but several may
@@ -124,7 +126,8 @@ public:
   /// The same, to be read after the device's end, which may add to them.
   [[nodiscard]] std::shared_ptr<const ValidationMessages> keptMessages() const { return messages_; }
 
-  /// `hostVisible` memory is mapped and coherent; otherwise the buffer is device-local.
+  /// `hostVisible` memory is mapped and coherent; otherwise the buffer is device-local. Errors, of
+  /// images too: resources when memory or limits.maxMemoryAllocationCount is exhausted.
   [[nodiscard]] Result<DeviceBuffer> createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
                                                   bool hostVisible);
   [[nodiscard]] Result<DeviceImage> createImage(const DeviceImageInfo& info);
@@ -155,6 +158,7 @@ private:
   std::uint32_t queueFamily_ = 0;
   VkCommandPool commandPool_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
+  std::uint32_t allocations_ = 0; ///< that live
   std::shared_ptr<ValidationMessages> messages_ = std::make_shared<ValidationMessages>();
 };
 
