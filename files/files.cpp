@@ -2,8 +2,8 @@
 // Whole files in and out over POSIX calls, which report the reason of a failure.
 #include <lichen/files.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <fcntl.h>
 #include <new>
 #include <sys/stat.h>
@@ -58,14 +58,6 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// A name no other call of this or another process uses at the same time.
-std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
-  static std::atomic<unsigned> counter{0};
-  std::filesystem::path temporary = path;
-  temporary += ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-  return temporary;
-}
-
 /// A new file without a name, which vanishes with the process however that ends; -1 where the
 /// system has none, as on NFS and FAT.
 int openNameless([[maybe_unused]] const std::filesystem::path& folder) {
@@ -82,23 +74,34 @@ bool giveName(int descriptor, const std::filesystem::path& name) {
   return ::linkat(AT_FDCWD, link.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
-} // namespace
+/// Calls `make` with names beside `path` until one is free, and sets `name` to what it made; 0, or
+/// the errno of the failure. The names are random, for processes in other PID namespaces or on
+/// other machines may write to the same folder.
+template <class Make>
+int makeTemporary(const std::filesystem::path& path, std::filesystem::path& name,
+                  const Make& make) {
+  constexpr int kMostNames = 16; // of 2^64; if all are taken, something else is wrong
+  int code = EEXIST;
+  for (int attempt = 0; attempt < kMostNames && code == EEXIST; ++attempt) {
+    std::uint64_t bits = 0;
+    if (::getentropy(&bits, sizeof bits) != 0)
+      return errno;
+    std::filesystem::path candidate = path;
+    candidate += ".part-" + std::to_string(bits);
+    code = make(candidate) ? 0 : errno;
+    if (code == 0)
+      name = std::move(candidate);
+  }
+  return code;
+}
 
-Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  // Without O_NONBLOCK, opening a named pipe waits for its writer.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0)
-    return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(errno)};
-  struct stat status {};
-  if (::fstat(file.get(), &status) != 0)
-    return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(errno)};
-  if (!S_ISREG(status.st_mode))
-    return Error{ErrorKind::badInput, path.string() + ": not a regular file"};
-  const auto size = std::size_t(status.st_size);
-  if (size > maxBytes)
-    return Error{ErrorKind::badInput, path.string() + ": " + std::to_string(size) +
-                                          " bytes; at most " + std::to_string(maxBytes) +
-                                          " are accepted"};
+Error unreadable(const std::filesystem::path& path, int code) {
+  return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(code)};
+}
+
+/// `size` bytes of an open file, fewer if another process shortens it meanwhile.
+Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t size,
+                                         const std::filesystem::path& path) {
   std::vector<std::byte> bytes;
   try {
     bytes.resize(size);
@@ -113,31 +116,73 @@ Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::
     if (got < 0 && errno == EINTR)
       continue;
     if (got < 0)
-      return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(errno)};
+      return unreadable(path, errno);
     if (got == 0)
-      break; // another process has shortened the file
+      break;
     done += std::size_t(got);
   }
   bytes.resize(done);
   return bytes;
 }
 
+/// Reads as many bytes as `wanted` makes of the file's size, unless it refuses that.
+template <class Wanted>
+Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
+                                           const Wanted& wanted) {
+  // Without O_NONBLOCK, opening a named pipe waits for its writer.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+    return unreadable(path, errno);
+  if (!S_ISREG(status.st_mode))
+    return Error{ErrorKind::badInput, path.string() + ": not a regular file"};
+  const Result<std::size_t> size = wanted(std::size_t(status.st_size));
+  if (!size)
+    return size.error();
+  return readBytes(file, size.value(), path);
+}
+
+Error wrongSize(const std::filesystem::path& path, std::size_t size, const char* bound,
+                std::size_t accepted) {
+  return Error{ErrorKind::badInput, path.string() + ": " + std::to_string(size) + " bytes; at " +
+                                        bound + " " + std::to_string(accepted) + " are accepted"};
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
+  return openAndRead(path, [&](std::size_t size) -> Result<std::size_t> {
+    return size > maxBytes ? Result<std::size_t>(wrongSize(path, size, "most", maxBytes)) : size;
+  });
+}
+
+Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, std::size_t size) {
+  return openAndRead(path, [&](std::size_t there) -> Result<std::size_t> {
+    return there < size ? Result<std::size_t>(wrongSize(path, there, "least", size)) : size;
+  });
+}
+
 Result<void> replaceFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const std::filesystem::path temporary = temporaryBeside(path);
+  std::filesystem::path temporary; // empty until this call has made it
   const auto failure = [&](int code) {
-    ::unlink(temporary.c_str());
+    if (!temporary.empty())
+      ::unlink(temporary.c_str());
     return Error{writeErrorKind(code), path.string() + ": cannot be written: " + reason(code)};
   };
-  const int nameless = openNameless(path.parent_path());
-  const bool named = nameless < 0;
-  Descriptor file(named ? ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
-                        : nameless);
-  if (file.get() < 0)
-    return Error{writeErrorKind(errno), path.string() + ": cannot be written: " + reason(errno)};
+  int descriptor = openNameless(path.parent_path());
+  const bool nameless = descriptor >= 0;
+  const auto create = [&](const std::filesystem::path& name) {
+    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor >= 0;
+  };
+  if (const int code = nameless ? 0 : makeTemporary(path, temporary, create); code != 0)
+    return failure(code);
+  Descriptor file(descriptor);
   if (!writeAll(file.get(), bytes) || ::fsync(file.get()) != 0)
     return failure(errno);
-  if (!named && !giveName(file.get(), temporary))
-    return failure(errno);
+  const auto link = [&](const std::filesystem::path& name) { return giveName(file.get(), name); };
+  if (const int code = nameless ? makeTemporary(path, temporary, link) : 0; code != 0)
+    return failure(code);
   if (file.close() != 0)
     return failure(errno);
   if (::rename(temporary.c_str(), path.c_str()) != 0)

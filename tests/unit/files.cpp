@@ -75,6 +75,39 @@ TEST_CASE("a file longer than the caller accepts is refused with both sizes") {
         (folder / "file").string() + ": 100 bytes; at most 99 are accepted");
 }
 
+TEST_CASE("the start of a file is read, and a file that is shorter refused with both sizes") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(100)));
+  for (const std::size_t size : {0u, 7u, 100u})
+    CHECK(readFileStart(folder / "file", size).value() == patternOf(size));
+  const Result<Bytes> longer = readFileStart(folder / "file", 101);
+  CHECK(longer.error().kind == ErrorKind::badInput);
+  CHECK(longer.error().message ==
+        (folder / "file").string() + ": 100 bytes; at least 101 are accepted");
+}
+
+TEST_CASE("processes that write one file at the same time do not disturb each other") {
+  const TemporaryFolder folder;
+  std::vector<pid_t> children;
+  for (int c = 0; c < 4; ++c) {
+    children.push_back(::fork());
+    if (children.back() == 0) {
+      bool written = true;
+      for (int i = 0; i < 50; ++i)
+        written = written && replaceFile(folder / "file", patternOf(1000)).ok();
+      ::_exit(written ? 0 : 1);
+    }
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+  }
+  CHECK(readFile(folder / "file").value() == patternOf(1000));
+  CHECK(folder.entryCount() == 1);
+}
+
 TEST_CASE("writing into an absent folder fails as the environment's fault") {
   const TemporaryFolder folder;
   const Result<void> result = replaceFile(folder / "absent/file", patternOf(10));

@@ -15,6 +15,9 @@ namespace lichen {
 /// a folder or unreadable, or longer; resources when memory does not suffice. Thread-safe.
 [[nodiscard]] Result<std::vector<std::byte>> readFile(const std::filesystem::path& path,
                                                       std::size_t maxBytes = std::size_t(4) << 30);
+/// As above, of a file of any size: its first `size` bytes. badInput too when it has fewer.
+[[nodiscard]] Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path,
+                                                           std::size_t size);
 
 /// Writes `bytes` to a new file in the folder of `path`, flushes it to the disk, and renames it
 /// over `path`. Errors: environment when the folder is absent or cannot be written, resources when
