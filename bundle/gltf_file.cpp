@@ -12,6 +12,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxBuffers = 4096;
+/// Read from files and data URIs for one asset, as much as a GLB's chunk can hold: a small .gltf
+/// may name one big file in every buffer.
+constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
 /// Value of a base64 digit, or -1.
 int base64Digit(char c) {
@@ -124,27 +127,24 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   return gltf;
 }
 
-/// Fills `bytes` from a data URI or a file. Returns what is wrong, or nothing.
-std::string GltfFile::readUri(const std::string& uri, std::vector<std::byte>& bytes) const {
+Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
+  const auto fault = [](std::string what) { return Error{ErrorKind::badInput, std::move(what)}; };
   constexpr std::string_view kMarker = ";base64,";
   if (uri.rfind("data:", 0) == 0) {
     const std::size_t marker = uri.find(kMarker);
+    std::vector<std::byte> bytes;
     if (marker == std::string::npos ||
         !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
-      return "data URI that is not sound base64";
-    return {};
+      return fault("data URI that is not sound base64");
+    return bytes;
   }
   const auto relative = decodePercent(uri);
   if (uri.find(':') != std::string::npos || !relative)
-    return "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted";
+    return fault("URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted");
   const auto path = fileInside(folder_, *relative);
   if (!path)
-    return "URI " + quoted(uri) + " leads out of the file's folder";
-  Result<std::vector<std::byte>> file = readFile(*path);
-  if (!file)
-    return file.error().message;
-  bytes = std::move(file).value();
-  return {};
+    return fault("URI " + quoted(uri) + " leads out of the file's folder");
+  return readFileStart(*path, length);
 }
 
 bool GltfFile::loadBuffer(std::size_t index, Buffer& target, FindingList& findings) {
@@ -167,13 +167,25 @@ bool GltfFile::loadBuffer(std::size_t index, Buffer& target, FindingList& findin
     }
     target.bytes = *container_.binaryChunk;
   } else {
-    const std::string fault = uri->is_string()
-                                  ? readUri(uri->get_ref<const std::string&>(), target.storage)
-                                  : std::string("not a string");
-    if (!fault.empty()) {
-      findings.error("buffer-uri", pointer + "/uri", fault);
+    if (!uri->is_string()) {
+      findings.error("buffer-uri", pointer + "/uri", "not a string");
       return false;
     }
+    if (*length > kMaxStoredBytes - storedBytes_) {
+      findings.error("buffer", pointer + "/byteLength",
+                     std::to_string(*length) + " bytes; at most " +
+                         std::to_string(kMaxStoredBytes) + " of all buffers are accepted");
+      return false;
+    }
+    Result<std::vector<std::byte>> read =
+        readUri(uri->get_ref<const std::string&>(), std::size_t(*length));
+    if (!read) {
+      findings.error(read.error().kind == ErrorKind::resources ? "memory" : "buffer-uri",
+                     pointer + "/uri", read.error().message);
+      return false;
+    }
+    target.storage = std::move(read).value();
+    storedBytes_ += std::size_t(*length);
     target.bytes = target.storage;
   }
   if (*length > target.bytes.size()) {

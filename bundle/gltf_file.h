@@ -35,11 +35,15 @@ private:
 
   const Buffer& buffer(std::size_t index, FindingList& findings);
   [[nodiscard]] bool loadBuffer(std::size_t index, Buffer& target, FindingList& findings);
-  [[nodiscard]] std::string readUri(const std::string& uri, std::vector<std::byte>& bytes) const;
+  /// The first `length` bytes of what a URI names, or what is wrong. A file must have them, a data
+  /// URI may be shorter.
+  [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,
+                                                       std::size_t length) const;
 
   std::filesystem::path folder_;
   GltfContainer container_;
   std::vector<Buffer> buffers_;
+  std::size_t storedBytes_ = 0; ///< of all buffers together
 };
 
 } // namespace lichen

@@ -199,6 +199,44 @@ TEST_CASE("a buffer's file is never sought outside the folder of the .gltf") {
   }
 }
 
+TEST_CASE("of a big file that thousands of buffers name only the bytes they claim are read") {
+  const TemporaryFolder folder;
+  constexpr std::uintmax_t kHuge = std::uintmax_t(1) << 40; // sparse: takes no room on the disk
+  GlbParts parts(smallFile());
+  REQUIRE(replaceFile(folder / "big.bin", parts.binary).ok());
+  std::filesystem::resize_file(folder / "big.bin", kHuge);
+  const std::size_t views = parts.json["bufferViews"].size();
+  for (std::size_t v = 0; v < views; ++v)
+    parts.json["bufferViews"][v]["buffer"] = v;
+  parts.json["buffers"] = nlohmann::json::array();
+  for (int b = 0; b < 4096; ++b)
+    parts.json["buffers"].push_back({{"byteLength", parts.binary.size()}, {"uri", "big.bin"}});
+  writeText(folder / "scene.gltf", parts.json.dump());
+  CHECK(readBundle(folder / "scene.gltf").ok());
+
+  // A claim of all of it, or of more than all buffers may have together.
+  for (const std::uintmax_t length : {kHuge, (std::uintmax_t(4) << 30) + 1}) {
+    parts.json["buffers"][0]["byteLength"] = length;
+    writeText(folder / "scene.gltf", parts.json.dump());
+    const auto bundle = readBundle(folder / "scene.gltf");
+    REQUIRE_FALSE(bundle.ok());
+    CHECK(bundle.error().kind == ErrorKind::badInput);
+    CHECK_THAT(bundle.error().message, Catch::Contains("at most 4294967296 of all buffers"));
+  }
+}
+
+TEST_CASE("a buffer's file that is shorter than it claims is refused") {
+  const TemporaryFolder folder;
+  GlbParts parts(smallFile());
+  REQUIRE(replaceFile(folder / "own.bin", parts.binary).ok());
+  parts.json["buffers"][0] = {{"byteLength", parts.binary.size() + 1}, {"uri", "own.bin"}};
+  writeText(folder / "scene.gltf", parts.json.dump());
+  const auto bundle = readBundle(folder / "scene.gltf");
+  REQUIRE_FALSE(bundle.ok());
+  CHECK(bundle.error().kind == ErrorKind::badInput);
+  CHECK_THAT(bundle.error().message, Catch::Contains("own.bin"));
+}
+
 TEST_CASE("a file that is absent or a folder is refused by its name") {
   const TemporaryFolder folder;
   for (const std::filesystem::path& path : {folder.path() / "absent.glb", folder.path()}) {
