@@ -67,6 +67,10 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
     static_cast<void>(inspect(file.value(), folderOf(path), findings));
     if (!findings.all().empty() && findings.all().front().code == kNotGltf)
       return Error{ErrorKind::badInput, path.string() + ": " + findings.all().front().message};
+    // What could not be read for lack of memory may be sound.
+    if (std::any_of(findings.all().begin(), findings.all().end(),
+                    [](const Finding& finding) { return finding.code == "memory"; }))
+      return notEnoughMemory(path.string());
     return findings.all();
   } catch (const std::bad_alloc&) {
     return notEnoughMemory(path.string());
