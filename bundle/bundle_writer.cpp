@@ -114,7 +114,52 @@ std::string uriOf(const std::string& fileName) {
 
 Error outOfMemory() { return Error{ErrorKind::resources, "bundle: not enough memory to encode"}; }
 
-/// Splits a GLB that encode() made, so that both forms are checked by the same code.
+constexpr std::size_t kHashDigits = 8;
+
+/// FNV-1a of 32 bits in hexadecimal (Fowler, Noll, Vo; draft-eastlake-fnv): enough to tell apart
+/// the few binaries that one stem ever has.
+std::string hashOf(std::span<const std::byte> bytes) {
+  std::uint32_t hash = 0x811c9dc5u;
+  for (const std::byte b : bytes)
+    hash = (hash ^ std::to_integer<std::uint32_t>(b)) * 0x01000193u;
+  std::string digits(kHashDigits, '0');
+  for (std::size_t i = kHashDigits; i-- > 0; hash >>= 4u)
+    digits[i] = "0123456789abcdef"[hash & 15u];
+  return digits;
+}
+
+/// STEM.HASH.bin beside `path`.
+std::filesystem::path binaryBeside(const std::filesystem::path& path, const std::string& hash) {
+  return std::filesystem::path(path).replace_extension("." + hash + ".bin");
+}
+
+/// The binary that the .gltf at `path`, if there is one, names, if this writer named it.
+std::optional<std::filesystem::path> writtenBinary(const std::filesystem::path& path) {
+  const Result<std::vector<std::byte>> file = readFile(path);
+  if (!file)
+    return std::nullopt;
+  const std::variant<GltfContainer, Finding> opened = openGltf(file.value());
+  const auto* container = std::get_if<GltfContainer>(&opened);
+  if (container == nullptr)
+    return std::nullopt;
+  static const nlohmann::json::json_pointer uriPlace("/buffers/0/uri");
+  const nlohmann::json& document = container->document;
+  if (!document.contains(uriPlace) || !document[uriPlace].is_string())
+    return std::nullopt;
+  const auto& uri = document[uriPlace].get_ref<const std::string&>();
+  const std::string before = uriOf(path.stem().string()) + ".";
+  if (uri.size() < before.size() + kHashDigits)
+    return std::nullopt;
+  const std::string hash = uri.substr(before.size(), kHashDigits);
+  if (uri != before + hash + ".bin" ||
+      hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+    return std::nullopt;
+  return binaryBeside(path, hash);
+}
+
+/// Splits a GLB that encode() made, so that both forms are checked by the same code. The binary is
+/// named by its content and comes first: at every moment the .gltf, old or new, names a whole
+/// binary of its own.
 Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::byte> glb) {
   const std::variant<GltfContainer, Finding> opened = openGltf(glb);
   const auto* container = std::get_if<GltfContainer>(&opened);
@@ -122,15 +167,23 @@ Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::b
     return outOfMemory();
   const auto* begin = reinterpret_cast<const char*>(container->text.data());
   OrderedJson root = OrderedJson::parse(begin, begin + container->text.size());
-  const std::filesystem::path binaryPath = std::filesystem::path(path).replace_extension(".bin");
+  const std::size_t length = root["buffers"][0]["byteLength"];
+  const std::span<const std::byte> binary = container->binaryChunk->first(length);
+  const std::filesystem::path binaryPath = binaryBeside(path, hashOf(binary));
   root["buffers"][0]["uri"] = uriOf(binaryPath.filename().string());
   const std::string pretty = root.dump(2) + "\n";
-  const std::size_t length = root["buffers"][0]["byteLength"];
-  // The binary first: a .gltf then never names a file that is not there.
-  if (Result<void> written = replaceFile(binaryPath, container->binaryChunk->first(length));
-      !written)
+  const std::optional<std::filesystem::path> superseded = writtenBinary(path);
+
+  std::error_code ignored; // what cannot be removed is an unused file, no fault of the bundle
+  const bool existed = std::filesystem::exists(binaryPath, ignored);
+  if (Result<void> written = replaceFile(binaryPath, binary); !written)
     return written;
-  return replaceFile(path, std::as_bytes(std::span(pretty)));
+  Result<void> written = replaceFile(path, std::as_bytes(std::span(pretty)));
+  if (!written && !existed)
+    std::filesystem::remove(binaryPath, ignored);
+  if (written && superseded && *superseded != binaryPath)
+    std::filesystem::remove(*superseded, ignored);
+  return written;
 }
 
 } // namespace

@@ -3,7 +3,14 @@
 #include "bundle_example.h"
 #include "temporary_folder.h"
 
+#include <lichen/files.h>
+
 #include <catch2/catch.hpp>
+
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace lichen;
 
@@ -119,4 +126,58 @@ TEST_CASE("files of both kinds are written, checked and read") {
   const Result<void> refused = writeBundle(folder.path() / "moss.obj", file);
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.error().kind == ErrorKind::usage);
+}
+
+TEST_CASE("a .gltf written over another takes the binary with it that only the old one named") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "moss & b.gltf";
+  const std::vector<std::byte> foreign(3);
+  REQUIRE(replaceFile(folder.path() / "moss & b.bin", foreign).ok());
+  REQUIRE(writeBundle(path, example::everyMap()).ok());
+  REQUIRE(writeBundle(path, example::everyMap()).ok());
+  CHECK(folder.entryCount() == 3);
+  REQUIRE(writeBundle(path, example::smallest()).ok());
+  CHECK(folder.entryCount() == 3);
+  checkSameBundle(readBundle(path).value(), example::smallest().bundle);
+}
+
+TEST_CASE(
+    "a .gltf that names a binary which another program wrote is replaced, the binary is not") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "moss.gltf";
+  for (const char* uri : {"other.01234567.bin", "moss.bin", "moss.0123456g.bin", "moss.0123456.bin",
+                          "moss.012345678.bin"}) {
+    REQUIRE(replaceFile(folder.path() / uri, std::vector<std::byte>(3)).ok());
+    const std::string text =
+        R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" + std::string(uri) + R"("}]})";
+    REQUIRE(replaceFile(path, std::as_bytes(std::span(text))).ok());
+    REQUIRE(writeBundle(path, example::smallest()).ok());
+    CHECK(std::filesystem::exists(folder.path() / uri));
+  }
+}
+
+TEST_CASE("a disk that is full between the two files of a .gltf leaves the old pair and no other") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "moss.gltf";
+  REQUIRE(writeBundle(path, example::everyMap()).ok());
+  BundleFile longText = example::smallest();
+  longText.generator = std::string(200000, 'x');
+  // A limit on file size stands for a full disk; in a child, for it cannot be raised again.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {100000, 100000};
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0)
+      ::_exit(100);
+    const Result<void> result = writeBundle(path, longText);
+    const bool ofText = !result && result.error().kind == ErrorKind::resources &&
+                        result.error().message.starts_with(path.string() + ": cannot be written");
+    ::_exit(ofText ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  checkSameBundle(readBundle(path).value(), example::everyMap().bundle);
+  CHECK(folder.entryCount() == 2);
 }

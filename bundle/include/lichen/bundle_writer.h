@@ -36,8 +36,9 @@ struct BundleFile {
 /// readBundle() would refuse the result, for its reason; resources when memory does not suffice.
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
-/// Writes .glb, or .gltf with one .bin of the same stem beside it. Errors as replaceFile; usage for
-/// another extension.
+/// Writes .glb, or .gltf with one STEM.HASH.bin beside it, named by its content; that of the .gltf
+/// which this one replaces is removed. Errors as replaceFile, with the old files whole and no
+/// other; usage for another extension.
 [[nodiscard]] Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file);
 
 } // namespace lichen
