@@ -109,7 +109,7 @@ void report(const Arguments& arguments, const BundleFile& file, bool periodic,
                                       {"tableBytes", tableBytes},
                                       {"notes", notes},
                                       {"seconds", seconds}};
-    fmt::print("{}\n", toText(json));
+    printLine(toText(json));
     return;
   }
   say(arguments.shared, fmt::format("{}: {} x {}, {} KiB of tables, {:.2f} s", arguments.output,

@@ -42,15 +42,16 @@ Result<int> run(const Arguments& arguments) {
                     {"pointer", finding.pointer},
                     {"message", finding.message}});
     if (!arguments.shared.json && (isError || !arguments.shared.quiet))
-      fmt::print("{}: {} [{}] at {}\n", severityName(finding.severity), finding.message,
-                 finding.code, finding.pointer.empty() ? "/" : finding.pointer);
+      printLine(printable(fmt::format("{}: {} [{}] at {}", severityName(finding.severity),
+                                      finding.message, finding.code,
+                                      finding.pointer.empty() ? "/" : finding.pointer)));
   }
   if (arguments.shared.json) {
     const nlohmann::ordered_json report{{"file", arguments.bundle},
                                         {"errors", errors},
                                         {"warnings", findings.value().size() - errors},
                                         {"findings", list}};
-    fmt::print("{}\n", toText(report));
+    printLine(toText(report));
   }
   say(arguments.shared, fmt::format("{}: {}, {}", arguments.bundle, counted(errors, "error"),
                                     counted(findings.value().size() - errors, "warning")));

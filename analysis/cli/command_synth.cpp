@@ -88,7 +88,7 @@ Result<int> run(Arguments& arguments) {
                                         {"width", arguments.synthesis.width},
                                         {"height", arguments.synthesis.height},
                                         {"seconds", seconds.count()}};
-    fmt::print("{}\n", toText(report));
+    printLine(toText(report));
   }
   say(arguments.shared,
       fmt::format("{}: {} x {}, {:.2f} s", arguments.output, arguments.synthesis.width,

@@ -34,10 +34,16 @@ std::string verbNames() {
 }
 
 int fail(const Error& error) {
-  std::string line = error.message;
-  std::replace(line.begin(), line.end(), '\n', ' '); // of a file's name or an option's text
-  fmt::print(stderr, "lichen: {}\n", line);
+  // Nothing is left to do where this cannot be written, so nothing may be thrown either.
+  std::fputs(("lichen: " + printable(error.message) + "\n").c_str(), stderr);
   return int(error.kind);
+}
+
+/// The exit code, unless what was said did not reach standard output, as on a full disk.
+int flushed(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+    return code;
+  return fail({ErrorKind::resources, "standard output: cannot be written"});
 }
 
 /// An error in the words of the command line, with where to read more.
@@ -120,7 +126,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A last net: libraries report lack of memory by exceptions.
   try {
-    return lichen::cli::run(argc, argv);
+    return lichen::cli::flushed(lichen::cli::run(argc, argv));
   } catch (const std::bad_alloc&) {
     return lichen::cli::fail({lichen::ErrorKind::resources, "not enough memory"});
   } catch (const std::exception& error) {

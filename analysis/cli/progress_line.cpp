@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Progress over a terminal's line, with the control codes that every terminal has.
+// A terminal that takes no more is no reason to stop the work: the writes' results are ignored.
 #include "progress_line.h"
 
 #include <fmt/core.h>
@@ -38,7 +39,7 @@ void ProgressLine::show(double fraction) {
 
 void ProgressLine::erase() {
   if (shown_)
-    fmt::print(stderr, "\r\x1b[K");
+    std::fputs("\r\x1b[K", stderr);
   shown_ = false;
 }
 
@@ -46,7 +47,7 @@ void ProgressLine::write(const std::string& text) {
   const Clock::time_point now = Clock::now();
   if (!wanted_ || now - start_ < kQuietStart || (shown_ && now - last_ < kInterval))
     return;
-  fmt::print(stderr, "\r\x1b[K{}", text);
+  std::fputs(("\r\x1b[K" + text).c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
   last_ = now;

@@ -60,7 +60,7 @@ std::string readTerminal(const Terminal& terminal) {
   const auto redirect = [](const std::filesystem::path& path, int descriptor) {
     ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
   };
-  redirect(output, STDOUT_FILENO);
+  redirect(limits.fullOutput ? "/dev/full" : output, STDOUT_FILENO);
   if (limits.terminal)
     ::dup2(terminal.theirs, STDERR_FILENO);
   else

@@ -26,7 +26,8 @@ struct Limits {
   std::size_t fileBytes = 0;  ///< writing beyond fails, as on a full disk; 0 for no limit
   unsigned killedAfterMs = 0; ///< `signal` then; 0 for never
   int signal = SIGTERM;
-  bool terminal = false; ///< standard error is one
+  bool terminal = false;   ///< standard error is one
+  bool fullOutput = false; ///< standard output takes nothing, as on a full disk
 };
 
 /// Runs a program and waits for its end.

@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 using namespace lichen;
 using namespace lichen::cli_test;
 
@@ -190,4 +192,56 @@ TEST_CASE("a bake that is interrupted while it works ends at once and leaves the
   CHECK(ended.code == -1); // by the signal, so that a script that called it stops too
   CHECK(workplace.read("moss.glb") == "the old one");
   CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
+}
+
+TEST_CASE("what standard output does not take is an error of one line") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string bundle = bake(workplace, input);
+  const std::string picture = workplace.path("p.png");
+  Limits limits;
+  limits.fullOutput = true;
+  for (const Arguments& arguments :
+       {Arguments{"bake", input, "-o", bundle, "--json"}, Arguments{"bake", input, "-o", bundle},
+        Arguments{"check", bundle}, Arguments{"check", bundle, "--json"},
+        Arguments{"synth", bundle, "-o", picture, "--size", "8x8", "--json"}, Arguments{"--help"},
+        Arguments{"--version"}}) {
+    const Ended ended = runLichen(arguments, limits);
+    CHECK(ended.code == int(ErrorKind::resources));
+    CHECK(ended.errors == "lichen: standard output: cannot be written\n");
+  }
+}
+
+TEST_CASE("the control characters of names never reach the terminal, other characters do") {
+  const Workplace workplace;
+  const std::string hostile = "m\x1b[31m\xc2\x9b\x7f\nf\xc3\xbc";
+  const std::string shown = "m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc";
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const auto checkShown = [&](const std::string& text, const std::string& expected) {
+    CHECK_THAT(text, Catch::Contains(expected));
+    CHECK(std::count(text.begin(), text.end(), '\n') == 1);
+    CHECK(std::none_of(text.begin(), text.end(), [](char c) {
+      return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == '\x7f';
+    }));
+    CHECK(text.find("\xc2\x9b") == std::string::npos);
+  };
+
+  const std::string bundle = workplace.path(hostile + ".glb");
+  const Ended baked = runLichen({"bake", input, "-o", bundle, "--name", hostile});
+  CHECK(baked.code == 0);
+  checkShown(baked.output, shown + ".glb: ");
+  checkShown(runLichen({"check", workplace.path(hostile)}).errors, shown + ": cannot be read");
+  checkShown(
+      runLichen({"synth", bundle, "-o", workplace.path("p.png"), "--noise", "absent"}).errors,
+      "has " + shown);
+
+  // Of a finding: a buffer's file that is absent.
+  const std::string text = workplace.read(
+      std::filesystem::path(bake(workplace, input, "moss.gltf")).filename().string());
+  nlohmann::json gltf = nlohmann::json::parse(text);
+  gltf["buffers"][0]["uri"] = "m%1B%5B31m%C2%9B%7F%0Af%C3%BC";
+  const Ended checked = runLichen({"check", workplace.write("broken.gltf", gltf.dump()), "--json"});
+  CHECK(onlyObject(checked.output)["findings"][0]["code"] == "buffer-uri");
+  const std::string lines = runLichen({"check", workplace.path("broken.gltf")}).output;
+  checkShown(lines.substr(0, lines.find('\n') + 1), shown);
 }
