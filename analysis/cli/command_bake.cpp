@@ -147,7 +147,7 @@ Result<int> run(const Arguments& arguments) {
   for (const TransportBound& bound : bake.value().transportBounds)
     notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
                                 100.0 * bound.excess()));
-  if (!periodic)
+  if (!periodic && arguments.tiling.periodic == Periodic::detect)
     notes.push_back("the exemplar's borders do not fit together; they were blended");
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
   if (!file)

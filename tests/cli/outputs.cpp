@@ -245,3 +245,18 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
   const std::string lines = runLichen({"check", workplace.path("broken.gltf")}).output;
   checkShown(lines.substr(0, lines.find('\n') + 1), shown);
 }
+
+TEST_CASE("borders that are blended are noted where they were measured, not where it was asked") {
+  const Workplace workplace;
+  SrgbImage ramp(32, 32, 3);
+  for (int i = 0; i < 32 * 32 * 3; ++i)
+    ramp.values[std::size_t(i)] = float(i / 3 % 32) / 31.0f;
+  const std::string input = workplace.write("ramp.png", ramp);
+  const auto errorsWith = [&](const char* periodic) {
+    return runLichen({"bake", input, "-o", workplace.path("ramp.glb"), "--periodic", periodic})
+        .errors;
+  };
+  CHECK_THAT(errorsWith("auto"), Catch::Contains("borders do not fit together"));
+  CHECK(errorsWith("no").find("borders") == std::string::npos);
+  CHECK(errorsWith("yes").find("borders") == std::string::npos);
+}
