@@ -109,17 +109,18 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "--map", arguments->map, "MAP",
           "Which map of the noise, such as baseColor [default: the first]");
   addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024", "In pixels");
-  addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(0.001, 0x1p24), "",
+  addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(kTexelsPerTileRange), "",
            "Pixels across one exemplar [default: its own width]");
-  addValue(verb, "--origin", synthesis.origin, coordinates(0x1p40), "0,0",
+  addValue(verb, "--origin", synthesis.origin, coordinates(kOriginRange), "0,0",
            "The top left corner in tiles; large integer parts are exact");
   addValue(verb, "--seed", synthesis.seed, seedNumber(), "1", "Another seed, another pattern");
   verb.add_flag("--tileable", synthesis.tileable,
                 "Opposite borders of the image continue each other")
       ->disable_flag_override();
-  addValue(verb, "--sharpness", synthesis.blendSharpness, number(0.25, 16.0), "1",
+  addValue(verb, "--sharpness", synthesis.blendSharpness, number(kBlendSharpnessRange), "1",
            "Exponent of the blend weights");
-  addValue(verb, "--contrast", synthesis.contrast, number(0.0, 4.0), "1", "Scale of the variation");
+  addValue(verb, "--contrast", synthesis.contrast, number(kContrastRange), "1",
+           "Scale of the variation");
   const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
                                          {"variance", BlendOperator::variancePreserving},
                                          {"linear", BlendOperator::linear}};

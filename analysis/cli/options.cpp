@@ -81,8 +81,8 @@ Accepted<int> wholeNumber(int smallest, int largest) {
   return numberBetween("a whole number", smallest, largest);
 }
 
-Accepted<double> number(double smallest, double largest) {
-  return numberBetween("a number", smallest, largest);
+Accepted<double> number(NumberRange range) {
+  return numberBetween("a number", range.least, range.most);
 }
 
 Accepted<std::uint32_t> seedNumber() {
@@ -99,9 +99,9 @@ Accepted<std::array<int, 2>> imageSize(int largest) {
           }};
 }
 
-Accepted<std::array<double, 2>> coordinates(double largest) {
-  return {"X,Y", fmt::format("X,Y with numbers from {} to {}", -largest, largest),
-          [=](const std::string& text) { return parsePair(text, ',', -largest, largest); }};
+Accepted<std::array<double, 2>> coordinates(NumberRange range) {
+  return {"X,Y", fmt::format("X,Y with numbers from {} to {}", range.least, range.most),
+          [=](const std::string& text) { return parsePair(text, ',', range.least, range.most); }};
 }
 
 void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,

@@ -3,6 +3,8 @@
 // not of the parser's types.
 #pragma once
 
+#include <lichen/bundle.h>
+
 #include <CLI/App.hpp>
 
 #include <array>
@@ -28,15 +30,15 @@ struct Accepted {
 /// "a", "a or b", "a, b or c".
 [[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
 
-/// A number in [smallest, largest].
+/// A number in these bounds.
 [[nodiscard]] Accepted<int> wholeNumber(int smallest, int largest);
-[[nodiscard]] Accepted<double> number(double smallest, double largest);
+[[nodiscard]] Accepted<double> number(NumberRange range);
 /// Any 32 bits.
 [[nodiscard]] Accepted<std::uint32_t> seedNumber();
 /// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Sides in [1, largest].
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
-/// "10,-2.5" -> {10.0, -2.5}. Both in [-largest, largest].
-[[nodiscard]] Accepted<std::array<double, 2>> coordinates(double largest);
+/// "10,-2.5" -> {10.0, -2.5}. Both in `range`.
+[[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;

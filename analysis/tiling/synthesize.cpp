@@ -9,16 +9,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <new>
 
 namespace lichen {
 namespace {
 
-constexpr double kMaxOrigin = 0x1p40;
 constexpr int kMaxPreviewSide = 1024;
-/// One pixel then spans 1,024 tiles, far beyond the last mip; a footprint must stay a finite float.
-constexpr double kLeastTexelsPerTile = 0x1p-10;
 /// Evaluated between two calls of the progress: up to a second's work, rows enough for many
 /// threads.
 constexpr int kPixelsPerStrip = 1 << 20;
@@ -26,6 +24,18 @@ constexpr int kPixelsPerStrip = 1 << 20;
 constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
+
+Result<void> checkRange(const char* name, double value, NumberRange range) {
+  if (value >= range.least && value <= range.most)
+    return {};
+  const auto text = [](double number) {
+    std::array<char, 32> digits{}; // 24 are enough for the shortest text that gives the number back
+    return std::string(digits.data(),
+                       std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  };
+  return usage(std::string(name) + " " + text(value) + ": a number from " + text(range.least) +
+               " to " + text(range.most) + " is accepted");
+}
 
 Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (options.width < 1 || options.height < 1 || options.width > kMaxImageSide ||
@@ -35,19 +45,20 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (options.noise >= bundle.noises.size())
     return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
-  if (options.texelsPerTile != 0.0 &&
-      !(options.texelsPerTile >= kLeastTexelsPerTile && options.texelsPerTile <= 0x1p24))
-    return usage("texels per tile " + std::to_string(options.texelsPerTile) +
-                 ": from 1/1024 to 2^24 is accepted");
-  if (!(options.blendSharpness >= 0.25 && options.blendSharpness <= 16.0))
-    return usage("blend sharpness " + std::to_string(options.blendSharpness) +
-                 ": from 0.25 to 16 is accepted");
-  if (!(options.contrast >= 0.0 && options.contrast <= 4.0))
-    return usage("contrast " + std::to_string(options.contrast) + ": from 0 to 4 is accepted");
+  if (options.texelsPerTile != 0.0)
+    if (Result<void> checked =
+            checkRange("texels per tile", options.texelsPerTile, kTexelsPerTileRange);
+        !checked)
+      return checked;
+  if (Result<void> checked =
+          checkRange("blend sharpness", options.blendSharpness, kBlendSharpnessRange);
+      !checked)
+    return checked;
+  if (Result<void> checked = checkRange("contrast", options.contrast, kContrastRange); !checked)
+    return checked;
   for (const double coordinate : options.origin)
-    if (!(std::abs(coordinate) <= kMaxOrigin))
-      return usage("origin " + std::to_string(coordinate) +
-                   ": coordinates up to 2^40 tiles are accepted");
+    if (Result<void> checked = checkRange("origin", coordinate, kOriginRange); !checked)
+      return checked;
   return {};
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
     checkSynthRefuses({"--origin", origin}, kUsage, {"--origin " + origin + ": X,Y with numbers"});
   for (const std::string texels : {"0", "-4", "nan", "inf", "1e30", "many"})
     checkSynthRefuses({"--texels-per-tile", texels}, kUsage,
-                      {"--texels-per-tile " + texels + ": a number from 0.001 to 16777216"});
+                      {"--texels-per-tile " + texels + ": a number from 0.0009765625 to 16777216"});
   for (const std::string sharpness : {"0", "17", "nan"})
     checkSynthRefuses({"--sharpness", sharpness}, kUsage,
                       {"--sharpness " + sharpness + ": a number from 0.25 to 16"});

@@ -13,21 +13,26 @@
 
 namespace lichen {
 
+/// Pixels across one exemplar. At the least, a pixel spans 1,024 tiles, far beyond the last mip.
+inline constexpr NumberRange kTexelsPerTileRange{0x1p-10, 0x1p24};
+/// Either coordinate of an image's corner, in tiles.
+inline constexpr NumberRange kOriginRange{-0x1p40, 0x1p40};
+
 struct SynthesisOptions {
   std::size_t noise = 0;
   MapTarget map = MapTarget::baseColor;
   int width = 0;  ///< pixels, [1, 16384]
   int height = 0; ///< pixels, [1, 16384]
-  /// Pixels across one exemplar's width, [1/1024, 2^24]; 0 for the exemplar's own, one texel a
-  /// pixel.
+  /// Pixels across one exemplar's width, in kTexelsPerTileRange; 0 for the exemplar's own, one
+  /// texel a pixel.
   double texelsPerTile = 0.0;
-  /// Of the image's top left corner, in tiles, up to 2^40. Shifts a tileable image in itself: what
-  /// leaves at one border enters at the opposite one.
+  /// Of the image's top left corner, in tiles, in kOriginRange. Shifts a tileable image in itself:
+  /// what leaves at one border enters at the opposite one.
   std::array<double, 2> origin{0.0, 0.0};
   std::uint32_t seed = 1;
   bool tileable = false;       ///< opposite borders continue each other; at least half a tile
-  double blendSharpness = 1.0; ///< [0.25, 16]
-  double contrast = 1.0;       ///< [0, 4]
+  double blendSharpness = 1.0; ///< in kBlendSharpnessRange
+  double contrast = 1.0;       ///< in kContrastRange
   BlendOperator blend = BlendOperator::histogramPreserving;
   Progress progress; ///< empty: nobody watches
 };
