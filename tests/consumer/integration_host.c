@@ -16,49 +16,60 @@ LichenResult createContext(const Host* host, LichenVulkanContext* context,
 }
 
 /* Records the upload into `commands`: submit it before or with the first frame that draws. */
-LichenResult loadMaterial(const Host* host, LichenVulkanContext context, const void* file,
-                          size_t fileBytes, uint32_t index, VkCommandBuffer commands,
-                          NoiseMaterial* material, LichenDiagnostic* diagnostic) {
-  const VkDescriptorBufferInfo uniforms = {host->uniformBuffer, 0, LICHEN_UNIFORM_BYTES};
+LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fileBytes,
+                        VkCommandBuffer commands, NoiseBundle* loaded,
+                        LichenDiagnostic* diagnostic) {
   LichenParseInfo parse;
-  LichenMaterialProperties properties;
   LichenResult result;
-  memset(material, 0, sizeof *material);
-  material->index = index;
+  memset(loaded, 0, sizeof *loaded);
   LICHEN_INIT(parse, LICHEN_STRUCTURE_PARSE_INFO);
   parse.headerVersion = LICHEN_HEADER_VERSION;
   parse.bytes = file; /* a .glb that `lichen bake` wrote */
   parse.byteCount = fileBytes;
+
+  result = lichenParseBundle(&parse, &loaded->bundle, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = lichenVulkanCreateAssets(context, loaded->bundle, &loaded->assets, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = lichenVulkanRecordUpload(loaded->assets, commands);
+  if (result != LICHEN_SUCCESS)
+    unloadBundle(loaded, 0); /* no frame has used it */
+  return result;
+}
+
+void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame) {
+  lichenVulkanRetireAssets(loaded->assets, lastFrame);
+  lichenDestroyBundle(loaded->bundle);
+  memset(loaded, 0, sizeof *loaded);
+}
+
+/* `slot`: of the uniform buffer, another for each material that is drawn. */
+LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
+                         NoiseMaterial* material, LichenDiagnostic* diagnostic) {
+  /* The dynamic offset of each draw is added to this offset of 0. */
+  const VkDescriptorBufferInfo uniforms = {host->uniformBuffer, 0, LICHEN_UNIFORM_BYTES};
+  LichenMaterialProperties properties;
+  LichenResult result;
+  memset(material, 0, sizeof *material);
+  material->index = index;
+  material->slot = slot;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
 
-  result = lichenParseBundle(&parse, &material->bundle, diagnostic);
-  if (result == LICHEN_SUCCESS)
-    result = lichenGetMaterialProperties(material->bundle, index, &properties);
+  result = lichenGetMaterialProperties(loaded->bundle, index, &properties);
   /* LICHEN_NO_NOISE: draw it as any other material. Other mappings are not evaluated yet. */
   if (result == LICHEN_SUCCESS &&
       (properties.noise == LICHEN_NO_NOISE || properties.mapping != LICHEN_MAPPING_UV))
     result = LICHEN_ERROR_UNSUPPORTED;
   if (result == LICHEN_SUCCESS)
-    result = lichenVulkanCreateAssets(context, material->bundle, &material->assets, diagnostic);
+    result = lichenVulkanGetSetLayout(loaded->assets, properties.noise, &material->setLayout);
   if (result == LICHEN_SUCCESS)
-    result = lichenVulkanGetSetLayout(material->assets, properties.noise, &material->setLayout);
-  if (result == LICHEN_SUCCESS)
-    result = lichenVulkanAllocateSet(material->assets, properties.noise, host->pool, &uniforms,
+    result = lichenVulkanAllocateSet(loaded->assets, properties.noise, host->pool, &uniforms,
                                      &material->set, diagnostic);
-  if (result == LICHEN_SUCCESS)
-    result = lichenVulkanRecordUpload(material->assets, commands);
-  if (result != LICHEN_SUCCESS)
-    unloadMaterial(material, 0); /* no frame has used it */
   return result;
 }
 
-void unloadMaterial(NoiseMaterial* material, uint64_t lastFrame) {
-  lichenVulkanRetireAssets(material->assets, lastFrame);
-  lichenDestroyBundle(material->bundle);
-  memset(material, 0, sizeof *material);
-}
-
-LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
+LichenResult updateMaterial(const Host* host, const NoiseBundle* loaded,
+                            const NoiseMaterial* material, uint32_t frameInFlight,
                             const int64_t cameraTile[2], uint32_t* dynamicOffset,
                             LichenDiagnostic* diagnostic) {
   LichenUniformInfo info;
@@ -66,7 +77,7 @@ LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uin
   info.material = material->index;
   info.tileOrigin[0] = cameraTile[0]; /* far from the origin: see below */
   info.tileOrigin[1] = cameraTile[1];
-  *dynamicOffset = frameInFlight * LICHEN_UNIFORM_BYTES;
-  return lichenFillUniforms(material->bundle, &info, host->mappedUniforms + *dynamicOffset,
+  *dynamicOffset = (material->slot * host->framesInFlight + frameInFlight) * LICHEN_UNIFORM_BYTES;
+  return lichenFillUniforms(loaded->bundle, &info, host->mappedUniforms + *dynamicOffset,
                             diagnostic);
 }

@@ -16,26 +16,35 @@ typedef struct Host {
   VkDevice device;
   PFN_vkGetInstanceProcAddr getInstanceProcAddr;
   VkDescriptorPool pool;
-  VkBuffer uniformBuffer; /* a block of LICHEN_UNIFORM_BYTES for each frame in flight */
+  uint32_t framesInFlight;
+  VkBuffer uniformBuffer; /* each slot has framesInFlight blocks of LICHEN_UNIFORM_BYTES */
   unsigned char* mappedUniforms;
 } Host;
 
-/* What it keeps of a noise material. */
-typedef struct NoiseMaterial {
-  uint32_t index; /* of the glTF material */
+/* What it keeps of a bundle. */
+typedef struct NoiseBundle {
   LichenBundle bundle;
   LichenVulkanAssets assets;
+} NoiseBundle;
+
+/* What it keeps of a noise material in a bundle. */
+typedef struct NoiseMaterial {
+  uint32_t index;                  /* of the glTF material */
+  uint32_t slot;                   /* of the uniform buffer */
   VkDescriptorSetLayout setLayout; /* for the pipeline layout */
   VkDescriptorSet set;
 } NoiseMaterial;
 
 LichenResult createContext(const Host* host, LichenVulkanContext* context,
                            LichenDiagnostic* diagnostic);
-LichenResult loadMaterial(const Host* host, LichenVulkanContext context, const void* file,
-                          size_t fileBytes, uint32_t index, VkCommandBuffer commands,
-                          NoiseMaterial* material, LichenDiagnostic* diagnostic);
-void unloadMaterial(NoiseMaterial* material, uint64_t lastFrame);
-LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
+LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fileBytes,
+                        VkCommandBuffer commands, NoiseBundle* loaded,
+                        LichenDiagnostic* diagnostic);
+void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame);
+LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
+                         NoiseMaterial* material, LichenDiagnostic* diagnostic);
+LichenResult updateMaterial(const Host* host, const NoiseBundle* loaded,
+                            const NoiseMaterial* material, uint32_t frameInFlight,
                             const int64_t cameraTile[2], uint32_t* dynamicOffset,
                             LichenDiagnostic* diagnostic);
 

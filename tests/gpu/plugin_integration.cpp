@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <tiling_maps.comp.h>
 
@@ -19,25 +20,47 @@ namespace {
 constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
 constexpr std::uint32_t kFramesInFlight = 2;
 constexpr std::uint32_t kGenerations = 4;
+constexpr std::uint32_t kMaterials = 2;
+constexpr std::int64_t kCameraTile[2] = {1000000, -3};
+
+using Values = std::vector<std::array<float, 4>>;
+
+/// A file with two materials, alike but for their seed.
+std::vector<std::byte> twoMaterials() {
+  BundleFile file = syntheticBundle(kMaps);
+  MaterialNoise second;
+  second.noise = 1;
+  second.seed = 7;
+  file.bundle.noises.push_back(file.bundle.noises.front());
+  file.bundle.noises.back().name = "second";
+  file.bundle.materials.emplace_back(second);
+  file.previews.emplace_back();
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  INFO((glb ? std::string() : glb.error().message));
+  REQUIRE(glb.ok());
+  return std::move(glb).value();
+}
 
 /// The engine around the integration's code: a pool and a uniform buffer.
 struct Engine {
   explicit Engine(HeadlessDevice& d) : device(d) {
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kGenerations},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                           kGenerations * 2 * std::uint32_t(kMaps.size())}};
+    constexpr std::uint32_t kSets = kGenerations * kMaterials;
+    const VkDescriptorPoolSize sizes[] = {
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kSets},
+        {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, kSets * 2 * std::uint32_t(kMaps.size())}};
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    info.maxSets = kGenerations;
+    info.maxSets = kSets;
     info.poolSizeCount = 2;
     info.pPoolSizes = sizes;
     REQUIRE(vkCreateDescriptorPool(d.device(), &info, nullptr, &host.pool) == VK_SUCCESS);
-    uniforms = d.createBuffer(kFramesInFlight * LICHEN_UNIFORM_BYTES,
+    uniforms = d.createBuffer(kMaterials * kFramesInFlight * LICHEN_UNIFORM_BYTES,
                               VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                    .value();
     host.instance = d.instance();
     host.physicalDevice = d.physicalDevice();
     host.device = d.device();
     host.getInstanceProcAddr = vkGetInstanceProcAddr;
+    host.framesInFlight = kFramesInFlight;
     host.uniformBuffer = uniforms.handle;
     host.mappedUniforms = reinterpret_cast<unsigned char*>(uniforms.mapped);
     LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
@@ -50,31 +73,43 @@ struct Engine {
     vkDestroyDescriptorPool(device.device(), host.pool, nullptr);
   }
 
-  NoiseMaterial load(std::span<const std::byte> file) {
-    NoiseMaterial material{};
+  NoiseBundle load(std::span<const std::byte> file) {
+    NoiseBundle loaded{};
     LichenResult result = LICHEN_SUCCESS;
     const auto submitted = device.submit([&](VkCommandBuffer commands) {
-      result = loadMaterial(&host, context, file.data(), file.size(), 0, commands, &material,
-                            &diagnostic);
+      result = loadBundle(context, file.data(), file.size(), commands, &loaded, &diagnostic);
     });
     REQUIRE(submitted.ok());
     INFO(diagnostic.text);
     REQUIRE(result == LICHEN_SUCCESS);
-    return material;
+    return loaded;
   }
 
-  std::vector<std::array<float, 4>> draw(const NoiseMaterial& material, std::uint64_t frame,
-                                         const std::vector<Point>& points) {
-    const std::int64_t cameraTile[2] = {1000000, -3};
-    std::uint32_t offset = 0;
-    REQUIRE(updateMaterial(&host, &material, std::uint32_t(frame % kFramesInFlight), cameraTile,
-                           &offset, &diagnostic) == LICHEN_SUCCESS);
-    ComputeRun run;
-    run.spirv = tiling_maps_comp;
-    run.layout = material.setLayout;
-    run.set = material.set;
-    run.dynamicOffsets = {offset};
-    return runCompute<std::array<float, 4>>(device, run, points, kMaps.size());
+  std::array<NoiseMaterial, kMaterials> addMaterials(const NoiseBundle& loaded) {
+    std::array<NoiseMaterial, kMaterials> materials{};
+    for (std::uint32_t k = 0; k < kMaterials; ++k)
+      REQUIRE(addMaterial(&host, &loaded, k, k, &materials[k], &diagnostic) == LICHEN_SUCCESS);
+    return materials;
+  }
+
+  /// Each material's values; all uniforms are written before the first draw, as in an engine.
+  std::vector<Values> draw(const NoiseBundle& loaded,
+                           const std::array<NoiseMaterial, kMaterials>& materials,
+                           std::uint64_t frame, const std::vector<Point>& points) {
+    std::array<std::uint32_t, kMaterials> offsets{};
+    for (std::uint32_t k = 0; k < kMaterials; ++k)
+      REQUIRE(updateMaterial(&host, &loaded, &materials[k], std::uint32_t(frame % kFramesInFlight),
+                             kCameraTile, &offsets[k], &diagnostic) == LICHEN_SUCCESS);
+    std::vector<Values> values;
+    for (std::uint32_t k = 0; k < kMaterials; ++k) {
+      ComputeRun run;
+      run.spirv = tiling_maps_comp;
+      run.layout = materials[k].setLayout;
+      run.set = materials[k].set;
+      run.dynamicOffsets = {offsets[k]};
+      values.push_back(runCompute<std::array<float, 4>>(device, run, points, kMaps.size()));
+    }
+    return values;
   }
 
   HeadlessDevice& device;
@@ -86,33 +121,38 @@ struct Engine {
 
 } // namespace
 
-TEST_CASE("the documented host draws what the tests' own host draws, also after reloading") {
+TEST_CASE("the documented host draws two materials as the tests' own host, also after reloading") {
   const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  const std::vector<std::byte> glb = twoMaterials();
   std::vector<Point> points(200);
   for (std::size_t k = 0; k < points.size(); ++k)
     points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  LichenUniformInfo uniforms;
-  LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-  uniforms.tileOrigin[0] = 1000000;
-  uniforms.tileOrigin[1] = -3;
   PluginHost plain(*device, glb);
-  const auto expected = plain.evaluate(tiling_maps_comp, 0, uniforms, points, kMaps.size());
+  std::vector<Values> expected;
+  for (std::uint32_t k = 0; k < kMaterials; ++k) {
+    LichenUniformInfo uniforms;
+    LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
+    uniforms.material = k;
+    std::copy(std::begin(kCameraTile), std::end(kCameraTile), uniforms.tileOrigin);
+    expected.push_back(plain.evaluate(tiling_maps_comp, 0, uniforms, points, kMaps.size()));
+  }
+  REQUIRE(expected[0] != expected[1]);
   {
     Engine engine(*device);
-    NoiseMaterial material = engine.load(glb);
+    NoiseBundle loaded = engine.load(glb);
     std::uint64_t frame = 0;
     for (std::uint32_t generation = 0; generation < kGenerations; ++generation) {
+      const auto materials = engine.addMaterials(loaded);
       for (std::uint32_t k = 0; k < kFramesInFlight + 1; ++k, ++frame) {
-        CHECK(engine.draw(material, frame, points) == expected);
+        CHECK(engine.draw(loaded, materials, frame, points) == expected);
         if (frame >= kFramesInFlight)
           lichenVulkanFrameCompleted(engine.context, frame - kFramesInFlight);
       }
-      NoiseMaterial next{};
+      NoiseBundle next{};
       if (generation + 1 < kGenerations)
         next = engine.load(glb);
-      unloadMaterial(&material, frame - 1);
-      material = next;
+      unloadBundle(&loaded, frame - 1);
+      loaded = next;
     }
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
@@ -123,17 +163,20 @@ TEST_CASE("the documented host takes a refused file as it came, and goes on") {
   {
     Engine engine(*device);
     const std::vector<std::byte> glb = syntheticGlb(kMaps);
-    NoiseMaterial material{};
+    NoiseBundle loaded{};
     const auto submitted = device->submit([&](VkCommandBuffer commands) {
-      CHECK(loadMaterial(&engine.host, engine.context, glb.data(), glb.size() / 2, 0, commands,
-                         &material, &engine.diagnostic) == LICHEN_ERROR_BAD_BUNDLE);
-      CHECK(loadMaterial(&engine.host, engine.context, glb.data(), glb.size(), 1, commands,
-                         &material, &engine.diagnostic) == LICHEN_ERROR_USAGE);
+      CHECK(loadBundle(engine.context, glb.data(), glb.size() / 2, commands, &loaded,
+                       &engine.diagnostic) == LICHEN_ERROR_BAD_BUNDLE);
     });
     CHECK(submitted.ok());
-    CHECK(material.assets == nullptr);
-    material = engine.load(glb);
-    unloadMaterial(&material, 0);
+    CHECK(loaded.assets == nullptr);
+    loaded = engine.load(glb);
+    NoiseMaterial material{};
+    CHECK(addMaterial(&engine.host, &loaded, 1, 0, &material, &engine.diagnostic) ==
+          LICHEN_ERROR_USAGE);
+    CHECK(addMaterial(&engine.host, &loaded, 0, 0, &material, &engine.diagnostic) ==
+          LICHEN_SUCCESS);
+    unloadBundle(&loaded, 0);
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
