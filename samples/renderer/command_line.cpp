@@ -67,7 +67,7 @@ void addOptions(CLI::App& app, Command& command) {
           "A camera of the scene, or one that frames it [default: its first camera, else auto]");
   addText(app, "--environment", command.environment, "FILE",
           "Light from a latitude-longitude panorama, EXR, PNG or JPEG [default: a built-in sky]");
-  addValue(app, "--exposure", command.exposureEv, number(-kMaxExposure, kMaxExposure), "0",
+  addValue(app, "--exposure", command.exposureEv, number({-kMaxExposure, kMaxExposure}), "0",
            "In stops");
   addValue(app, "--frames", command.frames, wholeNumber(1, kMaxFrames), "16",
            "Frames to average: edges, penumbrae and the sky's light get smoother");
