@@ -14,7 +14,7 @@ namespace {
 /// The verbs' work that lasts over a second on one core of any machine, or else nearly none.
 struct Made {
   Workplace workplace;
-  std::string photograph = workplace.write("photograph.png", speckled(448, 448, 3));
+  std::string photograph = workplace.write("photograph.png", smooth(512));
   std::string stamp = workplace.write("stamp.png", smooth(16));
   std::string bundle = bake(workplace, stamp, "stamp.glb");
 
@@ -22,7 +22,7 @@ struct Made {
     return {"bake", photograph, "-o", workplace.path("new.glb"), "--threads", "1"};
   }
   [[nodiscard]] Arguments longSynth() const {
-    return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "2400", "--threads", "1"};
+    return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "3200", "--threads", "1"};
   }
 };
 
