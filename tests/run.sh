@@ -30,9 +30,10 @@ count_results() {
     /^\t<\/testcase>/ { print status, name }' "$2")
 }
 
-# run_suite PRESET: a build that fails counts as one failed test.
+# run_suite PRESET SECONDS: no test may take longer than SECONDS; a build that fails counts as one
+# failed test.
 run_suite() {
-  local preset=$1 results=$root/build/$1/ctest.xml
+  local preset=$1 timeout=$2 results=$root/build/$1/ctest.xml
   step "Build: $preset"
   if ! { cmake --preset "$preset" && cmake --build --preset "$preset"; }; then
     failed+=("$preset: the build (the reason is above; if build/ came from elsewhere, remove it)")
@@ -41,7 +42,7 @@ run_suite() {
   step "Tests: $preset"
   rm -f "$results"
   # The exit status says only that something failed; the file says what.
-  ctest --preset "$preset" --parallel "$(nproc)" --timeout 600 --output-junit "$results" || true
+  ctest --preset "$preset" --parallel "$(nproc)" --timeout "$timeout" --output-junit "$results" || true
   if [[ -f $results ]]; then
     count_results "$preset" "$results"
   else
@@ -54,8 +55,8 @@ install_packages "${build_packages[@]}" "${test_packages[@]}"
 install_node
 
 cd "$root"
-run_suite release
-run_suite asan-ubsan
+run_suite release 600
+run_suite asan-ubsan 1800 # about ten times slower
 
 step 'Result'
 for test in "${skipped[@]}"; do
