@@ -76,13 +76,12 @@ LichenResult writeStruct(const Struct& values, LichenStructureType type, Struct*
 }
 
 inline LichenResult checkHeaderVersion(std::uint32_t version, LichenDiagnostic* diagnostic) {
-  const bool fits =
-      (version >> 16) == (LICHEN_HEADER_VERSION >> 16) && version <= LICHEN_HEADER_VERSION;
-  if (fits)
+  constexpr int kMinorBits = 16;
+  if (version >> kMinorBits == LICHEN_HEADER_VERSION >> kMinorBits)
     return LICHEN_SUCCESS;
   say(diagnostic,
       "headerVersion 0x%08x does not fit library version 0x%08x: set it to LICHEN_HEADER_VERSION, "
-      "and use the header that came with the library",
+      "and use a header of the library's major version, the high 16 bits",
       version, LICHEN_HEADER_VERSION);
   return LICHEN_ERROR_VERSION;
 }

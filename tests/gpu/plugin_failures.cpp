@@ -318,10 +318,16 @@ TEST_CASE("a host that hands in too little, or what is not known, is told so") {
   refused(LICHEN_ERROR_USAGE, "maxAnisotropy");
   info.firstBinding = UINT32_MAX;
   refused(LICHEN_ERROR_USAGE, "firstBinding");
-  info.headerVersion = LICHEN_HEADER_VERSION + 1;
+  info.headerVersion = 0;
+  refused(LICHEN_ERROR_VERSION, "headerVersion");
+  info.headerVersion = LICHEN_HEADER_VERSION + 0x10000u;
   refused(LICHEN_ERROR_VERSION, "headerVersion");
   info.next = &info;
   refused(LICHEN_ERROR_VERSION, "next");
+  // A header that is newer by additions, which this host does not use.
+  info.headerVersion = LICHEN_HEADER_VERSION + 1;
+  CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
+  info = good;
   // An older header, which ended before `stages`, gives the default.
   info.size = offsetof(LichenVulkanInfo, stages);
   info.stages = ~0u;

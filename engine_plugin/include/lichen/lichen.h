@@ -37,7 +37,10 @@ extern "C" {
 #define LICHEN_API
 #endif
 
-/* Major (high 16 bits): changes that break a host. Minor: additions. */
+/* Major (high 16 bits): changes that break a host or the shaders that it has compiled, a new
+ * LICHEN_INTERFACE_VERSION among them; a library of another is LICHEN_ERROR_VERSION. Minor:
+ * additions. A host may be built with a newer or older minor version than the library's, and is
+ * refused only where it asks for what the library does not know. */
 #define LICHEN_HEADER_VERSION 0x00010000u
 
 typedef enum LichenResult {
