@@ -47,19 +47,20 @@ LichenResult readStruct(const Struct* given, LichenStructureType type, Struct& k
     return LICHEN_ERROR_USAGE;
   }
   const unsigned char* bytes = reinterpret_cast<const unsigned char*>(given);
-  const bool unknown =
+  bool unknown =
       given->size > sizeof(Struct) && std::any_of(bytes + sizeof(Struct), bytes + given->size,
                                                   [](unsigned char byte) { return byte != 0; });
-  if (unknown || given->next != nullptr) {
-    say(diagnostic,
-        "a struct of type %d holds what library version 0x%08x does not know: next must be NULL, "
-        "and members of newer headers 0",
-        int(type), LICHEN_HEADER_VERSION);
-    return LICHEN_ERROR_VERSION;
-  }
   known = Struct{};
   std::memcpy(&known, given, std::min<std::size_t>(given->size, sizeof(Struct)));
-  return LICHEN_SUCCESS;
+  if constexpr (requires { known.reserved; })
+    unknown = unknown || known.reserved != 0;
+  if (!unknown && known.next == nullptr)
+    return LICHEN_SUCCESS;
+  say(diagnostic,
+      "a struct of type %d holds what library version 0x%08x does not know: next must be NULL, "
+      "reserved and members of newer headers 0",
+      int(type), LICHEN_HEADER_VERSION);
+  return LICHEN_ERROR_VERSION;
 }
 
 /// Fills a host's struct as far as it and the library's go, keeping its type, size and next.

@@ -11,29 +11,32 @@ static int check(int condition, const char* what) {
   return condition ? 0 : 1;
 }
 
-/* The layout of version 1.0 on 64-bit systems: members are added after the last, and none moves. */
+/* The layout of version 1.0 on 64-bit systems: members are added after the last, and none moves.
+ * The last ends the struct: a member that took the place of padding would leave the size as it is,
+ * and an older library would not notice it. */
 #define KEEPS(Struct, lastMember, bytes, offset)                                                   \
-  check(sizeof(Struct) >= (bytes) && offsetof(Struct, lastMember) == (offset),                     \
+  check(sizeof(Struct) >= (bytes) && offsetof(Struct, lastMember) == (offset) &&                   \
+            (offset) + sizeof(((Struct*)0)->lastMember) == (bytes),                                \
         #Struct " keeps its layout")
 
 static int checkLayouts(void) {
   int failures = 0;
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
   failures += KEEPS(LichenParseInfo, name, 48, 40);
-  failures += KEEPS(LichenBundleProperties, imageCount, 32, 24);
+  failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
   failures += KEEPS(LichenNoiseProperties, combinedImageSamplerCount, 40, 36);
-  failures += KEEPS(LichenMapProperties, tableImage, 48, 40);
-  failures += KEEPS(LichenMaterialProperties, texCoord, 32, 24);
+  failures += KEEPS(LichenMapProperties, reserved, 48, 44);
+  failures += KEEPS(LichenMaterialProperties, reserved, 32, 28);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);
-  failures += KEEPS(LichenSamplerProperties, takesAnisotropy, 40, 32);
+  failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);
   failures += KEEPS(LichenBinding, image, 32, 28);
-  failures += KEEPS(LichenUniformInfo, maxAnisotropy, 120, 112);
+  failures += KEEPS(LichenUniformInfo, reserved, 120, 116);
   failures += KEEPS(LichenVulkanFunctions, cmdCopyBufferToImage, 208, 200);
   failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);
   failures += KEEPS(LichenDeviceMemory, handle, 48, 40);
   failures += KEEPS(LichenDeviceAllocator, release, 40, 32);
-  failures += KEEPS(LichenVulkanInfo, stages, 96, 88);
+  failures += KEEPS(LichenVulkanInfo, reserved, 96, 92);
   return failures;
 }
 

@@ -324,6 +324,8 @@ TEST_CASE("a host that hands in too little, or what is not known, is told so") {
   refused(LICHEN_ERROR_VERSION, "headerVersion");
   info.next = &info;
   refused(LICHEN_ERROR_VERSION, "next");
+  info.reserved = 1;
+  refused(LICHEN_ERROR_VERSION, "reserved");
   // A header that is newer by additions, which this host does not use.
   info.headerVersion = LICHEN_HEADER_VERSION + 1;
   CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);

@@ -382,6 +382,14 @@ TEST_CASE("structs of other sizes and versions are read or refused as documented
     newer.added = 1;
     CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
   }
+  SECTION("a reserved member that is not zero is refused") {
+    const OwnedBundle bundle(example::smallest());
+    LichenUniformInfo info = uniformInfo();
+    info.reserved = 1;
+    const Filled filled = fill(bundle.handle, info);
+    CHECK(filled.result == LICHEN_ERROR_VERSION);
+    CHECK(filled.message.find("reserved") != std::string::npos);
+  }
   SECTION("a wrong type or a chain is refused") {
     LichenParseInfo info = parseInfo(glb);
     info.type = LICHEN_STRUCTURE_DIAGNOSTIC;

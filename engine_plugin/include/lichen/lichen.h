@@ -8,9 +8,11 @@
  * Every struct starts with type, size and next. Set type and size (LICHEN_INIT does, and zeroes the
  * rest, padding too), leave the rest zero for the defaults; next must be NULL.
  * ..._MAX_ENUM keeps enums 32 bits wide and is no value.
- * A struct smaller than the library's is an older header's: what it lacks is zero on the way in and
- * not written on the way out. A larger one is a newer header's: on the way in it is refused unless
- * what the library does not know is zero, on the way out that is not written.
+ * `reserved` members fill structs up to their alignment: 0, and refused as what a newer header
+ * names where they are not. A struct smaller than the library's is an older header's: what it lacks
+ * is zero on the way in and not written on the way out. A larger one is a newer header's: on the
+ * way in it is refused unless what the library does not know is zero, on the way out that is not
+ * written.
  *
  * Functions that can fail return a LichenResult, and outputs are untouched where that is not
  * LICHEN_SUCCESS. Those with a `diagnostic` then write one line into it, unless it is NULL, that
@@ -127,6 +129,7 @@ typedef struct LichenBundleProperties {
   uint32_t noiseCount;
   uint32_t materialCount; /* as many as the glTF file has */
   uint32_t imageCount;    /* of all noises; maps may share one */
+  uint32_t reserved;      /* 0 */
 } LichenBundleProperties;
 
 LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
@@ -182,6 +185,7 @@ typedef struct LichenMapProperties {
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t gaussianImage;    /* image indices, < imageCount */
   uint32_t tableImage;
+  uint32_t reserved; /* 0 */
 } LichenMapProperties;
 
 /* noise < noiseCount, map < mapCount; map k is lichenUniforms.maps[k] in the shader. */
@@ -205,6 +209,7 @@ typedef struct LichenMaterialProperties {
   uint32_t noise; /* LICHEN_NO_NOISE for a material that has none */
   LichenMapping mapping;
   uint32_t texCoord; /* [0, 15], the TEXCOORD_n that the noise takes */
+  uint32_t reserved; /* 0 */
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */
@@ -263,6 +268,7 @@ typedef struct LichenSamplerProperties {
   uint32_t vkAddressMode;   /* all axes, a VkSamplerAddressMode */
   float maxLod;             /* minLod and mipLodBias are 0 */
   uint32_t takesAnisotropy; /* 1: maxAnisotropy of LichenUniformInfo may be this sampler's */
+  uint32_t reserved;        /* 0 */
 } LichenSamplerProperties;
 
 LICHEN_API LichenResult lichenGetSamplerProperties(LichenSamplerUse use,
@@ -334,6 +340,7 @@ typedef struct LichenUniformInfo {
    * where the three do not agree, minified noise has too much or too little contrast. How exactly
    * an anisotropic footprint is filtered is the driver's choice. */
   float maxAnisotropy;
+  uint32_t reserved; /* 0 */
 } LichenUniformInfo;
 
 /* Writes LICHEN_UNIFORM_BYTES of std140 to `destination` (any alignment, may be mapped memory: it

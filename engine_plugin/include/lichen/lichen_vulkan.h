@@ -127,6 +127,7 @@ typedef struct LichenVulkanInfo {
   float maxAnisotropy;
   uint32_t firstBinding;     /* LICHEN_FIRST_BINDING of the shaders; layouts begin there */
   VkShaderStageFlags stages; /* that read the noise; 0: fragment and compute */
+  uint32_t reserved;         /* 0 */
 } LichenVulkanInfo;
 
 typedef struct LichenVulkanContext_T* LichenVulkanContext;
