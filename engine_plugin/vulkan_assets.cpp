@@ -68,11 +68,25 @@ LichenResult checkFormat(const LichenVulkanContext_T& context,
   return LICHEN_ERROR_UNSUPPORTED;
 }
 
+/// Gives an image its place behind the others of the last batch, or in a new one.
+void placeImage(LichenVulkanAssets_T& assets, LichenVulkanAssets_T::Image& image,
+                const VkMemoryRequirements& own) {
+  const auto fits = [&](const LichenVulkanAssets_T::Batch& batch) {
+    return alignedUp(batch.requirements.size, own.alignment) + own.size <= kMostBlockBytes;
+  };
+  if (assets.batches.empty() || !fits(assets.batches.back()))
+    assets.batches.emplace_back();
+  VkMemoryRequirements& all = assets.batches.back().requirements;
+  image.batch = assets.batches.size() - 1;
+  image.offset = alignedUp(all.size, own.alignment);
+  all.size = image.offset + own.size;
+  all.alignment = std::max(all.alignment, own.alignment);
+  all.memoryTypeBits &= own.memoryTypeBits; // the same for all, by the specification
+}
+
 LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
                           LichenDiagnostic* diagnostic) {
   const LichenVulkanContext_T& context = *assets.context;
-  VkMemoryRequirements all{0, 1, ~0u};
-  std::vector<VkDeviceSize> offsets;
   for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
     LichenVulkanAssets_T::Image& image = assets.images[i];
     const LichenImageProperties properties = imageProperties(bundle, i);
@@ -86,21 +100,20 @@ LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
       return vulkanFailure("creating an image", result, diagnostic);
     VkMemoryRequirements own{};
     context.functions.getImageMemoryRequirements(context.device, image.handle, &own);
-    offsets.push_back(alignedUp(all.size, own.alignment));
-    all.size = offsets.back() + own.size;
-    all.alignment = std::max(all.alignment, own.alignment);
-    all.memoryTypeBits &= own.memoryTypeBits; // the same for all, by the specification
+    placeImage(assets, image, own);
   }
-  if (assets.images.empty())
-    return LICHEN_SUCCESS;
-  VkResult result = allocateMemory(context, all, MemoryUse::images, assets.imageMemory);
-  assets.hasImageMemory = result == VK_SUCCESS;
-  for (std::size_t i = 0; i < assets.images.size() && result == VK_SUCCESS; ++i)
-    result = context.functions.bindImageMemory(context.device, assets.images[i].handle,
-                                               assets.imageMemory.memory,
-                                               assets.imageMemory.offset + offsets[i]);
-  if (result != VK_SUCCESS)
-    return vulkanFailure("memory for the images", result, diagnostic);
+  for (LichenVulkanAssets_T::Batch& batch : assets.batches)
+    if (const LichenResult result = allocateMemory(context, batch.requirements, MemoryUse::images,
+                                                   batch.imageMemory, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+  for (const LichenVulkanAssets_T::Image& image : assets.images) {
+    const LichenDeviceMemory& memory = *assets.batches[image.batch].imageMemory;
+    if (const VkResult result = context.functions.bindImageMemory(
+            context.device, image.handle, memory.memory, memory.offset + image.offset);
+        result != VK_SUCCESS)
+      return vulkanFailure("binding an image to its memory", result, diagnostic);
+  }
   return LICHEN_SUCCESS;
 }
 
@@ -141,10 +154,10 @@ void planBarriers(LichenVulkanAssets_T& assets) {
   }
 }
 
-/// Where each level lies in the staging buffer; returns the buffer's size.
-VkDeviceSize planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
-  VkDeviceSize size = 0;
-  for (std::uint32_t i = 0; i < assets.images.size(); ++i)
+/// Where each level lies in its batch's staging buffer.
+void planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
+  for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
+    VkDeviceSize& size = assets.batches[assets.images[i].batch].stagingBytes;
     for (std::uint32_t level = 0; level < assets.images[i].mipLevels; ++level) {
       const LichenCopy copy = copyOf(bundle, i, level);
       VkBufferImageCopy region{};
@@ -154,44 +167,53 @@ VkDeviceSize planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
       assets.images[i].copies.push_back(region);
       size = region.bufferOffset + copy.byteCount;
     }
-  return size;
+  }
 }
 
-LichenResult createStaging(LichenVulkanAssets_T& assets, LichenBundle bundle,
+LichenResult createStaging(const LichenVulkanContext_T& context, LichenVulkanAssets_T::Batch& batch,
                            LichenDiagnostic* diagnostic) {
-  const LichenVulkanContext_T& context = *assets.context;
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-  info.size = planCopies(assets, bundle);
+  info.size = batch.stagingBytes;
   info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-  if (info.size == 0)
-    return LICHEN_SUCCESS;
-  VkResult result = create(context, context.functions.createBuffer, info, assets.staging);
-  if (result != VK_SUCCESS)
-    return vulkanFailure("creating the staging buffer", result, diagnostic);
+  if (const VkResult result = create(context, context.functions.createBuffer, info, batch.staging);
+      result != VK_SUCCESS)
+    return vulkanFailure("creating a staging buffer", result, diagnostic);
   VkMemoryRequirements requirements{};
-  context.functions.getBufferMemoryRequirements(context.device, assets.staging, &requirements);
-  result = allocateMemory(context, requirements, MemoryUse::staging, assets.stagingMemory);
-  assets.hasStagingMemory = result == VK_SUCCESS;
-  if (result == VK_SUCCESS)
-    result = context.functions.bindBufferMemory(
-        context.device, assets.staging, assets.stagingMemory.memory, assets.stagingMemory.offset);
-  if (result != VK_SUCCESS)
-    return vulkanFailure("memory for the staging buffer", result, diagnostic);
-  if (assets.stagingMemory.mapped == nullptr) {
-    say(diagnostic, "deviceAllocator gave HOST_VISIBLE memory without `mapped`");
-    return LICHEN_ERROR_USAGE;
-  }
-  unsigned char* const mapped = static_cast<unsigned char*>(assets.stagingMemory.mapped);
+  context.functions.getBufferMemoryRequirements(context.device, batch.staging, &requirements);
+  if (const LichenResult result = allocateMemory(context, requirements, MemoryUse::staging,
+                                                 batch.stagingMemory, diagnostic);
+      result != LICHEN_SUCCESS)
+    return result;
+  if (const VkResult result = context.functions.bindBufferMemory(
+          context.device, batch.staging, batch.stagingMemory->memory, batch.stagingMemory->offset);
+      result != VK_SUCCESS)
+    return vulkanFailure("binding a staging buffer to its memory", result, diagnostic);
+  return LICHEN_SUCCESS;
+}
+
+void fillStaging(const LichenVulkanAssets_T& assets, LichenBundle bundle) {
   for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
-    const LichenImageProperties properties = imageProperties(bundle, i);
-    for (const VkBufferImageCopy& region : assets.images[i].copies) {
+    const LichenVulkanAssets_T::Image& image = assets.images[i];
+    const auto* source = static_cast<const unsigned char*>(imageProperties(bundle, i).bytes);
+    auto* target = static_cast<unsigned char*>(assets.batches[image.batch].stagingMemory->mapped);
+    for (const VkBufferImageCopy& region : image.copies) {
       const LichenCopy copy = copyOf(bundle, i, region.imageSubresource.mipLevel);
-      std::memcpy(mapped + region.bufferOffset,
-                  static_cast<const unsigned char*>(properties.bytes) + copy.offset,
-                  copy.byteCount);
+      std::memcpy(target + region.bufferOffset, source + copy.offset, copy.byteCount);
     }
   }
+}
+
+LichenResult createUpload(LichenVulkanAssets_T& assets, LichenBundle bundle,
+                          LichenDiagnostic* diagnostic) {
+  planCopies(assets, bundle);
+  for (LichenVulkanAssets_T::Batch& batch : assets.batches)
+    if (const LichenResult result = createStaging(*assets.context, batch, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+  fillStaging(assets, bundle);
+  planBarriers(assets);
+  assets.hasStaging = true;
   return LICHEN_SUCCESS;
 }
 
@@ -238,8 +260,8 @@ LichenVulkanAssets_T::~LichenVulkanAssets_T() {
     f.destroyImageView(context->device, image.view, context->callbacks);
     f.destroyImage(context->device, image.handle, context->callbacks);
   }
-  if (hasImageMemory)
-    releaseMemory(*context, imageMemory);
+  for (Batch& batch : batches)
+    releaseMemory(*context, batch.imageMemory);
 }
 
 LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle bundle,
@@ -259,13 +281,11 @@ LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle 
     if (result == LICHEN_SUCCESS)
       result = createViews(*made, bundle, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = createStaging(*made, bundle, diagnostic);
+      result = createUpload(*made, bundle, diagnostic);
     for (std::uint32_t i = 0; i < properties.noiseCount && result == LICHEN_SUCCESS; ++i)
       result = createNoise(*made, bundle, i, diagnostic);
-    if (result == LICHEN_SUCCESS) {
-      planBarriers(*made);
+    if (result == LICHEN_SUCCESS)
       *assets = made.release();
-    }
     return result;
   });
 }
@@ -298,11 +318,12 @@ void lichenVulkanReleaseStaging(LichenVulkanAssets assets) {
   if (assets == nullptr)
     return;
   const LichenVulkanContext_T& context = *assets->context;
-  context.functions.destroyBuffer(context.device, assets->staging, context.callbacks);
-  assets->staging = VK_NULL_HANDLE;
-  if (assets->hasStagingMemory)
-    releaseMemory(context, assets->stagingMemory);
-  assets->hasStagingMemory = false;
+  for (LichenVulkanAssets_T::Batch& batch : assets->batches) {
+    context.functions.destroyBuffer(context.device, batch.staging, context.callbacks);
+    batch.staging = VK_NULL_HANDLE;
+    releaseMemory(context, batch.stagingMemory);
+  }
+  assets->hasStaging = false;
 }
 
 LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
@@ -310,7 +331,7 @@ LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer
     return LICHEN_ERROR_USAGE;
   if (assets->images.empty())
     return LICHEN_SUCCESS;
-  if (assets->staging == VK_NULL_HANDLE)
+  if (!assets->hasStaging)
     return LICHEN_ERROR_USAGE; // released
   const LichenVulkanFunctions& f = assets->context->functions;
   const auto count = std::uint32_t(assets->images.size());
@@ -318,7 +339,7 @@ LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer
                        VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, count,
                        assets->barriers.toWrite.data());
   for (const LichenVulkanAssets_T::Image& image : assets->images)
-    f.cmdCopyBufferToImage(commandBuffer, assets->staging, image.handle,
+    f.cmdCopyBufferToImage(commandBuffer, assets->batches[image.batch].staging, image.handle,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
                            image.copies.data());
   // All commands: whichever stages the host's shaders run in.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made once per device: the functions, the samplers, the way to device memory.
+// What is made once per device: the functions and the samplers.
 #include "abi.h"
 #include "vulkan_objects.h"
 
@@ -131,49 +131,6 @@ VkResult createSampler(LichenVulkanContext_T& context, LichenSamplerUse use, flo
   return create(context, context.functions.createSampler, info, context.samplers[use]);
 }
 
-/// Drivers allow few allocations.
-constexpr VkDeviceSize kLeastBlockBytes = VkDeviceSize(1) << 20;
-
-/// What an ordinary memory type may have. Others cost speed (AMD's device-coherent ones), need a
-/// feature (protected) or cannot be written by copies (lazily allocated).
-constexpr VkMemoryPropertyFlags kOrdinaryMemory =
-    VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-    VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-
-VkMemoryPropertyFlags propertiesOf(MemoryUse use) {
-  return use == MemoryUse::images
-             ? VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
-             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-}
-
-VkResult allocateBlock(const LichenVulkanContext_T& context,
-                       const VkMemoryRequirements& requirements, MemoryUse use,
-                       LichenDeviceMemory& memory) {
-  const VkMemoryPropertyFlags needed = propertiesOf(use);
-  VkMemoryAllocateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-  info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
-  VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
-  for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
-    const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
-    if ((requirements.memoryTypeBits & (1u << type)) == 0 || (has & needed) != needed ||
-        (has & ~kOrdinaryMemory) != 0)
-      continue;
-    info.memoryTypeIndex = type;
-    result = create(context, context.functions.allocateMemory, info, memory.memory);
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
-      continue; // another heap may have room
-    if (result == VK_SUCCESS && use == MemoryUse::staging) {
-      result = context.functions.mapMemory(context.device, memory.memory, 0, VK_WHOLE_SIZE, 0,
-                                           &memory.mapped);
-      if (result != VK_SUCCESS)
-        context.functions.freeMemory(context.device, memory.memory, context.callbacks);
-    }
-    return result;
-  }
-  return result;
-}
-
 } // namespace
 
 namespace lichen::plugin {
@@ -200,27 +157,6 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
     say(diagnostic, "%s: VkResult %d", what, int(result));
     return LICHEN_ERROR_DEVICE;
   }
-}
-
-VkResult allocateMemory(const LichenVulkanContext_T& context,
-                        const VkMemoryRequirements& requirements, MemoryUse use,
-                        LichenDeviceMemory& memory) {
-  LICHEN_INIT(memory, LICHEN_STRUCTURE_DEVICE_MEMORY);
-  if (!context.hostAllocates)
-    return allocateBlock(context, requirements, use, memory);
-  LichenMemoryRequest request;
-  LICHEN_INIT(request, LICHEN_STRUCTURE_MEMORY_REQUEST);
-  request.requirements = requirements;
-  request.properties = propertiesOf(use);
-  request.optimalTiling = use == MemoryUse::images ? VK_TRUE : VK_FALSE;
-  return context.allocator.allocate(context.allocator.userData, &request, &memory);
-}
-
-void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemory& memory) {
-  if (context.hostAllocates)
-    context.allocator.release(context.allocator.userData, &memory);
-  else
-    context.functions.freeMemory(context.device, memory.memory, context.callbacks);
 }
 
 } // namespace lichen::plugin

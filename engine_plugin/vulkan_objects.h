@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 struct LichenVulkanContext_T {
@@ -29,7 +30,17 @@ struct LichenVulkanAssets_T {
     VkImage handle = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
     std::uint32_t mipLevels = 0;
-    std::vector<VkBufferImageCopy> copies; // from the staging buffer
+    std::size_t batch = 0;
+    VkDeviceSize offset = 0;               // in the batch's memory
+    std::vector<VkBufferImageCopy> copies; // from the batch's staging buffer
+  };
+  /// Images that share their memory, and the buffer that they are copied from.
+  struct Batch {
+    VkMemoryRequirements requirements{0, 1, ~0u};
+    std::optional<LichenDeviceMemory> imageMemory;
+    VkDeviceSize stagingBytes = 0;
+    VkBuffer staging = VK_NULL_HANDLE;
+    std::optional<LichenDeviceMemory> stagingMemory;
   };
   /// Before and after the copies; one of each for an image.
   struct Barriers {
@@ -49,11 +60,8 @@ struct LichenVulkanAssets_T {
   std::vector<Image> images;
   std::vector<Noise> noises;
   Barriers barriers;
-  LichenDeviceMemory imageMemory{};
-  bool hasImageMemory = false;
-  VkBuffer staging = VK_NULL_HANDLE;
-  LichenDeviceMemory stagingMemory{};
-  bool hasStagingMemory = false;
+  std::vector<Batch> batches;
+  bool hasStaging = false; // until its release
   LichenVulkanAssets nextRetired = nullptr;
   std::uint64_t lastFrame = 0; // of those retired
 };
@@ -77,10 +85,16 @@ VkResult create(const LichenVulkanContext_T& context, Function function, const I
 /// The kinds of memory that the plugin asks for.
 enum class MemoryUse { staging, images };
 
-/// Memory from the host's allocator, or a block of the plugin's own; of staging, mapped.
-VkResult allocateMemory(const LichenVulkanContext_T& context,
-                        const VkMemoryRequirements& requirements, MemoryUse use,
-                        LichenDeviceMemory& memory);
-void releaseMemory(const LichenVulkanContext_T& context, const LichenDeviceMemory& memory);
+/// The most that one allocation should have, where more than one thing is in it: what every device
+/// of Vulkan 1.1 allocates (maxMemoryAllocationSize) and of 1.3 takes for a buffer (maxBufferSize).
+inline constexpr VkDeviceSize kMostBlockBytes = VkDeviceSize(1) << 30;
+
+/// Memory from the host's allocator, or a block of the plugin's own; of staging, mapped. `memory`
+/// is to be released where it has a value, whatever the result.
+LichenResult allocateMemory(const LichenVulkanContext_T& context,
+                            const VkMemoryRequirements& requirements, MemoryUse use,
+                            std::optional<LichenDeviceMemory>& memory,
+                            LichenDiagnostic* diagnostic);
+void releaseMemory(const LichenVulkanContext_T& context, std::optional<LichenDeviceMemory>& memory);
 
 } // namespace lichen::plugin

@@ -92,6 +92,7 @@ struct ManyMemoryTypes {
       VK_MEMORY_PROPERTY_PROTECTED_BIT, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT};
   static inline std::vector<std::uint32_t> asked; ///< types of the allocations, in order
   static inline std::uint32_t full = 0;           ///< the type that has no room
+  static inline std::uint32_t unmappable = 0;     ///< the type that cannot be mapped
 
   static void VKAPI_CALL properties(VkPhysicalDevice device,
                                     VkPhysicalDeviceMemoryProperties* target) {
@@ -119,7 +120,14 @@ struct ManyMemoryTypes {
       return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     VkMemoryAllocateInfo real = *info;
     real.memoryTypeIndex = 0; // the device's own first type
-    return vkAllocateMemory(device, &real, callbacks, memory);
+    return Proxy::create<&vkAllocateMemory>(device, &real, callbacks, memory);
+  }
+  static VkResult VKAPI_CALL map(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset,
+                                 VkDeviceSize size, VkMemoryMapFlags flags, void** data) {
+    if (asked.back() != unmappable)
+      return vkMapMemory(device, memory, offset, size, flags, data);
+    Proxy::fillWithGarbage(data);
+    return VK_ERROR_MEMORY_MAP_FAILED;
   }
   static LichenVulkanFunctions functions() {
     LichenVulkanFunctions f = loadedFunctions();
@@ -127,6 +135,10 @@ struct ManyMemoryTypes {
     f.getImageMemoryRequirements = anyType<&vkGetImageMemoryRequirements>;
     f.getBufferMemoryRequirements = anyType<&vkGetBufferMemoryRequirements>;
     f.allocateMemory = allocate;
+    f.freeMemory = Proxy::destroy<&vkFreeMemory>;
+    f.mapMemory = map;
+    asked.clear();
+    full = unmappable = VK_MAX_MEMORY_TYPES; // none
     return f;
   }
 };
@@ -266,17 +278,38 @@ TEST_CASE("a Vulkan 1.0 device, which reports no transfer features, is accepted"
   CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
 }
 
-TEST_CASE("only ordinary memory is allocated, and the next type when a heap is full") {
+TEST_CASE("only ordinary memory is allocated") {
   const Fixture fixture;
-  const LichenVulkanFunctions functions = ManyMemoryTypes::functions();
-  ManyMemoryTypes::asked.clear();
-  ManyMemoryTypes::full = VK_MAX_MEMORY_TYPES;
+  LichenVulkanFunctions functions = ManyMemoryTypes::functions();
   CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
   CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4});
   ManyMemoryTypes::asked.clear();
-  ManyMemoryTypes::full = 4;
-  CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-  CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 5, 4, 5});
+  functions.getPhysicalDeviceMemoryProperties = [](VkPhysicalDevice device,
+                                                   VkPhysicalDeviceMemoryProperties* target) {
+    ManyMemoryTypes::properties(device, target);
+    target->memoryTypeCount = std::uint32_t(ManyMemoryTypes::kSpecial.size());
+  };
+  const Created created = createWith(fixture, functions);
+  CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
+  CHECK(created.message.find("no ordinary type of memory") != std::string::npos);
+  CHECK(ManyMemoryTypes::asked.empty());
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("the next type of memory is taken when a heap is full or cannot be mapped") {
+  const Fixture fixture;
+  const LichenVulkanFunctions functions = ManyMemoryTypes::functions();
+  SECTION("full") {
+    ManyMemoryTypes::full = 4;
+    CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
+    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 5, 4, 5});
+  }
+  SECTION("cannot be mapped") {
+    ManyMemoryTypes::unmappable = 4;
+    CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
+    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4, 5});
+  }
+  CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 

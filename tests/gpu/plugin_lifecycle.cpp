@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tiling_maps.comp.h>
@@ -90,6 +91,41 @@ TEST_CASE("the loader, a function table and the host's own memory give the same 
     CHECK(memory.alive == 1); // the staging buffer is gone
   }
   CHECK(memory.alive == 0);
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+TEST_CASE("images that no single allocation holds are spread over several, with the same values") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  const std::vector<Point> points = somePoints();
+  PluginHost plain(*device, glb);
+  const auto expected = plain.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
+
+  // Two of these images are more than the 1 GiB that every device allocates at once.
+  static std::vector<VkDeviceSize> asked;
+  asked.clear();
+  LichenVulkanFunctions functions = Proxy::functions();
+  functions.getImageMemoryRequirements = [](VkDevice d, VkImage image,
+                                            VkMemoryRequirements* requirements) {
+    vkGetImageMemoryRequirements(d, image, requirements);
+    requirements->size = VkDeviceSize(600) << 20;
+  };
+  functions.allocateMemory = [](VkDevice d, const VkMemoryAllocateInfo* info,
+                                const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
+    asked.push_back(info->allocationSize);
+    VkMemoryAllocateInfo real = *info;
+    real.allocationSize = std::min(real.allocationSize, VkDeviceSize(16) << 20);
+    return Proxy::create<&vkAllocateMemory>(d, &real, callbacks, memory);
+  };
+  LichenVulkanInfo info = defaultVulkanInfo(*device);
+  info.functions = &functions;
+  {
+    PluginHost spread(*device, glb, info);
+    CHECK(asked.size() == 2 * 2 * kMaps.size()); // each image's, and its staging buffer's
+    CHECK(*std::max_element(asked.begin(), asked.end()) <= VkDeviceSize(1) << 30);
+    CHECK(spread.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
+  }
+  CHECK(Proxy::alive == 0);
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 

@@ -50,7 +50,7 @@ typedef enum LichenResult {
   LICHEN_ERROR_USAGE = 1,       /* an argument is outside its range */
   LICHEN_ERROR_VERSION = 2,     /* header or shaders do not fit the library */
   LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle is at fault, or needs what this version lacks */
-  LICHEN_ERROR_UNSUPPORTED = 4, /* the device cannot filter an image of a format and size */
+  LICHEN_ERROR_UNSUPPORTED = 4, /* the device cannot filter an image, or has no memory for it */
   LICHEN_ERROR_OUT_OF_HOST_MEMORY = 5,
   LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6,
   LICHEN_ERROR_OUT_OF_POOL_MEMORY = 7, /* the descriptor pool is too small: give another */

@@ -62,8 +62,8 @@ typedef struct LichenVulkanFunctions {
   PFN_vkCmdCopyBufferToImage cmdCopyBufferToImage;
 } LichenVulkanFunctions;
 
-/* What the plugin asks of the host's allocator: memory for one buffer or for all of a bundle's
- * images, one behind the other. */
+/* What the plugin asks of the host's allocator: memory for one buffer, or for images of a bundle
+ * one behind the other, as many as fit in 1 GiB: what every device allocates at once. */
 typedef struct LichenMemoryRequest {
   LichenStructureType type;
   uint32_t size;
@@ -119,7 +119,7 @@ typedef struct LichenVulkanInfo {
   /* Of host memory, for every object that the plugin creates; copied. NULL: the driver's own. */
   const VkAllocationCallbacks* allocationCallbacks;
   /* Copied. NULL: the plugin allocates one block for a bundle's images and one for its staging
-   * buffer, of at least 1 MiB each. */
+   * buffer, of at least 1 MiB each; more of them where the images take more than 1 GiB. */
   const LichenDeviceAllocator* deviceAllocator;
   /* [0, 64] of the Gaussian images' sampler. 0 and 1: trilinear. Above 1 only when the
    * samplerAnisotropy feature is enabled, at most the device's limit, and with the same value in
@@ -143,7 +143,8 @@ LICHEN_API void lichenVulkanDestroyContext(LichenVulkanContext context);
 
 /* Creates the bundle's images and fills a staging buffer; the bundle may be destroyed after. Takes
  * device memory for the images and, until lichenVulkanReleaseStaging, as much for the buffer.
- * LICHEN_ERROR_UNSUPPORTED names the table that the device cannot filter. */
+ * LICHEN_ERROR_UNSUPPORTED names the table that the device cannot filter, or the memory of which it
+ * has no type. */
 LICHEN_API LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle bundle,
                                                  LichenVulkanAssets* assets,
                                                  LichenDiagnostic* diagnostic);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Device memory, from the host's allocator or in blocks of the plugin's own.
+#include "abi.h"
+#include "vulkan_objects.h"
+
+namespace lichen::plugin {
+namespace {
+
+/// Drivers allow few allocations.
+constexpr VkDeviceSize kLeastBlockBytes = VkDeviceSize(1) << 20;
+
+/// What an ordinary memory type may have. Others cost speed (AMD's device-coherent ones), need a
+/// feature (protected) or cannot be written by copies (lazily allocated).
+constexpr VkMemoryPropertyFlags kOrdinaryMemory =
+    VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+    VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+
+VkMemoryPropertyFlags propertiesOf(MemoryUse use) {
+  return use == MemoryUse::images
+             ? VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
+             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+}
+
+const char* nameOf(MemoryUse use) {
+  return use == MemoryUse::images ? "memory for the images" : "memory for the staging buffer";
+}
+
+/// One allocation, of staging mapped; nothing is left of one that fails.
+VkResult allocateBlock(const LichenVulkanContext_T& context, const VkMemoryAllocateInfo& info,
+                       MemoryUse use, LichenDeviceMemory& block) {
+  const LichenVulkanFunctions& f = context.functions;
+  VkResult result = create(context, f.allocateMemory, info, block.memory);
+  if (result != VK_SUCCESS || use == MemoryUse::images)
+    return result;
+  result = f.mapMemory(context.device, block.memory, 0, VK_WHOLE_SIZE, 0, &block.mapped);
+  if (result != VK_SUCCESS)
+    f.freeMemory(context.device, block.memory, context.callbacks);
+  return result;
+}
+
+LichenResult allocateOwn(const LichenVulkanContext_T& context,
+                         const VkMemoryRequirements& requirements, MemoryUse use,
+                         std::optional<LichenDeviceMemory>& memory, LichenDiagnostic* diagnostic) {
+  const VkMemoryPropertyFlags needed = propertiesOf(use);
+  VkMemoryAllocateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+  info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
+  VkResult failure = VK_SUCCESS;
+  for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
+    const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
+    if ((requirements.memoryTypeBits & (1u << type)) == 0 || (has & needed) != needed ||
+        (has & ~kOrdinaryMemory) != 0)
+      continue;
+    info.memoryTypeIndex = type;
+    LichenDeviceMemory block;
+    LICHEN_INIT(block, LICHEN_STRUCTURE_DEVICE_MEMORY);
+    failure = allocateBlock(context, info, use, block);
+    if (failure == VK_SUCCESS) {
+      memory = block;
+      return LICHEN_SUCCESS;
+    }
+    // The next type may have room in its heap, or be mapped where this one cannot.
+  }
+  if (failure != VK_SUCCESS)
+    return vulkanFailure(nameOf(use), failure, diagnostic);
+  say(diagnostic,
+      "%s: the device has no ordinary type of memory with VkMemoryPropertyFlags 0x%x among those "
+      "that fit, 0x%x",
+      nameOf(use), needed, requirements.memoryTypeBits);
+  return LICHEN_ERROR_UNSUPPORTED;
+}
+
+LichenResult allocateByHost(const LichenVulkanContext_T& context,
+                            const VkMemoryRequirements& requirements, MemoryUse use,
+                            std::optional<LichenDeviceMemory>& memory,
+                            LichenDiagnostic* diagnostic) {
+  LichenMemoryRequest request;
+  LICHEN_INIT(request, LICHEN_STRUCTURE_MEMORY_REQUEST);
+  request.requirements = requirements;
+  request.properties = propertiesOf(use);
+  request.optimalTiling = use == MemoryUse::images ? VK_TRUE : VK_FALSE;
+  LichenDeviceMemory given;
+  LICHEN_INIT(given, LICHEN_STRUCTURE_DEVICE_MEMORY);
+  const VkResult result = context.allocator.allocate(context.allocator.userData, &request, &given);
+  if (result != VK_SUCCESS)
+    return vulkanFailure(nameOf(use), result, diagnostic);
+  memory = given;
+  if (use == MemoryUse::images || given.mapped != nullptr)
+    return LICHEN_SUCCESS;
+  say(diagnostic, "deviceAllocator gave HOST_VISIBLE memory without `mapped`");
+  return LICHEN_ERROR_USAGE;
+}
+
+} // namespace
+
+LichenResult allocateMemory(const LichenVulkanContext_T& context,
+                            const VkMemoryRequirements& requirements, MemoryUse use,
+                            std::optional<LichenDeviceMemory>& memory,
+                            LichenDiagnostic* diagnostic) {
+  return context.hostAllocates ? allocateByHost(context, requirements, use, memory, diagnostic)
+                               : allocateOwn(context, requirements, use, memory, diagnostic);
+}
+
+void releaseMemory(const LichenVulkanContext_T& context,
+                   std::optional<LichenDeviceMemory>& memory) {
+  if (!memory)
+    return;
+  if (context.hostAllocates)
+    context.allocator.release(context.allocator.userData, &*memory);
+  else
+    context.functions.freeMemory(context.device, memory->memory, context.callbacks);
+  memory.reset();
+}
+
+} // namespace lichen::plugin
