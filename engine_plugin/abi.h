@@ -87,7 +87,8 @@ inline LichenResult checkHeaderVersion(std::uint32_t version, LichenDiagnostic* 
   return LICHEN_ERROR_VERSION;
 }
 
-/// Runs `body`; what is thrown inside, also by a host's callback, becomes a result.
+/// Runs `body`; what is thrown inside becomes a result. For functions that can fail: those that
+/// release or destroy, and the queries that allocate nothing, have nothing inside that throws.
 template <class Body>
 LichenResult guarded(LichenDiagnostic* diagnostic, Body&& body) noexcept {
   try {

@@ -102,14 +102,17 @@ LichenResult allocateMemory(const LichenVulkanContext_T& context,
 }
 
 void releaseMemory(const LichenVulkanContext_T& context,
-                   std::optional<LichenDeviceMemory>& memory) {
+                   std::optional<LichenDeviceMemory>& memory) noexcept {
   if (!memory)
     return;
-  if (context.hostAllocates)
-    context.allocator.release(context.allocator.userData, &*memory);
-  else
-    context.functions.freeMemory(context.device, memory->memory, context.callbacks);
+  const LichenDeviceMemory released = *memory;
   memory.reset();
+  if (!context.hostAllocates)
+    return context.functions.freeMemory(context.device, released.memory, context.callbacks);
+  try {
+    context.allocator.release(context.allocator.userData, &released);
+  } catch (...) { // it may not throw, and there is nobody to be told if it does
+  }
 }
 
 } // namespace lichen::plugin

@@ -95,6 +95,7 @@ LichenResult allocateMemory(const LichenVulkanContext_T& context,
                             const VkMemoryRequirements& requirements, MemoryUse use,
                             std::optional<LichenDeviceMemory>& memory,
                             LichenDiagnostic* diagnostic);
-void releaseMemory(const LichenVulkanContext_T& context, std::optional<LichenDeviceMemory>& memory);
+void releaseMemory(const LichenVulkanContext_T& context,
+                   std::optional<LichenDeviceMemory>& memory) noexcept;
 
 } // namespace lichen::plugin

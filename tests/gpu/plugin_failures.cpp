@@ -12,6 +12,7 @@
 
 #include <array>
 #include <limits>
+#include <stdexcept>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -226,6 +227,34 @@ TEST_CASE("a host's device allocator that fails gives a code, and gets back what
   memory.untilFailure = 3;
   CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
   CHECK(memory.alive == 0);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("what a host's device allocator throws stays inside the plugin") {
+  const Fixture fixture;
+  const LichenVulkanFunctions functions = Proxy::functions();
+  HostMemory memory(*fixture.device);
+  static decltype(LichenDeviceAllocator::release) release;
+  release = memory.callbacks.release;
+  LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  info.functions = &functions;
+  info.deviceAllocator = &memory.callbacks;
+  SECTION("release") {
+    memory.callbacks.release = [](void* userData, const LichenDeviceMemory* piece) {
+      release(userData, piece);
+      throw std::runtime_error("release");
+    };
+    CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
+  }
+  SECTION("allocate") {
+    memory.callbacks.allocate = [](void*, const LichenMemoryRequest*,
+                                   LichenDeviceMemory*) -> VkResult {
+      throw std::runtime_error("allocate");
+    };
+    CHECK(createAndDestroy(fixture, info).result == LICHEN_ERROR_INTERNAL);
+  }
+  CHECK(memory.alive == 0);
+  CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 

@@ -86,7 +86,8 @@ typedef struct LichenDeviceMemory {
 } LichenDeviceMemory;
 
 /* The host's allocator of device memory. Called only inside lichenVulkanCreateAssets (allocate,
- * release), lichenVulkanReleaseStaging, and what destroys assets (release), on their thread. */
+ * release), lichenVulkanReleaseStaging, and what destroys assets (release), on their thread.
+ * Neither may throw: `allocate` returns a VkResult, `release` cannot fail. */
 typedef struct LichenDeviceAllocator {
   LichenStructureType type;
   uint32_t size;
