@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The boundary of the engine plugin: structs of older and newer headers, NULL and indices out of
+// range, diagnostics, and that whatever is thrown inside becomes a result.
+#include "abi.h"
+#include "exhausted_memory.h"
+#include "plugin_plan.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <new>
+#include <stdexcept>
+
+using namespace lichen;
+using namespace lichen::test;
+
+TEST_CASE("NULL arguments and indices out of range are refused, and outputs untouched") {
+  const OwnedBundle owned(example::smallest());
+  const LichenBundle b = owned.handle;
+  const LichenUniformInfo uniforms = uniformInfo();
+  const auto refusesAll = [](auto type, auto structureType, const auto&... calls) {
+    decltype(type) target;
+    LICHEN_INIT(target, structureType);
+    const decltype(type) before = target;
+    const bool refused = ((calls(&target) == LICHEN_ERROR_USAGE) && ...);
+    return refused && std::memcmp(&before, &target, sizeof target) == 0;
+  };
+  CHECK(refusesAll(LichenBundleProperties{}, LICHEN_STRUCTURE_BUNDLE_PROPERTIES,
+                   [&](auto* p) { return lichenGetBundleProperties(nullptr, p); }));
+  CHECK(refusesAll(
+      LichenNoiseProperties{}, LICHEN_STRUCTURE_NOISE_PROPERTIES,
+      [&](auto* p) { return lichenGetNoiseProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetNoiseProperties(b, 1, p); }));
+  CHECK(refusesAll(
+      LichenMapProperties{}, LICHEN_STRUCTURE_MAP_PROPERTIES,
+      [&](auto* p) { return lichenGetMapProperties(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetMapProperties(b, 1, 0, p); },
+      [&](auto* p) { return lichenGetMapProperties(b, 0, 1, p); }));
+  CHECK(refusesAll(
+      LichenMaterialProperties{}, LICHEN_STRUCTURE_MATERIAL_PROPERTIES,
+      [&](auto* p) { return lichenGetMaterialProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetMaterialProperties(b, 1, p); }));
+  CHECK(refusesAll(
+      LichenImageProperties{}, LICHEN_STRUCTURE_IMAGE_PROPERTIES,
+      [&](auto* p) { return lichenGetImageProperties(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetImageProperties(b, 2, p); }));
+  CHECK(refusesAll(
+      LichenCopy{}, LICHEN_STRUCTURE_COPY, [&](auto* p) { return lichenGetCopy(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetCopy(b, 2, 0, p); },
+      [&](auto* p) { return lichenGetCopy(b, 0, 3, p); }));
+  CHECK(refusesAll(
+      LichenBinding{}, LICHEN_STRUCTURE_BINDING,
+      [&](auto* p) { return lichenGetBinding(nullptr, 0, 0, p); },
+      [&](auto* p) { return lichenGetBinding(b, 1, 0, p); },
+      [&](auto* p) { return lichenGetBinding(b, 0, 3, p); }));
+  CHECK(lichenGetBundleProperties(b, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetNoiseProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMapProperties(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMaterialProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetImageProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetCopy(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetBinding(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetSamplerProperties(LICHEN_SAMPLER_TABLE, nullptr) == LICHEN_ERROR_USAGE);
+  unsigned char block[LICHEN_UNIFORM_BYTES];
+  CHECK(lichenFillUniforms(nullptr, &uniforms, block, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenFillUniforms(b, nullptr, block, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenFillUniforms(b, &uniforms, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenParseBundle(nullptr, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  lichenDestroyBundle(nullptr);
+}
+
+TEST_CASE("whatever is thrown inside becomes a result") {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  const auto result = [&](const auto& thrown) {
+    return plugin::guarded(&diagnostic, [&]() -> LichenResult { throw thrown; });
+  };
+  CHECK(result(std::bad_alloc()) == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+  CHECK(result(std::length_error("vector")) == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+  CHECK(result(std::runtime_error("a fault")) == LICHEN_ERROR_INTERNAL);
+  CHECK(std::string(diagnostic.text) == "internal error: a fault");
+  CHECK(result(7) == LICHEN_ERROR_INTERNAL);
+}
+
+TEST_CASE("memory exhausted at any allocation of a parse is a result") {
+  BundleFile file = example::smallest();
+  file.bundle.tables[0] = example::patternTable("", TexelFormat::r8Unorm, 64, 64, 0, 7);
+  file.bundle.noises[0].maps[0].mipLoss.assign(7, 0.0);
+  const std::vector<std::byte> glb = encodeGlb(file).value();
+  const LichenParseInfo info = parseInfo(glb);
+  int failures = 0;
+  for (int n = 1;; ++n) {
+    LichenBundle bundle = nullptr;
+    LichenResult result = LICHEN_SUCCESS;
+    bool reached = false;
+    {
+      const ExhaustedMemory memory(n);
+      result = lichenParseBundle(&info, &bundle, nullptr);
+      reached = memory.reached();
+    }
+    if (!reached) {
+      CHECK(result == LICHEN_SUCCESS);
+      lichenDestroyBundle(bundle);
+      break;
+    }
+    ++failures;
+    INFO("allocation " << n);
+    CHECK(result == LICHEN_ERROR_OUT_OF_HOST_MEMORY);
+    CHECK(bundle == nullptr);
+  }
+  CHECK(failures > 100);
+}
+
+TEST_CASE("inputs of other sizes and versions are read or refused as documented") {
+  const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
+  SECTION("an older, smaller struct lacks the name") {
+    LichenParseInfo info = parseInfo(glb);
+    info.size = offsetof(LichenParseInfo, name);
+    info.name = reinterpret_cast<const char*>(1); // must not be read
+    const Parsed parsed = parse(info);
+    CHECK(parsed.result == LICHEN_SUCCESS);
+    lichenDestroyBundle(parsed.bundle);
+  }
+  SECTION("a newer, larger struct is read when its new members are zero") {
+    struct Newer {
+      LichenParseInfo known;
+      std::uint64_t added;
+    } newer{parseInfo(glb), 0};
+    newer.known.size = sizeof newer;
+    Parsed parsed = parse(newer.known);
+    CHECK(parsed.result == LICHEN_SUCCESS);
+    lichenDestroyBundle(parsed.bundle);
+    newer.added = 1;
+    CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
+  }
+  SECTION("a reserved member that is not zero is refused") {
+    const OwnedBundle bundle(example::smallest());
+    LichenUniformInfo info = uniformInfo();
+    info.reserved = 1;
+    const Filled filled = fill(bundle.handle, info);
+    CHECK(filled.result == LICHEN_ERROR_VERSION);
+    CHECK(filled.message.find("reserved") != std::string::npos);
+  }
+  SECTION("a wrong type or a chain is refused") {
+    LichenParseInfo info = parseInfo(glb);
+    info.type = LICHEN_STRUCTURE_DIAGNOSTIC;
+    CHECK(parse(info).result == LICHEN_ERROR_USAGE);
+    info = parseInfo(glb);
+    info.next = &info;
+    CHECK(parse(info).result == LICHEN_ERROR_VERSION);
+  }
+}
+
+TEST_CASE("shaders of another interface are refused") {
+  const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
+  LichenParseInfo info = parseInfo(glb);
+  info.interfaceVersion = LICHEN_INTERFACE_VERSION + 1;
+  const Parsed refused = parse(info);
+  CHECK(refused.result == LICHEN_ERROR_VERSION);
+  CHECK(refused.message.find("interface version 2") != std::string::npos);
+  info.interfaceVersion = LICHEN_INTERFACE_VERSION;
+  const Parsed accepted = parse(info);
+  CHECK(accepted.result == LICHEN_SUCCESS);
+  lichenDestroyBundle(accepted.bundle);
+}
+
+TEST_CASE("a host with a header of another minor version is taken, of another major version not") {
+  constexpr std::uint32_t kMajor = 0x10000u;
+  const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
+  const auto resultWith = [&](std::uint32_t headerVersion) {
+    LichenParseInfo info = parseInfo(glb);
+    info.headerVersion = headerVersion;
+    const Parsed parsed = parse(info);
+    lichenDestroyBundle(parsed.bundle);
+    CHECK((parsed.result == LICHEN_SUCCESS || parsed.message.find("headerVersion") == 0));
+    return parsed.result;
+  };
+  CHECK(resultWith(LICHEN_HEADER_VERSION + 1) == LICHEN_SUCCESS);
+  CHECK(resultWith(LICHEN_HEADER_VERSION | (kMajor - 1)) == LICHEN_SUCCESS);
+  CHECK(resultWith(LICHEN_HEADER_VERSION + kMajor) == LICHEN_ERROR_VERSION);
+  CHECK(resultWith(LICHEN_HEADER_VERSION - kMajor) == LICHEN_ERROR_VERSION);
+  CHECK(resultWith(0) == LICHEN_ERROR_VERSION);
+}
+
+TEST_CASE("outputs of other sizes and versions are filled or refused as documented") {
+  const OwnedBundle bundle(example::smallest());
+  SECTION("an output with a chain or without its type is refused") {
+    LichenBundleProperties properties;
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.next = &properties;
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_VERSION);
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_USAGE);
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.size = 8;
+    CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_USAGE);
+    CHECK(properties.noiseCount == 0);
+  }
+  SECTION("an older properties struct is filled as far as it goes") {
+    LichenBundleProperties properties;
+    LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+    properties.size = offsetof(LichenBundleProperties, imageCount);
+    properties.imageCount = 12345;
+    REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+    CHECK(properties.noiseCount == 1);
+    CHECK(properties.imageCount == 12345);
+  }
+}
+
+TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  diagnostic.size = offsetof(LichenDiagnostic, text) + 8;
+  std::memset(diagnostic.text, 'x', sizeof diagnostic.text);
+  LichenBundle bundle = nullptr;
+  CHECK(lichenParseBundle(nullptr, &bundle, &diagnostic) == LICHEN_ERROR_USAGE);
+  CHECK(std::strlen(diagnostic.text) == 7);
+  CHECK(diagnostic.text[8] == 'x');
+}
