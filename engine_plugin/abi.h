@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What every function of the C interface does at its boundary: read and write structs of older and
-// newer headers, write diagnostics, keep exceptions in.
+// newer headers, keep exceptions in.
 #pragma once
 
-#include <lichen/lichen.h>
+#include "diagnostic.h"
 
 #include <algorithm>
-#include <cstdarg>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <stdexcept>
 
 namespace lichen::plugin {
-
-/// Writes one line into the host's diagnostic, cut where it does not fit.
-[[gnu::format(printf, 2, 3)]] inline void say(LichenDiagnostic* diagnostic, const char* format,
-                                              ...) {
-  if (diagnostic == nullptr || diagnostic->type != LICHEN_STRUCTURE_DIAGNOSTIC ||
-      diagnostic->size <= offsetof(LichenDiagnostic, text) || diagnostic->next != nullptr)
-    return;
-  std::va_list arguments;
-  va_start(arguments, format);
-  const std::size_t capacity = std::min<std::size_t>(
-      diagnostic->size - offsetof(LichenDiagnostic, text), sizeof diagnostic->text);
-  std::vsnprintf(diagnostic->text, capacity, format, arguments);
-  va_end(arguments);
-}
 
 /// Of a sampler; more than any device has.
 inline constexpr double kMostAnisotropy = 64.0;

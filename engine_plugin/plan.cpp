@@ -147,8 +147,7 @@ LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diag
     return LICHEN_SUCCESS;
   say(diagnostic,
       "shaders of interface version %u: this library fills the uniform block of version %d; "
-      "compile "
-      "them with the shaders_glsl/ that came with it",
+      "compile them with the shaders_glsl/ that came with it",
       version, LICHEN_INTERFACE_VERSION);
   return LICHEN_ERROR_VERSION;
 }

@@ -217,3 +217,35 @@ TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
   CHECK(std::strlen(diagnostic.text) == 7);
   CHECK(diagnostic.text[8] == 'x');
 }
+
+TEST_CASE("a diagnostic is one line of whole characters, whatever names it quotes") {
+  const std::vector<std::byte> notABundle(100, std::byte(7));
+  const auto messageFor = [&](const std::string& name, std::size_t capacity) {
+    LichenDiagnostic diagnostic;
+    LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+    diagnostic.size = std::uint32_t(offsetof(LichenDiagnostic, text) + capacity);
+    LichenParseInfo info = parseInfo(notABundle);
+    info.name = name.c_str();
+    LichenBundle bundle = nullptr;
+    CHECK(lichenParseBundle(&info, &bundle, &diagnostic) == LICHEN_ERROR_BAD_BUNDLE);
+    return std::string(diagnostic.text);
+  };
+  constexpr std::size_t kWhole = sizeof LichenDiagnostic{}.text;
+  const auto starts = [&](const std::string& name, const std::string& shown) {
+    INFO(messageFor(name, kWhole));
+    return messageFor(name, kWhole).starts_with(shown + ": ");
+  };
+  CHECK(starts("moos-gr\u00fcn \u82d4 \U0001f33f.glb", "moos-gr\u00fcn \u82d4 \U0001f33f.glb"));
+  CHECK(starts("two\nlines\t\x1b[31m\x7f", R"(two\x0alines\x09\x1b[31m\x7f)"));
+  CHECK(starts("next line \xc2\x85", R"(next line \xc2\x85)"));
+  CHECK(starts("latin \xfc.glb", R"(latin \xfc.glb)"));
+  CHECK(starts("overlong \xc0\xaf \xe0\x80\xaf", R"(overlong \xc0\xaf \xe0\x80\xaf)"));
+  CHECK(starts("surrogate \xed\xa0\x80", R"(surrogate \xed\xa0\x80)"));
+  CHECK(starts("beyond \xf4\x90\x80\x80 \xf8", R"(beyond \xf4\x90\x80\x80 \xf8)"));
+  const std::string four = "\U0001f33f";
+  for (std::size_t capacity = 1; capacity <= 12; ++capacity)
+    CHECK(messageFor(four + four + four, capacity).size() == (capacity - 1) / 4 * 4);
+  for (std::size_t before = 480; before < 484; ++before) // the cut at each byte of a character
+    CHECK(messageFor(std::string(before, 'x') + four + four + four + four, kWhole).size() ==
+          before + (kWhole - 1 - before) / 4 * 4);
+}

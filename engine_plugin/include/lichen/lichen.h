@@ -84,7 +84,8 @@ typedef enum LichenStructureType {
   (memset(&(object), 0, sizeof(object)), (object).type = (structureType),                          \
    (object).size = sizeof(object))
 
-/* A message for people: one line of UTF-8, terminated, cut where it does not fit. Written on
+/* A message for people: one line of UTF-8, terminated, cut after a whole character where it does
+ * not fit. Control characters and bytes that are no UTF-8, in names, are written \xNN. Written on
  * failure only. */
 typedef struct LichenDiagnostic {
   LichenStructureType type;
