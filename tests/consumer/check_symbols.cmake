@@ -1,5 +1,5 @@
-# cmake -P: fails when the shared library LIBRARY needs a vk symbol or shows one that is not
-# lichen's own.
+# cmake -P: fails when the shared library LIBRARY needs a vk symbol, or when what it shows, of any
+# kind, is not exactly the functions that the headers in INCLUDE declare.
 execute_process(COMMAND ${NM} -D ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "nm cannot read ${LIBRARY}")
@@ -8,12 +8,28 @@ string(REGEX MATCHALL "[^\n]* vk[A-Z][^\n]*" vulkan "${symbols}")
 if(vulkan)
   message(FATAL_ERROR "Vulkan symbols in ${LIBRARY}: ${vulkan}")
 endif()
-string(REGEX MATCHALL "[0-9a-f]+ T [^\n]*" shown "${symbols}")
-list(LENGTH shown count)
-if(count LESS 10)
-  message(FATAL_ERROR "only ${count} functions in ${LIBRARY}")
+
+set(declared "")
+foreach(header lichen.h lichen_vulkan.h)
+  file(READ ${INCLUDE}/${header} text)
+  string(REGEX MATCHALL "LICHEN_API [A-Za-z0-9_]+ lichen[A-Za-z]+\\(" functions "${text}")
+  list(TRANSFORM functions REPLACE "LICHEN_API [A-Za-z0-9_]+ (lichen[A-Za-z]+)\\(" "T \\1")
+  list(APPEND declared ${functions})
+endforeach()
+# Of undefined symbols nm gives no address. Constants, vtables and inline functions are shown as D,
+# R, V, W or u.
+string(REGEX MATCHALL "[0-9a-f]+ [A-Za-z] [^\n]*" shown "${symbols}")
+list(TRANSFORM shown REPLACE "^[0-9a-f]+ " "")
+list(SORT declared)
+list(SORT shown)
+if(NOT declared)
+  message(FATAL_ERROR "${INCLUDE} declares no function")
 endif()
-list(FILTER shown EXCLUDE REGEX " T lichen[A-Z]")
-if(shown)
-  message(FATAL_ERROR "functions that no header declares in ${LIBRARY}: ${shown}")
+if(NOT shown STREQUAL declared)
+  set(missing ${declared})
+  set(added ${shown})
+  list(REMOVE_ITEM missing ${shown})
+  list(REMOVE_ITEM added ${declared})
+  message(FATAL_ERROR "${LIBRARY}: declared and not shown: ${missing}; shown and not declared: "
+                      "${added}")
 endif()
