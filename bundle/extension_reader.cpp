@@ -27,15 +27,17 @@ bool listsExtension(const json& root, const char* key) {
          std::find(list->begin(), list->end(), std::string(kExtensionName)) != list->end();
 }
 
+/// A member of what may be an object, or null.
+const json* memberOf(const json* value, std::string_view key) {
+  if (value == nullptr || !value->is_object())
+    return nullptr;
+  const auto member = value->find(std::string(key));
+  return member == value->end() ? nullptr : &*member;
+}
+
 /// The extension's own object inside a glTF object, or null.
 const json* extensionOf(const json& object) {
-  if (!object.is_object())
-    return nullptr;
-  const auto extensions = object.find("extensions");
-  if (extensions == object.end() || !extensions->is_object())
-    return nullptr;
-  const auto extension = extensions->find(std::string(kExtensionName));
-  return extension == extensions->end() ? nullptr : &*extension;
+  return memberOf(memberOf(&object, "extensions"), kExtensionName);
 }
 
 std::string extensionPointer(const std::string& object) {
@@ -73,6 +75,31 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
   return std::move(table).value();
 }
 
+/// The revision of a noise where it is later than those that this version knows; nothing where
+/// readNoise() is to read the noise, or to find what is wrong with it.
+std::optional<int> laterRevision(const json& noise) {
+  const json* revision = memberOf(&noise, "revision");
+  if (revision == nullptr || !revision->is_number_unsigned())
+    return std::nullopt;
+  const auto value = revision->get<std::uint64_t>();
+  const bool isLater = value > std::uint64_t(kTilingRevision) &&
+                       value <= std::uint64_t(std::numeric_limits<int>::max());
+  return isLater ? std::optional(int(value)) : std::nullopt;
+}
+
+/// All of a later revision that can be told without knowing it.
+IgnoredNoise ignoreNoise(const json& noise, int revision, const std::string& pointer,
+                         FindingList& findings) {
+  IgnoredNoise ignored;
+  ignored.revision = revision;
+  if (const json* name = memberOf(&noise, "name"); name != nullptr && name->is_string())
+    ignored.name = name->get<std::string>();
+  findings.warn("noise-revision", pointer + "/revision",
+                std::to_string(revision) + "; " + std::to_string(kTilingRevision) +
+                    " is known: the noise is ignored, and its materials show their core textures");
+  return ignored;
+}
+
 Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings) {
   Noise noise;
   noise.name = reader.text("name").value_or("");
@@ -84,7 +111,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
       revision && *revision != std::uint64_t(kTilingRevision))
     reader.error("noise-revision", "revision",
                  std::to_string(*revision) + "; " + std::to_string(kTilingRevision) +
-                     " is accepted: a later version wrote this file");
+                     " is accepted");
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
   const json* maps = reader.array("maps", kMaxMaps);
   std::set<MapTarget> targets;
@@ -112,12 +139,52 @@ std::array<double, 2> readOffset(ObjectReader& reader) {
   return {0.0, 0.0};
 }
 
-MaterialNoise readMaterial(ObjectReader reader, std::size_t noiseCount) {
+/// What a noise of the file is an element of: Bundle::noises or Bundle::ignoredNoises.
+struct NoisePlace {
+  bool isIgnored = false;
+  std::size_t index = 0;
+};
+using NoisePlaces = std::vector<NoisePlace>;
+
+NoisePlaces readNoises(const json& list, const std::string& pointer, const Tables& tables,
+                       Bundle& bundle, FindingList& findings) {
+  NoisePlaces places;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = elementPointer(pointer, i);
+    if (const auto revision = laterRevision(list[i])) {
+      places.push_back({true, bundle.ignoredNoises.size()});
+      bundle.ignoredNoises.push_back(ignoreNoise(list[i], *revision, place, findings));
+      continue;
+    }
+    places.push_back({false, bundle.noises.size()});
+    bundle.noises.push_back(readNoise(ObjectReader(list[i], place, findings), tables, findings));
+    const std::string& name = bundle.noises.back().name;
+    if (!name.empty() && !names.insert(name).second)
+      findings.error("noise-name-duplicate", place + "/name",
+                     quoted(name) + " is the name of another noise too");
+  }
+  return places;
+}
+
+/// The ignored noise of a material, or null: what else such a material says is not for this
+/// version.
+IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle& bundle) {
+  const json* index = memberOf(&use, "noise");
+  if (index == nullptr || !index->is_number_unsigned() ||
+      index->get<std::uint64_t>() >= places.size())
+    return nullptr;
+  const NoisePlace& place = places[index->get<std::size_t>()];
+  return place.isIgnored ? &bundle.ignoredNoises[place.index] : nullptr;
+}
+
+MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places) {
   MaterialNoise use;
-  const auto noise = reader.integer("noise", noiseCount == 0 ? 0 : noiseCount - 1, "noise-index");
-  if (noise && noiseCount == 0)
+  const auto noise = reader.integer("noise", places.empty() ? 0 : places.size() - 1, "noise-index");
+  if (noise && places.empty())
     reader.error("noise-index", "noise", "there are no noises");
-  use.noise = std::size_t(noise.value_or(0));
+  else if (noise)
+    use.noise = places[std::size_t(*noise)].index;
   if (reader.has("mapping")) {
     const std::string name = reader.text("mapping").value_or("uv");
     const auto mapping = mappingFrom(name);
@@ -141,7 +208,8 @@ MaterialNoise readMaterial(ObjectReader reader, std::size_t noiseCount) {
   return use;
 }
 
-void readMaterials(const json& root, Bundle& bundle, FindingList& findings) {
+void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
+                   FindingList& findings) {
   const auto list = root.find("materials");
   if (list == root.end())
     return;
@@ -157,9 +225,13 @@ void readMaterials(const json& root, Bundle& bundle, FindingList& findings) {
     std::optional<MaterialNoise> use;
     if (material.is_object() && material.contains("name") && material["name"].is_string())
       name = material["name"].get<std::string>();
-    if (const json* extension = extensionOf(material)) {
-      use = readMaterial(ObjectReader(*extension, extensionPointer(pointer), findings),
-                         bundle.noises.size());
+    const json* extension = extensionOf(material);
+    IgnoredNoise* ignored =
+        extension != nullptr ? ignoredNoiseOf(*extension, places, bundle) : nullptr;
+    if (ignored != nullptr) {
+      ignored->materials.push_back(i);
+    } else if (extension != nullptr) {
+      use = readMaterial(ObjectReader(*extension, extensionPointer(pointer), findings), places);
       if (material["extensions"].contains("KHR_materials_unlit"))
         findings.warn("material-unlit", pointer + "/extensions/KHR_materials_unlit",
                       "an unlit material shows the preview, not the noise");
@@ -182,37 +254,65 @@ void warnOfUnusedTables(const Bundle& bundle, const std::string& pointer, Findin
       findings.warn("table-unused", elementPointer(pointer, i), "no map uses this table");
 }
 
-void checkNoiseNames(const Bundle& bundle, const std::string& pointer, FindingList& findings) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < bundle.noises.size(); ++i) {
-    const std::string& name = bundle.noises[i].name;
-    if (!name.empty() && !names.insert(name).second)
-      findings.error("noise-name-duplicate", elementPointer(pointer, i) + "/name",
-                     quoted(name) + " is the name of another noise too");
+/// Which tables are read. Where a noise is ignored, those of the other noises: what it has in its
+/// own is not for this version to judge.
+std::vector<bool> readableTables(const json* noises, std::size_t count) {
+  std::vector<bool> readable(count, true);
+  if (noises == nullptr || std::none_of(noises->begin(), noises->end(), laterRevision))
+    return readable;
+  readable.assign(count, false);
+  for (const json& noise : *noises) {
+    const json* maps = memberOf(&noise, "maps");
+    if (laterRevision(noise) || maps == nullptr || !maps->is_array())
+      continue;
+    for (const json& map : *maps)
+      for (const char* key : {"gaussian", "inverseTable"})
+        if (const json* table = memberOf(&map, key);
+            table != nullptr && table->is_number_unsigned() && table->get<std::uint64_t>() < count)
+          readable[table->get<std::size_t>()] = true;
   }
+  return readable;
+}
+
+/// Moves the tables that were read into the bundle, whose maps name them by their places there.
+void keepTables(Tables tables, Bundle& bundle) {
+  std::vector<std::size_t> places;
+  for (std::optional<Table>& table : tables) {
+    places.push_back(bundle.tables.size());
+    if (table)
+      bundle.tables.push_back(std::move(*table));
+  }
+  for (Noise& noise : bundle.noises)
+    for (NoiseMap& map : noise.maps) {
+      map.gaussian = places[map.gaussian];
+      if (map.inverseTable)
+        map.inverseTable = places[*map.inverseTable];
+    }
 }
 
 /// The root object: tables first, since maps are checked against them.
-void readRoot(GltfFile& file, const json& extension, Bundle& bundle, FindingList& findings) {
+NoisePlaces readRoot(GltfFile& file, const json& extension, Bundle& bundle, FindingList& findings) {
   ObjectReader reader(extension, extensionPointer(""), findings);
   const json* tableList = reader.array("tables", kMaxTables);
-  Tables tables;
-  std::size_t bytesRead = 0;
-  for (std::size_t i = 0; tableList != nullptr && i < tableList->size(); ++i)
-    tables.push_back(readTable(
-        ObjectReader((*tableList)[i], elementPointer(reader.pointerTo("tables"), i), findings),
-        file, bytesRead, findings));
   const json* noiseList = reader.array("noises", kMaxNoises);
-  for (std::size_t i = 0; noiseList != nullptr && i < noiseList->size(); ++i)
-    bundle.noises.push_back(readNoise(
-        ObjectReader((*noiseList)[i], elementPointer(reader.pointerTo("noises"), i), findings),
-        tables, findings));
   reader.warnOfUnknown();
-  checkNoiseNames(bundle, reader.pointerTo("noises"), findings);
-  for (std::optional<Table>& table : tables)
-    bundle.tables.push_back(table ? std::move(*table) : Table{});
-  if (findings.errorCount() == 0)
-    warnOfUnusedTables(bundle, reader.pointerTo("tables"), findings);
+  Tables tables(tableList != nullptr ? tableList->size() : 0);
+  const std::vector<bool> readable = readableTables(noiseList, tables.size());
+  std::size_t bytesRead = 0;
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    if (readable[i])
+      tables[i] = readTable(
+          ObjectReader((*tableList)[i], elementPointer(reader.pointerTo("tables"), i), findings),
+          file, bytesRead, findings);
+  NoisePlaces places;
+  if (noiseList != nullptr)
+    places = readNoises(*noiseList, reader.pointerTo("noises"), tables, bundle, findings);
+  if (findings.errorCount() == 0) {
+    keepTables(std::move(tables), bundle);
+    if (bundle.ignoredNoises.empty())
+      warnOfUnusedTables(bundle, reader.pointerTo("tables"), findings);
+  }
+  return places;
 }
 
 } // namespace
@@ -221,9 +321,10 @@ Bundle readExtension(GltfFile& file, FindingList& findings) {
   const json& root = file.document();
   Bundle bundle;
   const json* extension = extensionOf(root);
+  NoisePlaces places;
   if (extension != nullptr)
-    readRoot(file, *extension, bundle, findings);
-  readMaterials(root, bundle, findings);
+    places = readRoot(file, *extension, bundle, findings);
+  readMaterials(root, places, bundle, findings);
   const bool used = extension != nullptr ||
                     std::any_of(bundle.materials.begin(), bundle.materials.end(),
                                 [](const auto& material) { return material.has_value(); });

@@ -135,6 +135,10 @@ LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {
       return result;
     planNoise(plan, noise);
   }
+  plan.unknownRevisions.resize(plan.bundle.materials.size());
+  for (const IgnoredNoise& noise : plan.bundle.ignoredNoises)
+    for (const std::size_t material : noise.materials)
+      plan.unknownRevisions[material] = std::uint32_t(noise.revision);
   return LICHEN_SUCCESS;
 }
 
@@ -233,6 +237,7 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
     return LICHEN_ERROR_USAGE;
   LichenMaterialProperties values{};
   values.noise = LICHEN_NO_NOISE;
+  values.unknownRevision = bundle->unknownRevisions[material];
   if (const auto& source = bundle->bundle.materials[material]) {
     values.noise = std::uint32_t(source->noise);
     values.mapping = mappingOf(source->mapping);

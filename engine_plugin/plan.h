@@ -19,4 +19,6 @@ struct LichenBundle_T {
   std::vector<Extent> extents;
   /// maps[n][k]: the constants of map k of noise n.
   std::vector<std::vector<lichen::shader::LichenMap>> maps;
+  /// Of each material: its noise's revision, where that is ignored; 0 elsewhere.
+  std::vector<std::uint32_t> unknownRevisions;
 };

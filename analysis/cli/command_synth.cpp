@@ -39,8 +39,21 @@ Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::st
                fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
 }
 
+/// An error where the noise that was named is one that is ignored, or where there is no other.
+Result<void> checkRevision(const Bundle& bundle, const Arguments& arguments) {
+  for (const IgnoredNoise& noise : bundle.ignoredNoises)
+    if (bundle.noises.empty() || (!arguments.noise.empty() && noise.name == arguments.noise))
+      return Error{ErrorKind::badInput,
+                   fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
+                               "lichen wrote it",
+                               arguments.bundle, noise.name, noise.revision, kTilingRevision)};
+  return {};
+}
+
 /// Finds the noise and the map that were named.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
+  if (Result<void> known = checkRevision(bundle, arguments); !known)
+    return known;
   if (bundle.noises.empty())
     return Error{ErrorKind::badInput, arguments.bundle + ": has no noise"};
   std::vector<std::string> noises, maps;

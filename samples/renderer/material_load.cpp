@@ -68,13 +68,18 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
 }
 
 /// Where the normals of a material's noise take their texture coordinates; nothing without normals.
-/// The extension is the plugin's to check, later: here a fault counts as absence.
+/// The extension is the plugin's to check, later: here a fault counts as absence, and so does a
+/// revision that the plugin ignores.
 std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinygltf::Value& use) {
   const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
   const tinygltf::Value& index = at(use, "noise");
   if (root == nullptr || !index.IsInt())
     return std::nullopt;
-  const tinygltf::Value& maps = at(at(at(*root, "noises"), index.GetNumberAsInt()), "maps");
+  const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
+  const tinygltf::Value& revision = at(noise, "revision");
+  if (!revision.IsInt() || revision.GetNumberAsInt() > kTilingRevision)
+    return std::nullopt;
+  const tinygltf::Value& maps = at(noise, "maps");
   for (int m = 0; m < int(maps.ArrayLen()); ++m) {
     const tinygltf::Value& target = at(at(maps, m), "target");
     if (target.IsString() && target.Get<std::string>() == nameOf(MapTarget::normal)) {

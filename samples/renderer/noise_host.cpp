@@ -93,11 +93,20 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
     auto material = initialized<LichenMaterialProperties>(LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
     check(lichenGetMaterialProperties(bundle, m, &material));
     noises_[m] = material.noise;
+    const std::string place = "/materials/" + std::to_string(m);
+    if (material.unknownRevision != 0)
+      notes_.insert(place + ": its noise is of revision " +
+                    std::to_string(material.unknownRevision) +
+                    ", which this version does not know; the core textures are drawn");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
+    if (material.mapping != LICHEN_MAPPING_UV)
+      throw Failure{{ErrorKind::badInput, scene.name + ": " + place +
+                                              ": the mapping of the noise is not supported by this "
+                                              "version, uv is"}};
     if (material.texCoord > 1)
-      throw Failure{{ErrorKind::badInput, scene.name + ": /materials/" + std::to_string(m) +
-                                              ": texCoord " + std::to_string(material.texCoord) +
+      throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
+                                              std::to_string(material.texCoord) +
                                               " of the noise is not accepted, 0 or 1 is"}};
     roles_[m] = rolesOf(material.noise, material.texCoord);
   }

@@ -31,6 +31,10 @@ public:
   /// lacks a format. Without noise materials in the scene the plugin is not called.
   NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene);
 
+  /// Whether a material is drawn with a noise: some are not, though they carry the extension.
+  [[nodiscard]] bool hasNoise(std::size_t material) const {
+    return noises_[material] != LICHEN_NO_NOISE;
+  }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }

@@ -318,7 +318,7 @@ private:
     const Material& material = scene_.materials[m];
     vkCmdBindPipeline(
         commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-        pipelines_.surface({material.hasNoise, material.normalTexture.image.has_value(),
+        pipelines_.surface({noises_.hasNoise(m), material.normalTexture.image.has_value(),
                             material.alphaMode == AlphaMode::blend}));
     const std::array sets{gpu_.materialSets[m], noises_.set(m)};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,

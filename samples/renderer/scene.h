@@ -86,7 +86,8 @@ struct Material {
   TextureSlot normalTexture;
   TextureSlot occlusionTexture;
   TextureSlot emissiveTexture;
-  bool hasNoise = false; ///< carries LICHEN_materials_exemplar_noise, which the plugin reads
+  /// Carries LICHEN_materials_exemplar_noise; NoiseHost tells whether it is drawn with a noise.
+  bool hasNoise = false;
   /// Texture coordinates of the noise, where it has normals.
   std::optional<int> noiseNormalTexCoord;
 };

@@ -239,10 +239,6 @@ private:
       place.fail("alphaMode " + printable(*mode) + " is not accepted, OPAQUE, MASK or BLEND is");
     place.number("alphaCutoff", 0, kLargest, 0.5);
     place.boolean("doubleSided");
-    if (const auto mapping = place.extension(kExtensionName.data()).string("mapping");
-        mapping && *mapping != nameOf(Mapping::uv))
-      place.fail("mapping " + printable(*mapping) +
-                 " of the noise is not supported by this version, uv is");
   }
 
   void attribute(const Place& place, const std::string& name, std::uint64_t vertices) const {

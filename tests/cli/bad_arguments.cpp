@@ -240,6 +240,22 @@ TEST_CASE("check names the faults of a broken bundle and ends with 1") {
   CHECK_THAT(quiet.output, Catch::StartsWith("error: ") && !Catch::Contains("warning"));
 }
 
+TEST_CASE("a noise of a later revision is warned of by check, and refused by synth with both") {
+  const Made& m = made();
+  std::string later = m.workplace.read("stone.glb");
+  const std::string revision = "\"revision\":";
+  const std::size_t at = later.find(revision + "1");
+  REQUIRE(at != std::string::npos);
+  later[at + revision.size()] = '2';
+  const std::string path = m.workplace.write("later.glb", later);
+  checkRefusal({"synth", path, "-o", m.workplace.path("new.png")}, kBadInput,
+               {"later.glb", "'stone' is of revision 2; 1 is known"});
+  const Ended ended = runLichen({"check", path});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.output, Catch::StartsWith("warning: 2; 1 is known"));
+  CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
+}
+
 TEST_CASE("check prints warnings, but not with --quiet, and ends with 0") {
   const Made& m = made();
   const std::string plain =

@@ -26,7 +26,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
   failures += KEEPS(LichenNoiseProperties, combinedImageSamplerCount, 40, 36);
   failures += KEEPS(LichenMapProperties, reserved, 48, 44);
-  failures += KEEPS(LichenMaterialProperties, reserved, 32, 28);
+  failures += KEEPS(LichenMaterialProperties, unknownRevision, 32, 28);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);

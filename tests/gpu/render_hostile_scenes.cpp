@@ -175,11 +175,6 @@ const std::vector<Fault> kFaults{
      }},
     {"an unknown alpha mode", "/materials/0",
      [](GltfScene& s) { s.json["materials"][0]["alphaMode"] = "GLASS"; }},
-    {"a noise on surface mapping", "surface",
-     [](GltfScene& s) {
-       s.json["materials"][0]["extensions"]["LICHEN_materials_exemplar_noise"] = {
-           {"noise", 0}, {"mapping", "surface"}};
-     }},
     {"an image of no view", "/images/0",
      [](GltfScene& s) { s.json["images"][0]["bufferView"] = 77; }},
     {"an image of nothing", "/images/0",

@@ -130,6 +130,32 @@ TEST_CASE("the holes of a mask are where the shadow has them, with a noise as wi
   CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
 }
 
+TEST_CASE("a material whose noise is of a later revision is drawn as without it, with a note") {
+  GltfScene scene = noiseBall({kBaseColor, kNormal});
+  addCoreTextures(scene);
+  GltfScene later = scene;
+  later.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"][0]["revision"] = 2;
+  materialOf(later)["extensions"]["LICHEN_materials_exemplar_noise"]["mapping"] = "surface";
+  const auto drawn = renderPicture(later.glb(), settingsOf(64, 64, 1));
+  CHECK(drawn.pixels.values == picture(withoutNoise(scene)).values);
+  CHECK(drawn.pixels.values != picture(scene).values);
+  REQUIRE(drawn.notes.size() == 1);
+  CHECK(drawn.notes[0] == "/materials/0: its noise is of revision 2, which this version does not "
+                          "know; the core textures are drawn");
+}
+
+TEST_CASE("a mapping that is not drawn yet is refused by its material") {
+  GltfScene scene = noiseBall({kBaseColor});
+  materialOf(scene)["extensions"]["LICHEN_materials_exemplar_noise"]["mapping"] = "triplanar";
+  const TemporaryFolder folder;
+  const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+  REQUIRE(read.ok());
+  const auto drawn = renderer::renderScene(testDevice(), read.value(), settingsOf(16, 16, 1));
+  REQUIRE_FALSE(drawn.ok());
+  CHECK(drawn.error().kind == ErrorKind::badInput);
+  CHECK(drawn.error().message.find("/materials/0: the mapping") != std::string::npos);
+}
+
 TEST_CASE("maps of a noise that are not drawn are named once for each") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   NoiseMap& height = file.bundle.noises[0].maps[1];

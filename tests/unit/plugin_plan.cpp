@@ -2,6 +2,8 @@
 // The engine plugin's plan layer: what it describes and what it refuses.
 #include "plugin_plan.h"
 
+#include "bundle_surgery.h"
+
 #include <lichen/lattice.h>
 
 #include <catch2/catch.hpp>
@@ -207,6 +209,29 @@ TEST_CASE("a file without noises is an empty bundle") {
   CHECK(properties.noiseCount == 0);
   CHECK(properties.materialCount == 1);
   lichenDestroyBundle(parsed.bundle);
+}
+
+TEST_CASE("a material whose noise is of a later revision has none, and says which") {
+  example::GlbParts parts(encodeGlb(example::smallest()).value());
+  parts.extension()["noises"][0]["revision"] = 3;
+  const std::vector<std::byte> glb = parts.join();
+  const Parsed parsed = parse(parseInfo(glb));
+  REQUIRE(parsed.result == LICHEN_SUCCESS);
+  LichenBundleProperties properties;
+  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+  REQUIRE(lichenGetBundleProperties(parsed.bundle, &properties) == LICHEN_SUCCESS);
+  CHECK(properties.noiseCount == 0);
+  CHECK(properties.imageCount == 0);
+  LichenMaterialProperties material;
+  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+  REQUIRE(lichenGetMaterialProperties(parsed.bundle, 0, &material) == LICHEN_SUCCESS);
+  CHECK(material.noise == LICHEN_NO_NOISE);
+  CHECK(material.unknownRevision == 3);
+  CHECK(fill(parsed.bundle, uniformInfo()).result == LICHEN_ERROR_USAGE);
+  lichenDestroyBundle(parsed.bundle);
+  const OwnedBundle known(example::smallest());
+  REQUIRE(lichenGetMaterialProperties(known.handle, 0, &material) == LICHEN_SUCCESS);
+  CHECK(material.unknownRevision == 0);
 }
 
 TEST_CASE("what the library does not evaluate is refused by name") {

@@ -20,7 +20,8 @@ namespace lichen {
 
 inline constexpr std::string_view kExtensionName = "LICHEN_materials_exemplar_noise";
 
-/// The revision of the tiling method that this version writes and evaluates.
+/// The revision of the tiling method that this version writes and evaluates. It ignores noises of
+/// later ones.
 inline constexpr int kTilingRevision = 1;
 
 enum class TexelFormat {
@@ -157,10 +158,20 @@ struct MaterialNoise {
   double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
 };
 
-/// The extension's content. materials[i] belongs to glTF material i.
+/// A noise of a revision that this version does not know. Materials that use it have no noise: they
+/// are to be shown with their core textures.
+struct IgnoredNoise {
+  std::string name; ///< may be empty
+  int revision = 0;
+  std::vector<std::size_t> materials; ///< glTF's, in order
+};
+
+/// The extension's content. materials[i] belongs to glTF material i. Noises and tables are numbered
+/// without those that are ignored.
 struct Bundle {
   std::vector<Table> tables;
   std::vector<Noise> noises;
+  std::vector<IgnoredNoise> ignoredNoises;
   std::vector<std::optional<MaterialNoise>> materials;
   std::vector<std::string> materialNames; ///< as many as materials; empty where unnamed
 };

@@ -117,7 +117,10 @@ typedef struct LichenParseInfo {
 } LichenParseInfo;
 
 /* Reads a bundle and checks all of it; input may be hostile. Time and memory are in proportion to
- * its size. The caller owns *bundle. A glTF file without noises is a bundle with noiseCount 0. */
+ * its size. The caller owns *bundle. A glTF file without noises is a bundle with noiseCount 0.
+ * Noises of a later revision than this library knows are left out, with what only they use: noises
+ * and images are numbered without them, and LichenMaterialProperties tells which materials lack
+ * theirs. */
 LICHEN_API LichenResult lichenParseBundle(const LichenParseInfo* info, LichenBundle* bundle,
                                           LichenDiagnostic* diagnostic);
 /* NULL is ignored. */
@@ -210,7 +213,9 @@ typedef struct LichenMaterialProperties {
   uint32_t noise; /* LICHEN_NO_NOISE for a material that has none */
   LichenMapping mapping;
   uint32_t texCoord; /* [0, 15], the TEXCOORD_n that the noise takes */
-  uint32_t reserved; /* 0 */
+  /* 0, or the revision of the material's noise, which is then one that this library does not know:
+   * `noise` is LICHEN_NO_NOISE, and the material is to be drawn with its core textures. */
+  uint32_t unknownRevision;
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */
