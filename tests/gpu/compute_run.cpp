@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs one compute shader over an array of inputs; see compute_run.h.
+// Runs compute shaders over arrays of inputs; see compute_run.h.
 #include "compute_run.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <stdexcept>
 
 namespace lichen::test {
@@ -105,20 +106,18 @@ void createPipeline(Objects& objects, const ComputeRun& run) {
           "a pipeline");
 }
 
-} // namespace
+/// A run with its buffers, set and pipeline.
+struct Prepared {
+  Prepared(HeadlessDevice& device, const ComputeRun& r)
+      : run(r), input(require(device.createBuffer(r.input.size(), kUsage, true))),
+        output(require(device.createBuffer(r.outputBytes, kUsage, true))),
+        objects(device.device()) {
+    std::copy(run.input.begin(), run.input.end(), input.mapped);
+    createBufferSet(objects, input, output);
+    createPipeline(objects, run);
+  }
 
-std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run) {
-  const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  const DeviceBuffer input = require(device.createBuffer(run.input.size(), usage, true));
-  const DeviceBuffer output = require(device.createBuffer(run.outputBytes, usage, true));
-  std::copy(run.input.begin(), run.input.end(), input.mapped);
-  Objects objects(device.device());
-  createBufferSet(objects, input, output);
-  createPipeline(objects, run);
-  VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
-  toHost.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-  toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-  const Result<void> submitted = device.submit([&](VkCommandBuffer commands) {
+  void record(VkCommandBuffer commands) const {
     if (run.before)
       run.before(commands);
     const std::array<VkDescriptorSet, 2> sets{run.set, objects.set};
@@ -128,12 +127,41 @@ std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run)
                             hasOther ? 2 : 1, hasOther ? sets.data() : &objects.set,
                             std::uint32_t(run.dynamicOffsets.size()), run.dynamicOffsets.data());
     vkCmdDispatch(commands, (run.items + kWorkgroup - 1) / kWorkgroup, 1, 1);
+  }
+
+  static constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const ComputeRun& run;
+  DeviceBuffer input;
+  DeviceBuffer output;
+  Objects objects;
+};
+
+} // namespace
+
+std::vector<std::vector<std::byte>> runComputes(HeadlessDevice& device,
+                                                std::span<const ComputeRun> runs) {
+  std::vector<std::unique_ptr<Prepared>> prepared;
+  for (const ComputeRun& run : runs)
+    prepared.push_back(std::make_unique<Prepared>(device, run));
+  VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+  toHost.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+  const Result<void> submitted = device.submit([&](VkCommandBuffer commands) {
+    for (const auto& one : prepared)
+      one->record(commands);
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
                          0, 1, &toHost, 0, nullptr, 0, nullptr);
   });
   if (!submitted)
     throw std::runtime_error(submitted.error().message);
-  return {output.mapped, output.mapped + run.outputBytes};
+  std::vector<std::vector<std::byte>> outputs;
+  for (const auto& one : prepared)
+    outputs.emplace_back(one->output.mapped, one->output.mapped + one->run.outputBytes);
+  return outputs;
+}
+
+std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run) {
+  return runComputes(device, std::span(&run, 1)).front();
 }
 
 } // namespace lichen::test

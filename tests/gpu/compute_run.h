@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs one compute shader over an array of inputs.
+// Runs compute shaders over arrays of inputs.
 #pragma once
 
 #include <lichen/headless_device.h>
@@ -28,17 +28,32 @@ struct ComputeRun {
 /// The output buffer's bytes. Throws std::runtime_error with the device's message.
 [[nodiscard]] std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run);
 
-/// The same with typed arrays: a.size() invocations, one or more outputs for each.
+/// Those of several runs, one after the other in one command buffer.
+[[nodiscard]] std::vector<std::vector<std::byte>> runComputes(HeadlessDevice& device,
+                                                              std::span<const ComputeRun> runs);
+
+/// Gives a run its input, one invocation for each element, and one or more outputs for each. The
+/// input must outlive it.
 template <class Output, class Input>
-std::vector<Output> runCompute(HeadlessDevice& device, ComputeRun run,
-                               const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
+void setArrays(ComputeRun& run, const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
   run.input = std::as_bytes(std::span(inputs));
   run.items = std::uint32_t(inputs.size());
   run.outputBytes = inputs.size() * outputsEach * sizeof(Output);
-  const std::vector<std::byte> bytes = runCompute(device, run);
+}
+
+template <class Output>
+std::vector<Output> asArray(std::span<const std::byte> bytes) {
   std::vector<Output> outputs(bytes.size() / sizeof(Output));
   std::memcpy(outputs.data(), bytes.data(), bytes.size());
   return outputs;
+}
+
+/// One run with typed arrays.
+template <class Output, class Input>
+std::vector<Output> runCompute(HeadlessDevice& device, ComputeRun run,
+                               const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
+  setArrays<Output>(run, inputs, outputsEach);
+  return asArray<Output>(runCompute(device, run));
 }
 
 } // namespace lichen::test

@@ -92,7 +92,8 @@ struct Engine {
     return materials;
   }
 
-  /// Each material's values; all uniforms are written before the first draw, as in an engine.
+  /// Each material's values, from one command buffer: the uniforms of all are written before its
+  /// submission, and each draw chooses its own by its set's offset.
   std::vector<Values> draw(const NoiseBundle& loaded,
                            const std::array<NoiseMaterial, kMaterials>& materials,
                            std::uint64_t frame, const std::vector<Point>& points) {
@@ -100,15 +101,17 @@ struct Engine {
     for (std::uint32_t k = 0; k < kMaterials; ++k)
       REQUIRE(updateMaterial(&host, &loaded, &materials[k], std::uint32_t(frame % kFramesInFlight),
                              kCameraTile, &offsets[k], &diagnostic) == LICHEN_SUCCESS);
-    std::vector<Values> values;
+    std::array<ComputeRun, kMaterials> runs;
     for (std::uint32_t k = 0; k < kMaterials; ++k) {
-      ComputeRun run;
-      run.spirv = tiling_maps_comp;
-      run.layout = materials[k].setLayout;
-      run.set = materials[k].set;
-      run.dynamicOffsets = {offsets[k]};
-      values.push_back(runCompute<std::array<float, 4>>(device, run, points, kMaps.size()));
+      setArrays<Values::value_type>(runs[k], points, kMaps.size());
+      runs[k].spirv = tiling_maps_comp;
+      runs[k].layout = materials[k].setLayout;
+      runs[k].set = materials[k].set;
+      runs[k].dynamicOffsets = {offsets[k]};
     }
+    std::vector<Values> values;
+    for (const std::vector<std::byte>& bytes : runComputes(device, runs))
+      values.push_back(asArray<Values::value_type>(bytes));
     return values;
   }
 
