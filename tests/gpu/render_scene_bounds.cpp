@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What a scene may take: memory and draws in proportion to its file, and files of its own folder.
+#include "render_gltf.h"
+#include "scene.h"
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+
+namespace {
+
+Error refusalOf(const TemporaryFolder& folder, const GltfScene& scene) {
+  const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+  REQUIRE_FALSE(read.ok());
+  INFO(read.error().message);
+  CHECK(read.error().message.find('\n') == std::string::npos);
+  return read.error();
+}
+
+} // namespace
+
+TEST_CASE("a small file that draws without end is refused for its size") {
+  const TemporaryFolder folder;
+  const auto placed = [](GltfScene scene, std::size_t times) {
+    json nodes = json::array();
+    for (std::size_t i = 0; i < times; ++i)
+      nodes.push_back(i);
+    scene.json["nodes"] = json(std::vector<json>(times, json{{"mesh", 0}}));
+    scene.json["scenes"][0]["nodes"] = std::move(nodes);
+    return scene;
+  };
+  GltfScene twoPrimitives = triangleScene();
+  json& primitives = twoPrimitives.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  const Error instances =
+      refusalOf(folder, placed(twoPrimitives, renderer::kMaxSceneInstances / 2 + 1));
+  CHECK(instances.kind == ErrorKind::resources);
+  CHECK(instances.message.find(std::to_string(renderer::kMaxSceneInstances)) != std::string::npos);
+
+  // A mesh of zeros takes no bytes.
+  constexpr std::size_t kZeros = std::size_t(1) << 16;
+  GltfScene large = triangleScene();
+  large.json["accessors"].push_back(
+      {{"componentType", 5126}, {"type", "VEC3"}, {"count", 3 * kZeros}});
+  large.json["meshes"][0]["primitives"] = {
+      {{"attributes", {{"POSITION", large.json["accessors"].size() - 1}}}}};
+  const Error drawn = refusalOf(folder, placed(large, renderer::kMaxDrawnVertices / kZeros));
+  CHECK(drawn.kind == ErrorKind::resources);
+  CHECK(drawn.message.find(std::to_string(renderer::kMaxDrawnVertices)) != std::string::npos);
+}
+
+TEST_CASE("buffers that are together larger than a GLB are refused before they are read") {
+  const TemporaryFolder folder;
+  GltfScene scene = triangleScene();
+  for (int i = 0; i < 2; ++i)
+    scene.json["buffers"].push_back(
+        {{"byteLength", renderer::kMaxBufferBytes / 2}, {"uri", "absent.bin"}});
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxBufferBytes)) != std::string::npos);
+}
+
+TEST_CASE("one large file that many images name is refused") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLarge = std::size_t(1) << 26;
+  const auto file = writeInto(folder, "large.png", {});
+  std::filesystem::resize_file(file, kLarge);
+  GltfScene scene = triangleScene();
+  scene.json["images"] =
+      json(std::vector<json>(renderer::kMaxImageBytes / kLarge + 1, {{"uri", "large.png"}}));
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxImageBytes)) != std::string::npos);
+}
+
+TEST_CASE("images that share a view take no memory of their own") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLarge = std::size_t(1) << 20;
+  GltfScene scene = triangleScene();
+  const std::size_t view = scene.addView(std::vector<std::byte>(kLarge));
+  scene.json["images"] =
+      json(std::vector<json>(renderer::kMaxImageBytes / kLarge + 1, {{"bufferView", view}}));
+  CHECK(renderer::readScene(writeInto(folder, "shared.glb", scene.glb())).ok());
+}
+
+TEST_CASE("a strip counts as the triangles that it becomes") {
+  const TemporaryFolder folder;
+  GltfScene scene = triangleScene();
+  // Fits as it is stored, and not when each triangle has three vertices and indices of its own.
+  const std::size_t count = renderer::kMaxSceneVertices / 6;
+  scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+  scene.json["meshes"][0]["primitives"] = {
+      {{"attributes", {{"POSITION", scene.json["accessors"].size() - 1}}}, {"mode", 5}}};
+  const Error error = refusalOf(folder, scene);
+  CHECK(error.kind == ErrorKind::resources);
+  CHECK(error.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
+}
+
+TEST_CASE("a buffer is read from inside the scene's folder only, by whatever way") {
+  const TemporaryFolder folder;
+  const std::filesystem::path inside = folder.path() / "scene";
+  std::filesystem::create_directory(inside);
+  std::filesystem::create_directory(inside / "sub");
+  GltfScene scene = triangleScene();
+  (void)writeInto(folder, "outside.bin", scene.binary);
+  (void)writeInto(folder, "scene/inside.bin", scene.binary);
+  std::filesystem::create_symlink(folder.path() / "outside.bin", inside / "link.bin");
+  std::filesystem::create_directory_symlink(folder.path(), inside / "way");
+  const auto readsFrom = [&](const char* uri) {
+    scene.json["buffers"][0]["uri"] = uri;
+    const std::string text = scene.json.dump();
+    return renderer::readScene(
+               writeInto(folder, "scene/scene.gltf", std::as_bytes(std::span(text))))
+        .ok();
+  };
+  CHECK(readsFrom("inside.bin"));
+  CHECK(readsFrom("sub/../inside.bin"));
+  CHECK_FALSE(readsFrom("../outside.bin"));
+  CHECK_FALSE(readsFrom("%2E%2E/outside.bin"));
+  CHECK_FALSE(readsFrom("link.bin"));
+  CHECK_FALSE(readsFrom("way/outside.bin"));
+  CHECK_FALSE(readsFrom((folder.path() / "outside.bin").c_str()));
+  CHECK_FALSE(readsFrom("sub"));
+}
