@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Devices that have, or lack, what the renderer would like of its depth maps' format.
+#include "rendered.h"
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+/// While it lives, the depth maps' format has exactly these features, and the filters of their
+/// samplers are noted.
+class DepthFormat {
+public:
+  explicit DepthFormat(VkFormatFeatureFlags features)
+      : realProperties_(vkGetPhysicalDeviceFormatProperties), realSampler_(vkCreateSampler) {
+    current_ = this;
+    features_ = features;
+    vkGetPhysicalDeviceFormatProperties = properties;
+    vkCreateSampler = sampler;
+  }
+  ~DepthFormat() {
+    vkGetPhysicalDeviceFormatProperties = realProperties_;
+    vkCreateSampler = realSampler_;
+  }
+  DepthFormat(const DepthFormat&) = delete;
+  DepthFormat& operator=(const DepthFormat&) = delete;
+
+  /// Of the samplers that compare, as those of depth maps do.
+  [[nodiscard]] const std::vector<VkFilter>& filters() const { return filters_; }
+
+private:
+  static void VKAPI_CALL properties(VkPhysicalDevice device, VkFormat format,
+                                    VkFormatProperties* target) {
+    current_->realProperties_(device, format, target);
+    if (format == VK_FORMAT_D32_SFLOAT)
+      target->optimalTilingFeatures = current_->features_;
+  }
+  static VkResult VKAPI_CALL sampler(VkDevice device, const VkSamplerCreateInfo* info,
+                                     const VkAllocationCallbacks* callbacks, VkSampler* handle) {
+    if (info->compareEnable) {
+      current_->filters_.push_back(info->magFilter);
+      current_->filters_.push_back(info->minFilter);
+    }
+    return current_->realSampler_(device, info, callbacks, handle);
+  }
+
+  static inline DepthFormat* current_ = nullptr;
+  PFN_vkGetPhysicalDeviceFormatProperties realProperties_;
+  PFN_vkCreateSampler realSampler_;
+  VkFormatFeatureFlags features_ = 0;
+  std::vector<VkFilter> filters_;
+};
+
+constexpr VkFormatFeatureFlags kDrawnAndSampled =
+    VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+
+GltfScene litBall() {
+  GltfScene scene;
+  const std::size_t grey = scene.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+  scene.addBall(grey);
+  scene.addGround(grey, 4.0f, -1.0f);
+  scene.addCamera(5.0f, 0.8f, 1.0f);
+  scene.addSun(3.0f);
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("shadows are drawn, unfiltered, where depth cannot be filtered") {
+  (void)testDevice(); // loads the functions
+  const DepthFormat unfiltered(kDrawnAndSampled);
+  (void)render(litBall().glb(), settingsOf(32, 32, 1));
+  CHECK(unfiltered.filters() == std::vector{VK_FILTER_NEAREST, VK_FILTER_NEAREST});
+}
+
+TEST_CASE("shadows are filtered where depth can be") {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "ball.glb", litBall().glb()));
+  REQUIRE(scene.ok());
+  HeadlessDevice& device = testDevice();
+  const DepthFormat filtered(kDrawnAndSampled | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
+  CHECK(renderer::renderScene(device, scene.value(), settingsOf(32, 32, 1)).ok());
+  CHECK(filtered.filters() == std::vector{VK_FILTER_LINEAR, VK_FILTER_LINEAR});
+  device.messages().clear(); // the device itself may lack the filter, as lavapipe does
+}
+
+TEST_CASE("a device that cannot draw or sample depth is refused by the format") {
+  const TemporaryFolder folder;
+  const auto scene = renderer::readScene(writeInto(folder, "ball.glb", litBall().glb()));
+  REQUIRE(scene.ok());
+  for (const VkFormatFeatureFlagBits only :
+       {VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT}) {
+    HeadlessDevice& device = testDevice();
+    const DepthFormat lesser(only);
+    const auto drawn = renderer::renderScene(device, scene.value(), settingsOf(32, 32, 1));
+    REQUIRE_FALSE(drawn.ok());
+    CHECK(drawn.error().kind == ErrorKind::environment);
+    CHECK(drawn.error().message.find("VK_FORMAT_D32_SFLOAT") != std::string::npos);
+  }
+}
