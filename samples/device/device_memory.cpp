@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Buffers and images with memory of their own, one-shot submits, readback, validation messages.
+#include "create_object.h"
+
 #include <lichen/headless_device.h>
 
 #include <algorithm>
@@ -151,7 +153,7 @@ Result<DeviceBuffer> HeadlessDevice::createBuffer(VkDeviceSize size, VkBufferUsa
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = size;
   info.usage = usage;
-  if (const VkResult result = vkCreateBuffer(device_, &info, nullptr, &buffer.handle);
+  if (const VkResult result = createObject(vkCreateBuffer, device_, info, buffer.handle);
       result != VK_SUCCESS)
     return vulkanError("a buffer of " + std::to_string(size) + " bytes", result);
   VkMemoryRequirements requirements{};
@@ -190,7 +192,7 @@ Result<DeviceImage> HeadlessDevice::createImage(const DeviceImageInfo& wanted) {
   info.samples = wanted.samples;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = wanted.usage;
-  if (const VkResult result = vkCreateImage(device_, &info, nullptr, &image.handle);
+  if (const VkResult result = createObject(vkCreateImage, device_, info, image.handle);
       result != VK_SUCCESS)
     return vulkanError(name, result);
   VkMemoryRequirements requirements{};
@@ -207,7 +209,7 @@ Result<DeviceImage> HeadlessDevice::createImage(const DeviceImageInfo& wanted) {
   view.subresourceRange = {wanted.aspect, 0, wanted.mipLevels, 0, wanted.layers};
   VkResult result = vkBindImageMemory(device_, image.handle, image.memory_, 0);
   if (result == VK_SUCCESS)
-    result = vkCreateImageView(device_, &view, nullptr, &image.view);
+    result = createObject(vkCreateImageView, device_, view, image.view);
   if (result != VK_SUCCESS)
     return vulkanError(name, result);
   return image;

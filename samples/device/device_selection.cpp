@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Instance creation, the choice of a physical device, and device creation.
+#include "create_object.h"
+
 #include <lichen/headless_device.h>
 
 #include <algorithm>
@@ -188,7 +190,7 @@ Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options
     destroyMessenger_ = vkDestroyDebugUtilsMessengerEXT;
     messenger.pNext = nullptr;
     if (const VkResult created =
-            vkCreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr, &messenger_);
+            createObject(vkCreateDebugUtilsMessengerEXT, instance_, messenger, messenger_);
         created != VK_SUCCESS)
       return vulkanError("no validation messages", created);
   }
@@ -246,7 +248,7 @@ Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) 
   info.pEnabledFeatures = &features;
   info.enabledExtensionCount = std::uint32_t(options.deviceExtensions.size());
   info.ppEnabledExtensionNames = options.deviceExtensions.data();
-  if (const VkResult result = vkCreateDevice(physicalDevice_, &info, nullptr, &device_);
+  if (const VkResult result = createObject(vkCreateDevice, physicalDevice_, info, device_);
       result != VK_SUCCESS)
     return vulkanError(device + " cannot be opened", result);
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
@@ -255,9 +257,9 @@ Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) 
   pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
   pool.queueFamilyIndex = queueFamily_;
   VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkResult result = vkCreateCommandPool(device_, &pool, nullptr, &commandPool_);
+  VkResult result = createObject(vkCreateCommandPool, device_, pool, commandPool_);
   if (result == VK_SUCCESS)
-    result = vkCreateFence(device_, &fence, nullptr, &fence_);
+    result = createObject(vkCreateFence, device_, fence, fence_);
   if (result != VK_SUCCESS)
     return vulkanError(device + ": no command pool", result);
   return {};

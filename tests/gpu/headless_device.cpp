@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstring>
+
 using namespace lichen;
 
 TEST_CASE("a choice that names no device is a usage error that lists the devices") {
@@ -83,6 +85,36 @@ TEST_CASE("what validation says of objects that outlive their device is kept") {
   device.reset();
   REQUIRE(messages->errors() == 1);
   CHECK(messages->texts().front().find("vkDestroyDevice") != std::string::npos);
+}
+
+TEST_CASE("what a failed creation leaves in its handle is not destroyed") {
+  const auto device = lichen::test::requireDevice();
+  const auto realCreate = vkCreateImageView;
+  static PFN_vkDestroyImageView realDestroy;
+  static VkImageView garbage, destroyed;
+  realDestroy = vkDestroyImageView;
+  std::memset(static_cast<void*>(&garbage), 0xa5, sizeof garbage);
+  destroyed = VK_NULL_HANDLE;
+  vkCreateImageView = [](VkDevice, const VkImageViewCreateInfo*, const VkAllocationCallbacks*,
+                         VkImageView* view) {
+    *view = garbage;
+    return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  };
+  vkDestroyImageView = [](VkDevice d, VkImageView view, const VkAllocationCallbacks* callbacks) {
+    destroyed = view;
+    if (view != garbage)
+      realDestroy(d, view, callbacks);
+  };
+  DeviceImageInfo info;
+  info.format = VK_FORMAT_R8G8B8A8_UNORM;
+  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+  const auto image = device->createImage(info);
+  vkCreateImageView = realCreate;
+  vkDestroyImageView = realDestroy;
+  REQUIRE_FALSE(image.ok());
+  CHECK(image.error().kind == ErrorKind::resources);
+  CHECK(destroyed == VK_NULL_HANDLE);
+  CHECK(device->messages().texts().empty());
 }
 
 TEST_CASE("more allocations than the device accepts are refused until one is freed") {
