@@ -2,13 +2,13 @@
 // lichen-render: a glTF scene -> a picture.
 #include "command_line.h"
 #include "picture.h"
+#include "printable.h"
 #include "renderer.h"
 
 #include <lichen/image_io.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -48,10 +48,13 @@ Result<void> checkMessages(const ValidationMessages& messages) {
                                            "report them"};
 }
 
+/// Of a message that names files, of any length.
+std::string oneLine(const std::string& text) { return printable(text, std::string::npos); }
+
 void note(const Command& command, const std::vector<std::string>& lines) {
   if (!command.quiet && !command.json) // there they are part of the report
     for (const std::string& line : lines)
-      std::fprintf(stderr, "note: %s\n", line.c_str());
+      std::fprintf(stderr, "note: %s\n", oneLine(line).c_str());
 }
 
 std::size_t triangleCount(const Scene& scene) {
@@ -79,9 +82,9 @@ void report(const Command& command, const std::string& device, const Scene& scen
     constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
     std::printf("%s\n", object.dump(2, ' ', false, kReplace).c_str());
   } else if (!command.quiet) {
-    std::printf("%s: %d x %d, %d frame%s on %s, %.2f s\n", command.output.c_str(), command.size[0],
-                command.size[1], command.frames, command.frames == 1 ? "" : "s", device.c_str(),
-                seconds);
+    std::printf("%s: %d x %d, %d frame%s on %s, %.2f s\n", oneLine(command.output).c_str(),
+                command.size[0], command.size[1], command.frames, command.frames == 1 ? "" : "s",
+                device.c_str(), seconds);
   }
 }
 
@@ -131,10 +134,14 @@ Result<void> run(const Command& command) {
 }
 
 int fail(const Error& error) {
-  std::string line = error.message;
-  std::replace(line.begin(), line.end(), '\n', ' '); // of a file's name or an option's text
-  std::fprintf(stderr, "lichen-render: %s\n", line.c_str());
+  std::fprintf(stderr, "lichen-render: %s\n", oneLine(error.message).c_str());
   return int(error.kind);
+}
+
+int succeed() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail({ErrorKind::resources, "standard output: cannot be written"});
+  return 0;
 }
 
 } // namespace
@@ -148,10 +155,10 @@ int main(int argc, char** argv) {
       return fail(parsed.error());
     if (const auto* help = std::get_if<std::string>(&parsed.value())) {
       std::fputs(help->c_str(), stdout);
-      return 0;
+      return succeed();
     }
     const lichen::Result<void> done = run(std::get<Command>(parsed.value()));
-    return done ? 0 : fail(done.error());
+    return done ? succeed() : fail(done.error());
   } catch (const std::bad_alloc&) {
     return fail({lichen::ErrorKind::resources, "not enough memory"});
   } catch (const std::exception& fault) {

@@ -7,13 +7,8 @@
 
 namespace lichen::renderer {
 
-/// `text` on one line: control characters replaced, cut to `maxLength` bytes.
-[[nodiscard]] inline std::string printable(const std::string& text, std::size_t maxLength = 60) {
-  std::string line = text.substr(0, maxLength);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      c = '?';
-  return text.size() > maxLength ? line + "..." : line;
-}
+/// `text` on one line: control characters as \xNN, and of a longer text the first `maxLength`
+/// bytes, down to a whole character of UTF-8.
+[[nodiscard]] std::string printable(const std::string& text, std::size_t maxLength = 60);
 
 } // namespace lichen::renderer

@@ -175,6 +175,26 @@ TEST_CASE("a picture is reported on one line, with notes beside it, or quietly")
         "the extension KHR_materials_clearcoat is ignored");
 }
 
+TEST_CASE("the control characters of names never reach the terminal, other characters do") {
+  const Outcome absent =
+      run("\"$(printf 'm\\033[31m\\302\\233\\177\\nf\\303\\274').glb\" -o o.png");
+  CHECK(absent.exitCode == 3);
+  INFO(absent.output);
+  CHECK(isOneLine(absent.output));
+  CHECK(absent.output.find("m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc.glb") != std::string::npos);
+}
+
+TEST_CASE("what standard output does not take is an error of one line") {
+  for (const char* arguments : {"--help >/dev/full", "--version >/dev/full"}) {
+    const Outcome full = run(arguments);
+    CHECK(full.exitCode == 5);
+    CHECK(full.output == "lichen-render: standard output: cannot be written\n");
+  }
+  if (!hasDevice())
+    return;
+  CHECK(run("--list-devices >/dev/full").exitCode == 5);
+}
+
 TEST_CASE("what only the device can tell has its exit code too") {
   if (!hasDevice())
     return;
