@@ -10,9 +10,6 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr std::uint32_t kUniformStride = 1024; // LICHEN_UNIFORM_BYTES on any device's alignment
-static_assert(kUniformStride >= LICHEN_UNIFORM_BYTES && kUniformStride % 256 == 0);
-
 // Roles are the first targets; height and opacity are none.
 static_assert(NOISE_BASE_COLOR == int(LICHEN_TARGET_BASE_COLOR) &&
               NOISE_NORMAL == int(LICHEN_TARGET_NORMAL) &&
@@ -27,20 +24,23 @@ T initialized(LichenStructureType type) {
   return object;
 }
 
-/// The plugin's result as the renderer's error.
-void check(LichenResult result, const LichenDiagnostic& diagnostic) {
+ErrorKind kindOf(LichenResult result) {
   switch (result) {
-  case LICHEN_SUCCESS:
-    return;
   case LICHEN_ERROR_VERSION:
   case LICHEN_ERROR_BAD_BUNDLE:
-    throw Failure{{ErrorKind::badInput, diagnostic.text}};
+    return ErrorKind::badInput;
   case LICHEN_ERROR_OUT_OF_HOST_MEMORY:
   case LICHEN_ERROR_OUT_OF_DEVICE_MEMORY:
-    throw Failure{{ErrorKind::resources, diagnostic.text}};
+    return ErrorKind::resources;
   default:
-    throw Failure{{ErrorKind::environment, diagnostic.text}};
+    return ErrorKind::environment;
   }
+}
+
+/// The plugin's result as the renderer's error; `file` where the diagnostic does not name it.
+void check(LichenResult result, const LichenDiagnostic& diagnostic, const std::string& file = "") {
+  if (result != LICHEN_SUCCESS)
+    throw Failure{{kindOf(result), (file.empty() ? "" : file + ": ") + diagnostic.text}};
 }
 
 void check(LichenResult result) {
@@ -76,10 +76,10 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
   vulkan.getInstanceProcAddr = vkGetInstanceProcAddr;
   vulkan.instance = device.instance();
   LichenVulkanContext context = nullptr;
-  check(lichenVulkanCreateContext(&vulkan, &context, &diagnostic), diagnostic);
+  check(lichenVulkanCreateContext(&vulkan, &context, &diagnostic), diagnostic, scene.name);
   context_.reset(context);
   LichenVulkanAssets assets = nullptr;
-  check(lichenVulkanCreateAssets(context, bundle, &assets, &diagnostic), diagnostic);
+  check(lichenVulkanCreateAssets(context, bundle, &assets, &diagnostic), diagnostic, scene.name);
   assets_.reset(assets);
   LichenResult recorded = LICHEN_SUCCESS;
   take(device.submit(
@@ -172,7 +172,7 @@ void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::si
   types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
   types[BINDING_NOISE] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   setLayout_ = objects.setLayout(types, VK_SHADER_STAGE_FRAGMENT_BIT);
-  uniforms_ = take(device.createBuffer(VkDeviceSize(kUniformStride) * materials,
+  uniforms_ = take(device.createBuffer(VkDeviceSize(LICHEN_UNIFORM_BYTES) * materials,
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
   std::fill_n(uniforms_.mapped, uniforms_.size, std::byte{0});
   const VkDescriptorPool pool = objects.pool(materials, types);
@@ -181,13 +181,14 @@ void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::si
     if (noises_[m] != LICHEN_NO_NOISE) {
       auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
       info.material = m;
-      check(lichenFillUniforms(bundle_.get(), &info, uniforms_.mapped + kUniformStride * m,
+      check(lichenFillUniforms(bundle_.get(), &info,
+                               uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * m,
                                &diagnostic),
             diagnostic);
     }
     sets_.push_back(objects.set(pool, setLayout_));
-    std::array<Descriptor, 1 + 2 * NOISE_ROLES> descriptors{
-        uniformBlock(uniforms_.handle, VkDeviceSize(kUniformStride) * m, LICHEN_UNIFORM_BYTES)};
+    std::array<Descriptor, 1 + 2 * NOISE_ROLES> descriptors{uniformBlock(
+        uniforms_.handle, VkDeviceSize(LICHEN_UNIFORM_BYTES) * m, LICHEN_UNIFORM_BYTES)};
     const auto images = imageInfos(noises_[m], roles_[m]);
     for (std::size_t i = 0; i < images.size(); ++i)
       descriptors[BINDING_NOISE_ROLES + i] = {

@@ -85,7 +85,7 @@ public:
     std::memcpy(frameData_.mapped, &view.data, sizeof view.data);
     take(device_.submit([&](VkCommandBuffer commands) {
       recordDepthMaps(commands, view);
-      recordSurfaces(commands, view);
+      recordSurfaces(commands);
       recordAccumulate(commands, index);
     }));
   }
@@ -348,7 +348,7 @@ private:
     return indices;
   }
 
-  void recordSurfaces(VkCommandBuffer commands, const FrameView&) {
+  void recordSurfaces(VkCommandBuffer commands) {
     transition(commands, color_, kUndefined, kColorTarget);
     transition(commands, depth_, kUndefined, kDepthTarget);
     beginRendering(commands, {settings_.width, settings_.height}, color_.view, depth_.view, 0.0f);

@@ -156,6 +156,28 @@ TEST_CASE("a mapping that is not drawn yet is refused by its material") {
   CHECK(drawn.error().message.find("/materials/0: the mapping") != std::string::npos);
 }
 
+TEST_CASE("a device that cannot filter a noise's table is refused by the file and the table") {
+  const TemporaryFolder folder;
+  const auto path = writeInto(folder, "scene.glb", noiseBall({kBaseColor}).glb());
+  const auto read = renderer::readScene(path);
+  REQUIRE(read.ok());
+  HeadlessDevice& device = testDevice(); // loads the functions
+  static PFN_vkGetInstanceProcAddr real;
+  real = vkGetInstanceProcAddr;
+  vkGetInstanceProcAddr = [](VkInstance instance, const char* name) -> PFN_vkVoidFunction {
+    const PFN_vkGetPhysicalDeviceFormatProperties nothing =
+        [](VkPhysicalDevice, VkFormat, VkFormatProperties* properties) { *properties = {}; };
+    return std::string_view(name) == "vkGetPhysicalDeviceFormatProperties"
+               ? reinterpret_cast<PFN_vkVoidFunction>(nothing)
+               : real(instance, name);
+  };
+  const auto drawn = renderer::renderScene(device, read.value(), settingsOf(16, 16, 1));
+  vkGetInstanceProcAddr = real;
+  REQUIRE_FALSE(drawn.ok());
+  CHECK(drawn.error().kind == ErrorKind::environment);
+  CHECK(drawn.error().message.starts_with(path.string() + ": table "));
+}
+
 TEST_CASE("maps of a noise that are not drawn are named once for each") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   NoiseMap& height = file.bundle.noises[0].maps[1];
