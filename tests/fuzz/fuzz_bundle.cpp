@@ -56,6 +56,12 @@ void checkContract(const Bundle& bundle) {
   require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
   for (const std::optional<MaterialNoise>& use : bundle.materials)
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
+  for (const IgnoredNoise& noise : bundle.ignoredNoises) {
+    require(noise.revision > kTilingRevision, "a known revision that is ignored");
+    for (const std::size_t material : noise.materials)
+      require(material < bundle.materials.size() && !bundle.materials[material],
+              "a material of an ignored noise");
+  }
 }
 
 } // namespace

@@ -22,14 +22,34 @@ using Random = std::mt19937_64; // the standard fixes its sequence, not that of 
 
 std::size_t below(Random& random, std::size_t limit) { return std::size_t(random() % limit); }
 
-constexpr std::size_t kGlbSeeds = 2;
+constexpr std::size_t kGlbSeeds = 3;
+
+/// Two noises with tables of their own, the first of a revision to come.
+Bytes laterRevision() {
+  BundleFile file = example::smallest();
+  Bundle& bundle = file.bundle;
+  Noise second = bundle.noises[0];
+  second.name = "second";
+  second.maps[0].gaussian = 2;
+  second.maps[0].inverseTable = 3;
+  bundle.noises.push_back(second);
+  const std::vector<Table> ownTables = bundle.tables;
+  bundle.tables.insert(bundle.tables.end(), ownTables.begin(), ownTables.end());
+  MaterialNoise use;
+  use.noise = 1;
+  bundle.materials.emplace_back(use);
+  file.previews.emplace_back();
+  example::GlbParts parts(encodeGlb(file).value());
+  parts.extension()["noises"][0]["revision"] = kTilingRevision + 1;
+  return parts.join();
+}
 
 /// Small files: mutations then hit what is read, not texels. The GLBs come first.
 std::vector<Bytes> seeds() {
   BundleFile withScene = example::smallest();
   withScene.previews[0].baseColor = example::tinyPng();
   withScene.shape = PreviewShape::plane;
-  return {encodeGlb(example::smallest()).value(), encodeGlb(withScene).value(),
+  return {encodeGlb(example::smallest()).value(), encodeGlb(withScene).value(), laterRevision(),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Srgb, 2, 2, 2, 1))};
 }
