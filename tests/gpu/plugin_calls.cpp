@@ -40,7 +40,7 @@ LichenVulkanFunctions Proxy::functions() {
   f.getPhysicalDeviceMemoryProperties = pass<&vkGetPhysicalDeviceMemoryProperties>;
   f.getPhysicalDeviceFormatProperties = pass<&vkGetPhysicalDeviceFormatProperties>;
   f.getPhysicalDeviceImageFormatProperties = call<&vkGetPhysicalDeviceImageFormatProperties>;
-  f.allocateMemory = create<&vkAllocateMemory>;
+  f.allocateMemory = allocate;
   f.freeMemory = destroy<&vkFreeMemory>;
   f.mapMemory = map;
   f.createBuffer = create<&vkCreateBuffer>;
@@ -64,9 +64,22 @@ LichenVulkanFunctions Proxy::functions() {
   return f;
 }
 
+VkResult VKAPI_CALL Proxy::allocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                    const VkAllocationCallbacks* callbacks,
+                                    VkDeviceMemory* memory) {
+  if (exhausted) {
+    fillWithGarbage(memory);
+    return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  }
+  const VkResult result = create<&vkAllocateMemory>(device, info, callbacks, memory);
+  exhausted = result != VK_SUCCESS;
+  return result;
+}
+
 VkResult VKAPI_CALL Proxy::map(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset,
                                VkDeviceSize size, VkMemoryMapFlags flags, void** data) {
   if (fails()) {
+    exhausted = true;
     fillWithGarbage(data);
     return VK_ERROR_MEMORY_MAP_FAILED;
   }

@@ -16,7 +16,9 @@ namespace lichen::test {
 /// Counts what a table of functions creates and destroys, and fails the n-th call that may fail. A
 /// failed call leaves garbage in its output, as Vulkan allows.
 struct Proxy {
-  static inline int untilFailure = 0;     ///< counts down while positive
+  static inline int untilFailure = 0; ///< counts down while positive
+  /// Whether memory could not be allocated or mapped: no later allocation can, of whatever type.
+  static inline bool exhausted = false;
   static inline int alive = 0;            ///< created and not yet destroyed
   static inline int garbageDestroyed = 0; ///< outputs of failed calls that were destroyed
   /// Called before and after each call of the real function.
@@ -85,6 +87,9 @@ struct Proxy {
     const Inside inside;
     (*kFunction)(arguments...);
   }
+  static VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                      const VkAllocationCallbacks* callbacks,
+                                      VkDeviceMemory* memory);
   static VkResult VKAPI_CALL map(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset,
                                  VkDeviceSize size, VkMemoryMapFlags flags, void** data);
   static VkResult VKAPI_CALL allocateSets(VkDevice device, const VkDescriptorSetAllocateInfo* info,

@@ -152,6 +152,7 @@ TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves not
   int failures = 0, ofPool = 0;
   for (int n = 1;; ++n) {
     Proxy::untilFailure = n;
+    Proxy::exhausted = false;
     const Created created = createWith(fixture, functions);
     CHECK(Proxy::alive == 0);
     CHECK(Proxy::garbageDestroyed == 0);
@@ -169,6 +170,7 @@ TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves not
            created.message.find("pool is too small") != std::string::npos));
   }
   Proxy::untilFailure = 0;
+  Proxy::exhausted = false;
   // 2 samplers; format query, image, bind and view for 6 images; 2 blocks, 1 map; buffer and bind;
   // 1 layout; 1 set.
   CHECK(failures == 2 + 4 * 6 + 2 + 1 + 2 + 1 + 1);
