@@ -4,10 +4,12 @@
 #include "color_space.h"
 #include "gaussianize.h"
 #include "inverse_table.h"
+#include "map_fit.h"
 #include "mip_chain.h"
 #include "prefilter.h"
 #include "slab_means.h"
 #include "transport/lower_bound.h"
+#include "value_encoding.h"
 
 #include <lichen/image_io.h>
 #include <lichen/tiling.h>
@@ -21,27 +23,6 @@ namespace lichen {
 namespace {
 
 using namespace tiling;
-using transport::TransportOptions;
-
-float decoded(float value, ValueEncoding encoding) {
-  switch (encoding) {
-  case ValueEncoding::srgb:
-    return srgbToLinear(value);
-  case ValueEncoding::log2:
-    return std::exp2(value) - 1.0f;
-  case ValueEncoding::linear:
-  case ValueEncoding::slope:
-    return value;
-  }
-  return value;
-}
-
-std::vector<float> decodedValues(const MapExemplar& map) {
-  std::vector<float> values(map.values.size());
-  std::transform(map.values.begin(), map.values.end(), values.begin(),
-                 [&](float v) { return decoded(v, map.encoding); });
-  return values;
-}
 
 Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
@@ -69,15 +50,18 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   return {};
 }
 
-/// An image that does not vary: nothing to match, one constant for image and table.
-Gaussianized constantGaussian(const MapExemplar& map) {
-  Gaussianized result;
-  result.width = map.width;
-  result.height = map.height;
-  result.matched.assign(std::size_t(map.width) * std::size_t(map.height),
-                        Point{float(kGaussianMean), 0.0f, 0.0f});
-  result.image = result.matched;
-  return result;
+/// A map that does not vary: nothing to match, one constant for image and table.
+MapFit constantFit(const MapExemplar& map) {
+  MapFit fit;
+  fit.gaussian.width = map.width;
+  fit.gaussian.height = map.height;
+  fit.gaussian.image.assign(std::size_t(map.width) * std::size_t(map.height),
+                            Point{float(kGaussianMean), 0.0f, 0.0f});
+  fit.table.channels = int(map.channels.size());
+  for (int cell = 0; cell < fit.table.side; ++cell)
+    for (std::size_t c = 0; c < map.channels.size(); ++c)
+      fit.table.values.push_back(decoded(map.values[c], map.encoding));
+  return fit;
 }
 
 void appendValues(std::vector<double>& to, const auto& matrix) {
@@ -104,35 +88,30 @@ TransportBound certificate(const std::vector<Point>& points, const std::vector<P
   return transport::boundTransportCost(points, matched, itself, kCertificateStep, progress);
 }
 
-/// Bakes one map and appends its two tables.
-void bakeMap(const MapExemplar& map, bool periodic, const std::string& name,
-             const TilingOptions& options, ProgressPart progress, TilingBake& bake) {
-  const double work = gaussianizeWork(map, periodic);
-  const double gaussianized = work / (work + kTableWork);
-  TransportOptions transport = transport::optionsFor(options.transport);
-  const Precision precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
+/// Bakes one map and appends its two tables. The first map that chooses a share of the surroundings
+/// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are.
+void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
+             ProgressPart progress, TilingBake& bake) {
+  const double work = gaussianizeWork(map, fitting.periodic);
+  const double fitted = work / (work + kTableWork);
   const ColorSpace space = colorSpaceOf(map);
-  const std::vector<float> values = decodedValues(map);
-  std::vector<Point> points;
-  Gaussianized gaussian;
+  MapFit fit;
   if (space.dimensions() == 0) {
-    gaussian = constantGaussian(map);
+    fit = constantFit(map);
   } else {
-    points = transportPoints(map, space);
-    transport.progress = progress.part(0.0, gaussianized);
-    gaussian = gaussianize(map, points, space.dimensions(), periodic, precision, transport);
-    if (options.transport == TransportEffort::exact)
+    fitting.progress = progress.part(0.0, fitted);
+    fit = fitMap(map, space, fitting);
+    if (space.dimensions() > 1)
+      fitting.share = fit.share;
+    if (fitting.transport == TransportEffort::exact)
       bake.transportBounds.push_back(
-          certificate(points, gaussian.matched, progress.part(gaussianized, 1.0)));
+          certificate(fit.points, fit.gaussian.matched, progress.part(fitted, 1.0)));
   }
-  Table image = gaussianTable(gaussian, options.bits);
+  Table image = gaussianTable(fit.gaussian, bits);
   const std::vector<ChannelMatrix> lost = lostVariance(image);
-  transport.progress = progress.part(gaussianized, 1.0);
-  const InverseTable table =
-      fitInverseTable(gaussian, points, values, int(map.channels.size()), transport);
-  std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, lost);
   restoreSlabMeans(slabs, image, lost);
-  Table inverse = inverseTableTexels(slabs, map.encoding, options.bits);
+  Table inverse = inverseTableTexels(slabs, map.encoding, bits);
 
   NoiseMap result;
   result.target = map.target;
@@ -170,10 +149,15 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
     double whole = 0.0;
     for (const MapExemplar& map : maps)
       whole += gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
+    MapFitOptions fitting;
+    fitting.periodic = bake.exemplarWasPeriodic;
+    fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
+    fitting.transport = options.transport;
+    fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
     double done = 0.0;
     for (const MapExemplar& map : maps) {
       const double after = done + gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
-      bakeMap(map, bake.exemplarWasPeriodic, name, options,
+      bakeMap(map, name, options.bits, fitting,
               ProgressPart(options.progress).part(done / whole, after / whole), bake);
       done = after;
     }

@@ -14,11 +14,6 @@ namespace {
 /// Colours on a line or in a plane leave exactly the rounding's variance across it, up to sampling.
 constexpr double kLeastOverRounding = 2.0;
 
-/// Share of its surroundings in a pixel's point. Blending breaks up what neighbours of nearly one
-/// colour, in places far apart in G, have in common; docs/decisions/009-surroundings.md has the
-/// spectra that 0, 0.03, 0.1 and 0.25 give.
-constexpr float kSurroundings = 0.1f;
-
 /// One a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
 void blur(std::vector<float>& values, std::vector<float>& scratch, int width, int height,
           int channels, int stepX, int stepY) {
@@ -42,7 +37,7 @@ void blur(std::vector<float>& values, std::vector<float>& scratch, int width, in
   values.swap(scratch);
 }
 
-/// Average over scales s, with weights 2^-s, of the image blurred by 2^s texels: small scales
+/// Average over scales s, with weights 4^-s, of the image blurred by 2^s texels: small scales
 /// decide first. A side too short for a scale is not blurred along it.
 std::vector<float> surroundings(const MapExemplar& map) {
   const int channels = int(map.channels.size());
@@ -52,7 +47,7 @@ std::vector<float> surroundings(const MapExemplar& map) {
   float weight = 0.5f;
   float total = 0.0f;
   // Up to a quarter of a side: beyond it the wrapped kernel averages the whole of it.
-  for (int step = 1; 4 * step <= std::max(map.width, map.height); step *= 2, weight *= 0.5f) {
+  for (int step = 1; 4 * step <= std::max(map.width, map.height); step *= 2, weight *= 0.25f) {
     if (4 * step <= map.width)
       blur(blurred, scratch, map.width, map.height, channels, step, 0);
     if (4 * step <= map.height)
@@ -113,15 +108,17 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
   return space;
 }
 
-std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space) {
+std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
+                                   float wantedShare) {
   const int channels = int(map.channels.size());
   const std::vector<float> around = surroundings(map);
   const auto [low, high] = std::minmax_element(map.values.begin(), map.values.end());
   const float range = std::max(*high - *low, std::numeric_limits<float>::min());
-  // Half a quantum of the surroundings orders pixels of equal value. On a line the order by value is
-  // exact, and stays.
+  // Half a quantum of the surroundings orders pixels of equal value. On a line the order by value
+  // is exact, and stays.
   const float tieBreak = float(0.5 * map.quantum) / range;
-  const float share = space.dimensions() == 1 ? tieBreak : std::max(kSurroundings, tieBreak);
+  const bool byValue = space.dimensions() == 1 || std::abs(wantedShare) < tieBreak;
+  const float share = byValue ? tieBreak : wantedShare;
   std::vector<Point> points(map.values.size() / std::size_t(channels));
   tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
     ChannelVector d(channels);

@@ -36,11 +36,14 @@ struct ColorSpace {
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
 
+inline constexpr float kUsualShare = 0.1f;
+
 /// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of
 /// equal value are ordered by the average of their surroundings, at most half a quantum, so that
-/// flat regions stay smooth once Gaussianized. In two and three dimensions a point has a tenth of
-/// its surroundings, so that regions of nearly one colour stay together in the Gaussian image, too
+/// flat regions stay smooth once Gaussianized. In two and three dimensions a point has `share` of
+/// its surroundings, which makes G smoother, or of the opposite sign, which makes it rougher
 /// (docs/decisions/009-surroundings.md). The image wraps at its borders.
-[[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space);
+[[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
+                                                 float share = kUsualShare);
 
 } // namespace lichen::tiling

@@ -146,7 +146,8 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
     chosenGaussian[m] = gaussian.matched[chosen[m]];
   }
 
-  TransportOptions alike = options; // Gaussian to Gaussian: nearly the identity
+  // Gaussian to Gaussian, nearly the identity: a start that the next line improves.
+  TransportOptions alike = transport::optionsFor(TransportEffort::fast);
   alike.progress = {};
   const std::vector<std::uint32_t> cellOf = transport::improveAssignment(
       chosenPoints, middles, transport::assign(chosenGaussian, middles, alike), options);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Map (width * height * channels) -> matched Gaussian points (width * height) and inverse table.
+#include "map_fit.h"
+
+#include "spectrum_error.h"
+#include "value_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+/// Pixels. The share for a larger map is chosen on its middle.
+constexpr int kLargestTrialSide = 512;
+
+/// Twelve exemplars want -0.1 to 0.35.
+constexpr float kLeastShare = -0.25f;
+
+/// A trial costs as much as a bake without a choice. After two, a line through both leaves less
+/// than the tolerance on all twelve exemplars.
+constexpr int kMostTrials = 3;
+
+/// Decibels, of the mean over radii. What differs from radius to radius comes on top and is out of
+/// reach of one number; together they are to be below 0.6.
+constexpr double kToleranceDb = 0.25;
+
+/// Decibels for each unit of share: twelve exemplars have -2 to -4.
+constexpr double kTypicalSlope = -3.0;
+
+/// Blending's effect on detail falls as the share grows; a measured slope nearer to none is noise.
+constexpr double kLeastSlope = 0.5 * kTypicalSlope;
+
+MapExemplar middleOf(const MapExemplar& map) {
+  MapExemplar part = map;
+  part.width = std::min(map.width, kLargestTrialSide);
+  part.height = std::min(map.height, kLargestTrialSide);
+  part.values.clear();
+  const std::size_t channels = map.channels.size();
+  const auto left = std::size_t((map.width - part.width) / 2);
+  const auto top = std::size_t((map.height - part.height) / 2);
+  for (std::size_t y = 0; y < std::size_t(part.height); ++y) {
+    const auto row =
+        map.values.begin() + std::ptrdiff_t(((top + y) * std::size_t(map.width) + left) * channels);
+    part.values.insert(part.values.end(), row,
+                       row + std::ptrdiff_t(std::size_t(part.width) * channels));
+  }
+  return part;
+}
+
+MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
+               const MapFitOptions& options) {
+  transport::TransportOptions transport = transport::optionsFor(options.transport);
+  MapFit fit;
+  fit.share = share;
+  fit.points = transportPoints(map, space, share);
+  transport.progress = options.progress.part(0.0, 0.7);
+  fit.gaussian = gaussianize(map, fit.points, space.dimensions(), options.periodic,
+                             options.precision, transport);
+  std::vector<float> values(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), values.begin(),
+                 [&](float value) { return decoded(value, map.encoding); });
+  transport.progress = options.progress.part(0.7, 1.0);
+  fit.table =
+      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
+  return fit;
+}
+
+/// Where a line has no error: through the last two trials, or through one with the usual slope.
+float nextShare(const std::vector<std::array<double, 2>>& tried, float largestShare) {
+  const auto [share, error] = tried.back();
+  double slope = kTypicalSlope;
+  if (tried.size() > 1 && tried[tried.size() - 2][0] != share) {
+    const auto [shareBefore, errorBefore] = tried[tried.size() - 2];
+    slope = std::min((error - errorBefore) / (share - shareBefore), kLeastSlope);
+  }
+  return std::clamp(float(share - error / slope), kLeastShare, largestShare);
+}
+
+/// Tries shares until one is good enough; the best of those tried.
+MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  MapFit best;
+  double bestError = 0.0;
+  std::vector<std::array<double, 2>> tried;
+  float share = std::min(kUsualShare, options.largestShare);
+  for (int k = 0; k < kMostTrials; ++k) {
+    MapFitOptions once = options;
+    once.progress = options.progress.part(double(k) / kMostTrials, double(k + 1) / kMostTrials);
+    MapFit fit = fitWith(map, space, share, once);
+    const double error = spectrumErrorDb(map, fit.gaussian, fit.table);
+    tried.push_back({double(share), error});
+    if (k == 0 || std::abs(error) < std::abs(bestError)) {
+      best = std::move(fit);
+      bestError = error;
+    }
+    const float next = nextShare(tried, options.largestShare);
+    if (std::abs(error) <= kToleranceDb || next == share)
+      break;
+    share = next;
+  }
+  return best;
+}
+
+} // namespace
+
+MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  if (options.share || space.dimensions() == 1)
+    return fitWith(map, space, options.share.value_or(kUsualShare), options);
+  const bool onMiddle = std::max(map.width, map.height) > kLargestTrialSide;
+  const bool exact = options.transport == TransportEffort::exact;
+  const bool twice = onMiddle || exact;
+  MapFitOptions trial = options;
+  trial.progress = options.progress.part(0.0, twice ? 0.5 : 1.0);
+  if (exact)
+    trial.transport = TransportEffort::standard;
+  if (onMiddle)
+    trial.periodic = false;
+  MapFit best = bestTrial(onMiddle ? middleOf(map) : map, space, trial);
+  if (!twice)
+    return best;
+  MapFitOptions whole = options;
+  whole.progress = options.progress.part(0.5, 1.0);
+  return fitWith(map, space, best.share, whole);
+}
+
+} // namespace lichen::tiling

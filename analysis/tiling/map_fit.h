@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Gaussian image and inverse table of one map, fitted to each other.
+#pragma once
+
+#include "color_space.h"
+#include "gaussianize.h"
+#include "inverse_table.h"
+
+#include <lichen/tiling.h>
+
+#include <optional>
+#include <vector>
+
+namespace lichen::tiling {
+
+/// Beyond it points are no longer mostly the pixels' own values.
+inline constexpr float kLargestShare = 0.5f;
+/// Of maps that have others beside them, whose correlations the surroundings would blur.
+inline constexpr float kLargestShareInSet = 0.05f;
+
+struct MapFit {
+  float share = kUsualShare; ///< of its surroundings in each point
+  std::vector<Point> points; ///< the map's, as they were transported
+  Gaussianized gaussian;
+  InverseTable table;
+};
+
+struct MapFitOptions {
+  bool periodic = true;
+  Precision precision = Precision::bits8;
+  TransportEffort transport = TransportEffort::standard;
+  std::optional<float> share; ///< chosen where absent, [-0.25, largestShare]
+  float largestShare = kLargestShare;
+  ProgressPart progress{};
+};
+
+/// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
+/// not given is chosen so that the noise has as much detail as the exemplar
+/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps.
+/// Colours on a line have none to choose.
+[[nodiscard]] MapFit fitMap(const MapExemplar& map, const ColorSpace& space,
+                            const MapFitOptions& options);
+
+} // namespace lichen::tiling

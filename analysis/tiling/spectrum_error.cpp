@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Exemplar, Gaussian image and inverse table -> decibels between the spectra of noise and exemplar.
+#include "spectrum_error.h"
+
+#include "table_lookup.h"
+#include "value_encoding.h"
+
+#include <lichen/lattice.h>
+#include <lichen/spectrum.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen::tiling {
+namespace {
+
+// As the quality measure spectrum_distance_db has them.
+constexpr int kLargestWindow = 128;
+constexpr int kWindowsPerSide = 4;
+constexpr int kLowestCycles = 4;
+constexpr int kSmallestWindow = 16;
+
+/// Of noise, in all windows: as many as 1024 x 1024 pixels have.
+constexpr int kSampledTexels = 1 << 20;
+
+/// A power below that of rounding to 8 bits is none.
+constexpr double kRoundingPower = 1.0 / (255.0 * 255.0 * 12.0);
+
+using Spectrum = std::vector<double>;
+using Planes = std::vector<std::vector<float>>;
+
+/// Power by radius in cycles per window, summed over the planes.
+Spectrum powerOf(const Planes& planes, int width, int height, int window) {
+  Spectrum sum(std::size_t(window / 2 + 1), 0.0);
+  for (const std::vector<float>& plane : planes) {
+    const Spectrum power = radialPowerSpectrum(plane, width, height, window);
+    std::transform(sum.begin(), sum.end(), power.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
+/// Colour as an eye sees its detail, by luminance; of other maps each channel.
+Planes planesOf(const MapExemplar& map, std::vector<float> values, int width, int height) {
+  const std::size_t channels = map.channels.size();
+  if (map.encoding == ValueEncoding::srgb) {
+    SrgbImage image;
+    image.width = width;
+    image.height = height;
+    image.channels = int(channels);
+    image.values = std::move(values);
+    return {luminancePlane(image)};
+  }
+  Planes planes(channels);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    planes[i % channels].push_back(values[i]);
+  return planes;
+}
+
+/// Three windows of the image and the weights that blend them [HN18] eq. 8.
+struct Blend {
+  std::array<std::array<int, 2>, 3> corners;
+  std::array<float, 3> weights; ///< their squares sum to 1
+};
+
+/// Weights are uniform in the triangle, as on the lattice; windows are anywhere and wrap.
+Blend blendAt(std::uint32_t sample, const Gaussianized& gaussian) {
+  const std::array<std::uint32_t, 3> columns = pcg3d({sample, 0u, 0u});
+  const std::array<std::uint32_t, 3> rows = pcg3d({sample, 1u, 0u});
+  const std::array<std::uint32_t, 3> place = pcg3d({sample, 2u, 0u});
+  const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };
+  float a = random(place[0]);
+  float b = random(place[1]);
+  if (a + b > 1.0f) {
+    a = 1.0f - a;
+    b = 1.0f - b;
+  }
+  const float c = 1.0f - a - b;
+  const float norm = std::sqrt(a * a + b * b + c * c);
+  Blend blend{{}, {a / norm, b / norm, c / norm}};
+  for (std::size_t k = 0; k < 3; ++k)
+    blend.corners[k] = {int(columns[k] % std::uint32_t(gaussian.width)),
+                        int(rows[k] % std::uint32_t(gaussian.height))};
+  return blend;
+}
+
+template <std::size_t kDimensions>
+std::vector<float> noiseWindow(const Gaussianized& gaussian, const TableLookup<kDimensions>& lookup,
+                               const Blend& blend, std::size_t channels, int window) {
+  std::vector<float> values;
+  constexpr auto kMean = float(kGaussianMean);
+  for (int y = 0; y < window; ++y)
+    for (int x = 0; x < window; ++x) {
+      std::array<float, 3> value{kMean, kMean, kMean};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [left, top] = blend.corners[k];
+        const auto row = std::size_t((top + y) % gaussian.height);
+        const auto column = std::size_t((left + x) % gaussian.width);
+        const Point& p = gaussian.image[row * std::size_t(gaussian.width) + column];
+        value[0] += blend.weights[k] * (p.x - kMean);
+        value[1] += blend.weights[k] * (p.y - kMean);
+        value[2] += blend.weights[k] * (p.z - kMean);
+      }
+      const std::array<float, 4> looked = lookup(value);
+      values.insert(values.end(), looked.begin(), looked.begin() + std::ptrdiff_t(channels));
+    }
+  return values;
+}
+
+template <std::size_t kDimensions>
+Spectrum noisePower(const MapExemplar& map, const Gaussianized& gaussian, const InverseTable& table,
+                    int window) {
+  InverseTable encodedTable = table;
+  for (float& value : encodedTable.values)
+    value = encoded(value, map.encoding);
+  const TableLookup<kDimensions> lookup(encodedTable);
+  const auto count = std::uint32_t(kSampledTexels / (window * window));
+  std::vector<Spectrum> powers(count);
+  tbb::parallel_for(0u, count, [&](std::uint32_t sample) {
+    const Blend blend = blendAt(sample, gaussian);
+    std::vector<float> values = noiseWindow(gaussian, lookup, blend, map.channels.size(), window);
+    powers[sample] =
+        powerOf(planesOf(map, std::move(values), window, window), window, window, window);
+  });
+  Spectrum mean(powers.front().size(), 0.0);
+  for (const Spectrum& power : powers)
+    for (std::size_t radius = 0; radius < mean.size(); ++radius)
+      mean[radius] += power[radius] / double(count);
+  return mean;
+}
+
+Spectrum noisePower(const MapExemplar& map, const Gaussianized& gaussian, const InverseTable& table,
+                    int window) {
+  switch (table.dimensions) {
+  case 1:
+    return noisePower<1>(map, gaussian, table, window);
+  case 2:
+    return noisePower<2>(map, gaussian, table, window);
+  default:
+    return noisePower<3>(map, gaussian, table, window);
+  }
+}
+
+} // namespace
+
+double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
+                       const InverseTable& table) {
+  const int window =
+      std::min(kLargestWindow, std::min(map.width, map.height) / kWindowsPerSide) / 2 * 2;
+  if (window < kSmallestWindow)
+    return 0.0;
+  const Spectrum exemplar =
+      powerOf(planesOf(map, map.values, map.width, map.height), map.width, map.height, window);
+  const Spectrum noise = noisePower(map, gaussian, table, window);
+  const auto decibels = [](double power) {
+    return 10.0 * std::log10(std::max(power, kRoundingPower));
+  };
+  double sum = 0.0;
+  for (std::size_t radius = kLowestCycles; radius < noise.size(); ++radius)
+    sum += decibels(noise[radius]) - decibels(exemplar[radius]);
+  return sum / double(noise.size() - kLowestCycles);
+}
+
+} // namespace lichen::tiling
