@@ -172,12 +172,16 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
   // A noise with normals takes the place of the texture.
   nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
-  root["noises"] = {{{"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
+  root["noises"] = {
+      {{"revision", 1}, {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
   use["noise"] = 0;
   CHECK(tangentOf(scene) == alongY);
   use["texCoord"] = 1;
   material["normalTexture"]["texCoord"] = 0;
   CHECK(tangentOf(scene) == alongZ);
+  root["noises"][0]["revision"] = 2; // ignored
+  CHECK(tangentOf(scene) == alongY);
+  root["noises"][0]["revision"] = 1;
   root["noises"][0]["maps"].erase(1);
   CHECK(tangentOf(scene) == alongY);
   // Whatever the extension holds instead, the plugin is the one to refuse it.
@@ -188,7 +192,7 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
     use["noise"] = 0;
     root["noises"] = fault;
     CHECK(tangentOf(scene) == alongY);
-    root["noises"] = {{{"maps", fault}}};
+    root["noises"] = {{{"revision", 1}, {"maps", fault}}};
     CHECK(tangentOf(scene) == alongY);
   }
 }
@@ -205,7 +209,7 @@ TEST_CASE("tangents of the file belong to its normal texture") {
   scene.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = scene.addFloats(tangents, 4);
   CHECK(tangentOf(scene) == stored);
   scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"] = {
-      {{"maps", {{{"target", "normal"}}}}}};
+      {{"revision", 1}, {"maps", {{{"target", "normal"}}}}}};
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
   use = {{"noise", 0}, {"texCoord", 1}};
   CHECK(tangentOf(scene) == stored);
