@@ -41,7 +41,6 @@ std::size_t componentBytes(TexelFormat format) {
 }
 
 constexpr float kUnorm8Max = 255.0f;
-constexpr float kHalfMax = 65504.0f;
 
 float srgbToLight(float code) {
   return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);

@@ -12,6 +12,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <tiling/borders.h>
 #include <tiling/gaussianize.h>
@@ -599,4 +600,41 @@ TEST_CASE("options and maps out of range are refused") {
   broken = map;
   broken.quantum = 0.0;
   CHECK(refused(broken, TilingOptions{}));
+}
+
+TEST_CASE(
+    "values beyond what tables hold are refused by value and range, up to it they are baked") {
+  MapExemplar map = test::threeMaterials(8, 8, 1, 1);
+  const auto bakeWith = [&map](ValueEncoding encoding, float value) {
+    map.encoding = encoding;
+    map.values[7] = value;
+    return bakeTiling("x", {&map, 1}, TilingOptions{});
+  };
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  using enum ValueEncoding;
+  for (const ValueEncoding encoding : {srgb, linear, slope, log2})
+    for (const float value : {kInfinity, -kInfinity, kLargest, -kLargest, std::nanf("")}) {
+      const Result<TilingBake> bake = bakeWith(encoding, value);
+      REQUIRE_FALSE(bake);
+      CHECK(bake.error().kind == ErrorKind::usage);
+    }
+  CHECK(bakeWith(log2, 17.0f).error().message ==
+        "a map with the value 17, which stands for 131071: both from -65504 to 65504 are accepted");
+  CHECK_FALSE(bakeWith(srgb, 200.0f)); // light of 229,000
+  CHECK_FALSE(bakeWith(linear, 65536.0f));
+  for (const auto& [encoding, value] : {std::pair{srgb, linearToSrgb(kHalfMax)},
+                                        {linear, kHalfMax},
+                                        {slope, -kHalfMax},
+                                        {log2, std::log2(1.0f + kHalfMax)}}) {
+    const Result<TilingBake> bake = bakeWith(encoding, value);
+    REQUIRE(bake);
+    for (const Table& table : bake.value().tables) {
+      const std::vector<float> texels = decodeLevel(table, 0);
+      CHECK(std::all_of(texels.begin(), texels.end(), [](float v) { return std::isfinite(v); }));
+    }
+    const std::vector<double>& covariance = bake.value().noise.maps[0].covariance;
+    CHECK(std::all_of(covariance.begin(), covariance.end(),
+                      [](double v) { return std::isfinite(v); }));
+  }
 }

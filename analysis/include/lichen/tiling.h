@@ -21,9 +21,9 @@ struct MapExemplar {
   ValueEncoding encoding = ValueEncoding::srgb;
   int width = 0;  ///< pixels, [1, 16384]
   int height = 0; ///< pixels, [1, 16384]
-  /// width * height * channels.size(), finite. Nominally in [0, 1] for srgb and linear, slopes of
-  /// [-20, 20] for slope, log2(1 + x) for log2; others are baked too, but 8-bit tables of srgb and
-  /// linear maps clamp to [0, 1].
+  /// width * height * channels.size(). Nominally in [0, 1] for srgb and linear, slopes of [-20, 20]
+  /// for slope, log2(1 + x) for log2; others are baked too as long as they and what they stand for
+  /// lie in [-kHalfMax, kHalfMax], but 8-bit tables of srgb and linear maps clamp to [0, 1].
   std::vector<float> values;
   /// The step between neighbouring stored values, (0, 1]: 1/255 of an 8-bit file. Variation below
   /// its rounding error counts as none.

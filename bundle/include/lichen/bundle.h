@@ -36,6 +36,9 @@ enum class TexelFormat {
   rgba32Sfloat,
 };
 
+/// The largest value of a 16-bit texel; larger ones are stored as it.
+inline constexpr float kHalfMax = 65504.0f;
+
 /// Bytes of one texel, and how many channels it has.
 [[nodiscard]] std::size_t texelBytes(TexelFormat format);
 [[nodiscard]] int channelCount(TexelFormat format);
