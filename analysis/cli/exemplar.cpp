@@ -32,6 +32,27 @@ std::vector<float> redGreenBlue(const Image<kEncoding>& image, std::vector<std::
   return values;
 }
 
+/// Sets light beyond what tables hold to the most that they do.
+void clampLight(MapExemplar& map, std::vector<std::string>& notes) {
+  float most = kHalfMax;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < map.values.size(); i += map.channels.size()) {
+    bool beyond = false;
+    for (std::size_t c = 0; c < map.channels.size(); ++c) {
+      float& light = map.values[i + c];
+      most = std::max(most, light);
+      beyond = beyond || light > kHalfMax;
+      light = std::min(light, kHalfMax);
+    }
+    pixels += beyond ? 1 : 0;
+  }
+  if (pixels > 0)
+    notes.push_back(fmt::format("{} of {} pixels have light above {}, up to {:g}; it is baked as "
+                                "{}",
+                                pixels, map.values.size() / map.channels.size(), kHalfMax, most,
+                                kHalfMax));
+}
+
 /// Whether no channel varies by more than a rounding.
 bool isOneColour(const MapExemplar& map) {
   const std::size_t channels = map.channels.size();
@@ -78,6 +99,7 @@ MapExemplar baseColorExemplar(const ImageFile& file, std::vector<std::string>& n
   const int bits = file.bitsPerChannel == 32 ? 11 : file.bitsPerChannel;
   map.quantum = 1.0 / double((1 << bits) - 1);
   if (std::holds_alternative<LinearImage>(file.pixels)) {
+    clampLight(map, notes);
     const bool highRange = *std::max_element(map.values.begin(), map.values.end()) > 1.0f;
     map.encoding = highRange ? ValueEncoding::log2 : ValueEncoding::srgb;
     if (highRange)

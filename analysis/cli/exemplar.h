@@ -11,7 +11,8 @@
 namespace lichen::cli {
 
 /// An image as a base-colour map: grey becomes RGB, alpha is dropped, EXR light is encoded as sRGB,
-/// or as log2(1 + light) where it exceeds 1. `notes` gets a sentence for what the user should know.
+/// or as log2(1 + light) where it exceeds 1, clamped to kHalfMax. `notes` gets a sentence for what
+/// the user should know.
 [[nodiscard]] MapExemplar baseColorExemplar(const ImageFile& file, std::vector<std::string>& notes);
 
 } // namespace lichen::cli

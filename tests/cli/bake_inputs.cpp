@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 using namespace lichen;
@@ -133,6 +134,37 @@ TEST_CASE("an EXR of light above 1 keeps its mean light") {
   // Of light, whose standard deviation is about its mean: 1 / sqrt(18000) is below 1 %; tables of 8
   // bits in log2(1 + light) step by 1 %.
   CHECK(got == Approx(mean).epsilon(0.03));
+}
+
+TEST_CASE("light beyond the range of tables is noted, and baked as the most that they hold") {
+  const Workplace workplace;
+  samples::Exr exr;
+  for (samples::ExrChannel& channel : exr.channels)
+    channel.type = 2; // float
+  exr.hasOddValue = true;
+  const auto bakeWith = [&](float value) {
+    exr.oddValue = value;
+    const std::string input = workplace.write("sun.exr", samples::makeExr(exr));
+    const Ended ended = runLichen({"bake", input, "-o", workplace.path("sun.glb")});
+    CHECK(ended.code == 0);
+    return std::pair(workplace.read("sun.glb"), ended.errors);
+  };
+  const auto [most, silence] = bakeWith(65504.0f);
+  CHECK(silence.find("65504") == std::string::npos);
+  for (const auto& [value, text] : {std::pair{65536.0f, "65536"},
+                                    {1e30f, "1e+30"},
+                                    {std::numeric_limits<float>::max(), "3.40282e+38"}}) {
+    const auto [bundle, notes] = bakeWith(value);
+    CHECK((bundle == most));
+    CHECK_THAT(notes, Catch::Contains("note: 1 of 64 pixels have light above 65504, up to " +
+                                      std::string(text) + "; it is baked as 65504\n"));
+  }
+  CHECK(runLichen({"check", workplace.path("sun.glb")}).code == 0);
+  REQUIRE(runLichen({"synth", workplace.path("sun.glb"), "-o", workplace.path("s.exr"), "--size",
+                     "64x64"})
+              .code == 0);
+  // An image with a value that is not finite would be refused.
+  CHECK(readImage(workplace.path("s.exr")));
 }
 
 TEST_CASE("images of one row, one column and one pixel bake cleanly and keep their colour") {
