@@ -14,7 +14,7 @@ using nlohmann::json;
 /// value is ever held by a temporary.
 class Builder : public json::json_sax_t {
 public:
-  explicit Builder(json& root) : root_(root) {}
+  Builder(json& root, std::size_t mostValues) : root_(root), valuesLeft_(mostValues) {}
 
   [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
 
@@ -34,7 +34,8 @@ public:
     return true;
   }
   bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override {
-    fault_ = JsonFault{byte, dynamic_cast<const json::out_of_range*>(&error) != nullptr};
+    const bool isRange = dynamic_cast<const json::out_of_range*>(&error) != nullptr;
+    fault_ = JsonFault{isRange ? JsonFault::Kind::range : JsonFault::Kind::syntax, byte};
     return false;
   }
 
@@ -51,11 +52,23 @@ private:
     dismantle(member); // of an earlier member of the same name
     return member = std::move(value);
   }
+  /// Whether one more value may be read; ends the parse otherwise.
+  bool count() {
+    if (valuesLeft_ == 0)
+      fault_ = JsonFault{JsonFault::Kind::count};
+    else
+      --valuesLeft_;
+    return !fault_;
+  }
   bool add(json value) {
+    if (!count())
+      return false;
     place(std::move(value));
     return true;
   }
   bool open(json::value_t type) {
+    if (!count())
+      return false;
     open_.push_back(&place(type));
     return true;
   }
@@ -65,6 +78,7 @@ private:
   }
 
   json& root_;
+  std::size_t valuesLeft_;
   /// The arrays and objects around the next value. None moves before it is closed.
   std::vector<json*> open_;
   std::string key_;
@@ -73,8 +87,9 @@ private:
 
 } // namespace
 
-std::optional<JsonFault> buildJson(std::span<const std::byte> text, nlohmann::json& document) {
-  Builder builder(document);
+std::optional<JsonFault> buildJson(std::span<const std::byte> text, std::size_t mostValues,
+                                   nlohmann::json& document) {
+  Builder builder(document, mostValues);
   const auto* begin = reinterpret_cast<const char*>(text.data());
   json::sax_parse(begin, begin + text.size(), &builder);
   return builder.fault();

@@ -14,14 +14,20 @@
 namespace lichen {
 
 struct JsonFault {
-  std::size_t byte = 0;
-  bool isRange = false; ///< a number beyond the range of double; otherwise the syntax
+  enum class Kind {
+    syntax,
+    range, ///< a number beyond the range of double
+    count  ///< too many values
+  };
+  Kind kind = Kind::syntax;
+  std::size_t byte = 0; ///< of a fault that the parser found
 };
 
 /// Parses `text` into `document`, as json::parse() does: of members of one name the last counts.
-/// Throws std::bad_alloc; `document` then holds what was read, for dismantle().
+/// Reads up to `mostValues` of any kind, however deep they lie. Throws std::bad_alloc. Then, and
+/// after a fault, `document` holds what was read, for dismantle().
 [[nodiscard]] std::optional<JsonFault> buildJson(std::span<const std::byte> text,
-                                                 nlohmann::json& document);
+                                                 std::size_t mostValues, nlohmann::json& document);
 
 /// Empties an array or object from its leaves on. Recursion goes as deep as it is nested.
 void dismantle(nlohmann::json& value) noexcept;

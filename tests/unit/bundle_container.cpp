@@ -141,6 +141,20 @@ TEST_CASE("what is not glTF, too deep, too large or not JSON is refused") {
   CHECK(codeOfText(large + "\"}") == "json-size");
 }
 
+TEST_CASE("JSON of up to four million values is read, and no more") {
+  const auto holding = [](std::size_t values) {
+    constexpr std::size_t kOthers = 4; // the root, asset, version and the array
+    std::string text = R"({"asset": {"version": "2.0"}, "extras": [0)";
+    for (std::size_t k = kOthers + 1; k < values; ++k)
+      text += ",0";
+    return text + "]}";
+  };
+  constexpr std::size_t kMost = std::size_t(4) << 20u;
+  const std::string most = holding(kMost);
+  CHECK(std::holds_alternative<GltfContainer>(openGltf(std::as_bytes(std::span(most)))));
+  CHECK(codeOfText(holding(kMost + 1)) == "json-count");
+}
+
 TEST_CASE("brackets inside strings do not count as nesting") {
   GlbParts parts(smallFile());
   parts.extension()["noises"][0]["name"] = std::string(1000, '[') + "\\\"" + std::string(99, '{');

@@ -28,8 +28,9 @@ struct GltfContainer {
 /// The code of the fault of a file that is no glTF at all.
 inline constexpr const char* kNotGltf = "not-gltf";
 
-/// Takes the frame off a .glb or .gltf and parses its JSON, up to 64 MiB of it, 64 levels deep; or
-/// says what is wrong. The fault's code is "memory" when memory did not suffice.
+/// Takes the frame off a .glb or .gltf and parses its JSON, up to 64 MiB and 4,194,304 values of
+/// it, 64 levels deep; or says what is wrong. The fault's code is "memory" when memory did not
+/// suffice.
 [[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);
 
 /// A GLB of a JSON text and a binary chunk, which may be empty. Both below 4 GiB together.
