@@ -17,8 +17,10 @@ Bundle inspect(std::span<const std::byte> file, const std::filesystem::path& fol
   return gltf ? readExtension(*gltf, findings) : Bundle{};
 }
 
-Error notEnoughMemory(const std::string& name) {
-  return Error{ErrorKind::resources, name + ": not enough memory to read it"};
+/// `name` is a path or a text.
+Error notEnoughMemory(const auto& name) noexcept {
+  return memoryError(
+      [&] { return std::filesystem::path(name).string() + ": not enough memory to read it"; });
 }
 
 Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path& folder,
@@ -46,7 +48,7 @@ Result<Bundle> readBundle(const std::filesystem::path& path) {
       return file.error();
     return read(file.value(), folderOf(path), path.string());
   } catch (const std::bad_alloc&) {
-    return notEnoughMemory(path.string());
+    return notEnoughMemory(path);
   }
 }
 
@@ -70,10 +72,10 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
     // What could not be read for lack of memory may be sound.
     if (std::any_of(findings.all().begin(), findings.all().end(),
                     [](const Finding& finding) { return finding.code == "memory"; }))
-      return notEnoughMemory(path.string());
+      return notEnoughMemory(path);
     return findings.all();
   } catch (const std::bad_alloc&) {
-    return notEnoughMemory(path.string());
+    return notEnoughMemory(path);
   }
 }
 

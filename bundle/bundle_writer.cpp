@@ -53,10 +53,10 @@ double exemplarAspect(const Bundle& bundle) {
   return double(std::max(gaussian.width, 1u)) / double(std::max(gaussian.height, 1u));
 }
 
-/// The whole document but its buffer's place.
-OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
+/// The whole document but its buffer.
+JsonTree describe(const BundleFile& file, GltfBuilder& builder) {
   const Bundle& bundle = file.bundle;
-  OrderedJson root;
+  JsonTree root;
   root["asset"] = {{"version", "2.0"}};
   if (!file.generator.empty())
     root["asset"]["generator"] = file.generator;
@@ -73,20 +73,32 @@ OrderedJson describe(const BundleFile& file, GltfBuilder& builder) {
   if (!builder.accessors.empty())
     root["accessors"] = std::move(builder.accessors);
   root["bufferViews"] = std::move(builder.bufferViews);
-  root["buffers"].push_back({{"byteLength", builder.binary.size()}});
   return root;
 }
 
-Result<std::vector<std::byte>> encode(const BundleFile& file) {
+/// A document that lacks only its buffer, and that buffer.
+struct Encoded {
+  JsonTree root;
+  std::vector<std::byte> binary;
+};
+
+Result<Encoded> encode(const BundleFile& file) {
   if (Result<void> parts = checkParts(file); !parts)
     return parts.error();
   GltfBuilder builder;
-  const std::string text = describe(file, builder).dump();
+  JsonTree root = describe(file, builder);
+  return Encoded{std::move(root), std::move(builder.binary)};
+}
+
+/// As a GLB, which can be read: the checker sees it first.
+Result<std::vector<std::byte>> framed(const Encoded& encoded) {
+  JsonTree root = encoded.root;
+  root["buffers"].push_back({{"byteLength", encoded.binary.size()}});
+  const std::string text = root.compact();
   constexpr std::size_t kFraming = 64; // headers and padding
-  if (text.size() + builder.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
-    return refusal(std::to_string(builder.binary.size()) + " bytes; a GLB holds below 4 GiB");
-  std::vector<std::byte> glb = frameGlb(text, builder.binary);
-  // Whatever is written can be read: the checker sees it first.
+  if (text.size() + encoded.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
+    return refusal(std::to_string(encoded.binary.size()) + " bytes; a GLB holds below 4 GiB");
+  std::vector<std::byte> glb = frameGlb(text, encoded.binary);
   if (const Result<Bundle> written = parseBundle(glb, "bundle"); !written)
     return Error{written.error().kind == ErrorKind::resources ? ErrorKind::resources
                                                               : ErrorKind::usage,
@@ -112,7 +124,17 @@ std::string uriOf(const std::string& fileName) {
   return uri;
 }
 
-Error outOfMemory() { return Error{ErrorKind::resources, "bundle: not enough memory to encode"}; }
+/// Runs `operation`, which returns a Result, with its exceptions turned into errors.
+template <class Operation>
+auto guarded(const Operation& operation) -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const std::bad_alloc&) {
+    return memoryError([] { return "bundle: not enough memory to encode"; });
+  } catch (const nlohmann::json::exception&) {
+    return refusal("a name is not UTF-8");
+  }
+}
 
 constexpr std::size_t kHashDigits = 8;
 
@@ -157,21 +179,14 @@ std::optional<std::filesystem::path> writtenBinary(const std::filesystem::path& 
   return binaryBeside(path, hash);
 }
 
-/// Splits a GLB that encode() made, so that both forms are checked by the same code. The binary is
-/// named by its content and comes first: at every moment the .gltf, old or new, names a whole
-/// binary of its own.
-Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::byte> glb) {
-  const std::variant<GltfContainer, Finding> opened = openGltf(glb);
-  const auto* container = std::get_if<GltfContainer>(&opened);
-  if (container == nullptr)
-    return outOfMemory();
-  const auto* begin = reinterpret_cast<const char*>(container->text.data());
-  OrderedJson root = OrderedJson::parse(begin, begin + container->text.size());
-  const std::size_t length = root["buffers"][0]["byteLength"];
-  const std::span<const std::byte> binary = container->binaryChunk->first(length);
+/// The binary is named by its content and comes first: at every moment the .gltf, old or new, names
+/// a whole binary of its own.
+Result<void> writeGltf(const std::filesystem::path& path, Encoded encoded) {
+  const std::vector<std::byte>& binary = encoded.binary;
   const std::filesystem::path binaryPath = binaryBeside(path, hashOf(binary));
-  root["buffers"][0]["uri"] = uriOf(binaryPath.filename().string());
-  const std::string pretty = root.dump(2) + "\n";
+  encoded.root["buffers"].push_back(
+      {{"byteLength", binary.size()}, {"uri", uriOf(binaryPath.filename().string())}});
+  const std::string pretty = encoded.root.indented() + "\n";
   const std::optional<std::filesystem::path> superseded = writtenBinary(path);
 
   std::error_code ignored; // what cannot be removed is an unused file, no fault of the bundle
@@ -189,30 +204,29 @@ Result<void> writeGltf(const std::filesystem::path& path, std::span<const std::b
 } // namespace
 
 Result<std::vector<std::byte>> encodeGlb(const BundleFile& file) {
-  try {
-    return encode(file);
-  } catch (const std::bad_alloc&) {
-    return outOfMemory();
-  } catch (const nlohmann::json::exception&) {
-    return refusal("a name is not UTF-8");
-  }
+  return guarded([&]() -> Result<std::vector<std::byte>> {
+    const Result<Encoded> encoded = encode(file);
+    return encoded ? framed(encoded.value()) : encoded.error();
+  });
 }
 
 Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file) {
-  const std::filesystem::path extension = path.extension();
-  if (extension != ".glb" && extension != ".gltf")
-    return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                       "; .glb or .gltf is accepted"};
-  const Result<std::vector<std::byte>> glb = encodeGlb(file);
-  if (!glb)
-    return glb.error();
-  if (extension == ".glb")
-    return replaceFile(path, glb.value());
-  try {
-    return writeGltf(path, glb.value());
-  } catch (const std::bad_alloc&) {
-    return outOfMemory();
-  }
+  return guarded([&]() -> Result<void> {
+    const std::filesystem::path extension = path.extension();
+    if (extension != ".glb" && extension != ".gltf")
+      return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
+                                         "; .glb or .gltf is accepted"};
+    Result<Encoded> encoded = encode(file);
+    if (!encoded)
+      return encoded.error();
+    Result<std::vector<std::byte>> glb = framed(encoded.value()); // checked for both forms
+    if (!glb)
+      return glb.error();
+    if (extension == ".glb")
+      return replaceFile(path, glb.value());
+    glb.value() = {};
+    return writeGltf(path, std::move(encoded).value());
+  });
 }
 
 } // namespace lichen

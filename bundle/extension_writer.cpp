@@ -5,8 +5,8 @@
 namespace lichen {
 namespace {
 
-OrderedJson describeMap(const NoiseMap& map) {
-  OrderedJson json = {{"target", nameOf(map.target)}, {"channels", OrderedJson::array()}};
+JsonTree describeMap(const NoiseMap& map) {
+  JsonTree json = {{"target", nameOf(map.target)}, {"channels", JsonTree::array()}};
   for (const MapChannel channel : map.channels)
     json["channels"].push_back(nameOf(channel));
   json["encoding"] = nameOf(map.encoding);
@@ -21,12 +21,12 @@ OrderedJson describeMap(const NoiseMap& map) {
   return json;
 }
 
-OrderedJson describeNoise(const Noise& noise) {
-  OrderedJson json = {{"name", noise.name},
-                      {"method", noise.method},
-                      {"revision", noise.revision},
-                      {"tileSize", noise.tileSizeMetres},
-                      {"maps", OrderedJson::array()}};
+JsonTree describeNoise(const Noise& noise) {
+  JsonTree json = {{"name", noise.name},
+                   {"method", noise.method},
+                   {"revision", noise.revision},
+                   {"tileSize", noise.tileSizeMetres},
+                   {"maps", JsonTree::array()}};
   for (const NoiseMap& map : noise.maps)
     json["maps"].push_back(describeMap(map));
   return json;
@@ -34,12 +34,12 @@ OrderedJson describeNoise(const Noise& noise) {
 
 } // namespace
 
-OrderedJson describeBundle(const Bundle& bundle, GltfBuilder& builder) {
+JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder) {
   // Texels then lie aligned in the buffer as they do in the KTX2 file: RGBA32F takes 16 bytes.
   constexpr std::size_t kTableAlignment = 16;
-  OrderedJson json = {{"tables", OrderedJson::array()}, {"noises", OrderedJson::array()}};
+  JsonTree json = {{"tables", JsonTree::array()}, {"noises", JsonTree::array()}};
   for (const Table& table : bundle.tables) {
-    OrderedJson entry = OrderedJson::object();
+    JsonTree entry = JsonTree::object();
     if (!table.name.empty())
       entry["name"] = table.name;
     entry["bufferView"] = builder.addView(encodeKtx2(table), kTableAlignment);
@@ -51,9 +51,9 @@ OrderedJson describeBundle(const Bundle& bundle, GltfBuilder& builder) {
   return json;
 }
 
-OrderedJson describeMaterialNoise(const MaterialNoise& use) {
+JsonTree describeMaterialNoise(const MaterialNoise& use) {
   const MaterialNoise defaults;
-  OrderedJson json = {{"noise", use.noise}};
+  JsonTree json = {{"noise", use.noise}};
   if (use.mapping != defaults.mapping)
     json["mapping"] = nameOf(use.mapping);
   if (use.texCoord != defaults.texCoord)

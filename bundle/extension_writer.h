@@ -9,8 +9,8 @@
 namespace lichen {
 
 /// The root object. Appends each table's KTX2 bytes to `builder`.
-[[nodiscard]] OrderedJson describeBundle(const Bundle& bundle, GltfBuilder& builder);
+[[nodiscard]] JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder);
 /// A material's object; members that have their default value are left out.
-[[nodiscard]] OrderedJson describeMaterialNoise(const MaterialNoise& use);
+[[nodiscard]] JsonTree describeMaterialNoise(const MaterialNoise& use);
 
 } // namespace lichen

@@ -9,7 +9,7 @@ namespace lichen {
 std::size_t GltfBuilder::addView(std::span<const std::byte> bytes, std::size_t alignment,
                                  ViewTarget target) {
   binary.resize((binary.size() + alignment - 1) / alignment * alignment);
-  OrderedJson view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};
+  JsonTree view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};
   if (target != ViewTarget::none)
     view["target"] = int(target);
   binary.insert(binary.end(), bytes.begin(), bytes.end());
@@ -21,11 +21,11 @@ template <std::size_t kComponents>
 std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, kComponents>>& values,
                                      bool withBounds) {
   constexpr int kFloat = 5126;
-  OrderedJson accessor = {{"bufferView", addView(std::as_bytes(std::span(values)), sizeof(float),
-                                                 ViewTarget::vertices)},
-                          {"componentType", kFloat},
-                          {"count", values.size()},
-                          {"type", "VEC" + std::to_string(kComponents)}};
+  JsonTree accessor = {{"bufferView", addView(std::as_bytes(std::span(values)), sizeof(float),
+                                              ViewTarget::vertices)},
+                       {"componentType", kFloat},
+                       {"count", values.size()},
+                       {"type", "VEC" + std::to_string(kComponents)}};
   if (withBounds) {
     auto least = values.front();
     auto most = values.front();

@@ -2,7 +2,7 @@
 // The binary half of a glTF file that is being written: one buffer, its views and accessors.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "json_tree.h"
 
 #include <array>
 #include <cstddef>
@@ -11,14 +11,11 @@
 
 namespace lichen {
 
-/// Keys keep the order in which they are set, so that the same bundle gives the same bytes.
-using OrderedJson = nlohmann::ordered_json;
-
 enum class ViewTarget { none = 0, vertices = 34962, indices = 34963 };
 
 struct GltfBuilder {
-  OrderedJson bufferViews = OrderedJson::array();
-  OrderedJson accessors = OrderedJson::array();
+  JsonTree bufferViews = JsonTree::array();
+  JsonTree accessors = JsonTree::array();
   std::vector<std::byte> binary;
 
   /// Appends bytes at a multiple of `alignment` and returns their view's index.

@@ -364,7 +364,7 @@ Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& nam
   try {
     return decode(file, name);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, name + ": not enough memory for its texels"};
+    return memoryError([&] { return name + ": not enough memory for its texels"; });
   }
 }
 

@@ -19,7 +19,7 @@ bool hasChannel(const Noise& noise, MapChannel channel) {
 }
 
 /// Adds an image and a texture; returns the texture's index. All share one sampler, which repeats.
-std::size_t addTexture(OrderedJson& root, GltfBuilder& builder, const std::string& name,
+std::size_t addTexture(JsonTree& root, GltfBuilder& builder, const std::string& name,
                        const std::vector<std::byte>& png) {
   constexpr int kLinear = 9729;
   constexpr int kLinearMipmapLinear = 9987;
@@ -34,13 +34,13 @@ std::size_t addTexture(OrderedJson& root, GltfBuilder& builder, const std::strin
 
 /// A texture reference that spans `tilesPerImage` exemplars: with the extension's
 /// tile = offset + R uv / scale, the image's coordinate is tile / tilesPerImage.
-OrderedJson textureInfo(OrderedJson& root, std::size_t texture, const MaterialNoise& use,
-                        int tilesPerImage) {
-  OrderedJson info = {{"index", texture}};
+JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& use,
+                     int tilesPerImage) {
+  JsonTree info = {{"index", texture}};
   if (use.texCoord != 0)
     info["texCoord"] = use.texCoord;
   const double tiles = tilesPerImage;
-  OrderedJson transform = OrderedJson::object();
+  JsonTree transform = JsonTree::object();
   if (use.offset != std::array<double, 2>{0.0, 0.0})
     transform["offset"] = {use.offset[0] / tiles, use.offset[1] / tiles};
   if (use.rotation != 0.0)
@@ -49,8 +49,7 @@ OrderedJson textureInfo(OrderedJson& root, std::size_t texture, const MaterialNo
     transform["scale"] = {scale, scale};
   if (!transform.empty()) {
     info["extensions"][kTextureTransform] = std::move(transform);
-    OrderedJson& used = root["extensionsUsed"];
-    if (std::find(used.begin(), used.end(), kTextureTransform) == used.end())
+    if (JsonTree& used = root["extensionsUsed"]; !used.has(kTextureTransform))
       used.push_back(kTextureTransform);
   }
   return info;
@@ -58,11 +57,11 @@ OrderedJson textureInfo(OrderedJson& root, std::size_t texture, const MaterialNo
 
 } // namespace
 
-void addMaterial(OrderedJson& root, GltfBuilder& builder, const std::string& name,
-                 const Noise& noise, const MaterialNoise& use, const PreviewImages& preview) {
+void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, const Noise& noise,
+                 const MaterialNoise& use, const PreviewImages& preview) {
   constexpr double kRoughnessWithoutMap = 0.8;
-  OrderedJson material = {{"name", name}};
-  OrderedJson& pbr = material["pbrMetallicRoughness"] = OrderedJson::object();
+  JsonTree material = {{"name", name}};
+  JsonTree& pbr = material["pbrMetallicRoughness"] = JsonTree::object();
   const auto texture = [&](const char* slot, const std::vector<std::byte>& png) {
     return textureInfo(root, addTexture(root, builder, name + "." + slot, png), use,
                        preview.tilesPerImage);
@@ -73,8 +72,7 @@ void addMaterial(OrderedJson& root, GltfBuilder& builder, const std::string& nam
   pbr["metallicFactor"] = hasChannel(noise, MapChannel::metallic) ? 1.0 : 0.0;
   pbr["roughnessFactor"] = hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
   if (!preview.occlusionRoughnessMetallic.empty()) {
-    const OrderedJson info =
-        texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
+    const JsonTree info = texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
     if (hasChannel(noise, MapChannel::roughness) || hasChannel(noise, MapChannel::metallic))
       pbr["metallicRoughnessTexture"] = info;
     if (hasChannel(noise, MapChannel::occlusion))

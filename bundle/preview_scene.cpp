@@ -130,17 +130,17 @@ Mesh makeGround(double exemplarAspect) {
 }
 
 /// Accessors of a mesh; tangents only when some material needs them.
-OrderedJson addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
-  OrderedJson attributes = {{"POSITION", builder.addVertices(mesh.positions, true)},
-                            {"NORMAL", builder.addVertices(mesh.normals)},
-                            {"TEXCOORD_0", builder.addVertices(mesh.uvs)}};
+JsonTree addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
+  JsonTree attributes = {{"POSITION", builder.addVertices(mesh.positions, true)},
+                         {"NORMAL", builder.addVertices(mesh.normals)},
+                         {"TEXCOORD_0", builder.addVertices(mesh.uvs)}};
   if (withTangents)
     attributes["TANGENT"] = builder.addVertices(mesh.tangents);
   return attributes;
 }
 
-void addPrimitive(OrderedJson& mesh, OrderedJson attributes, std::size_t indices,
-                  std::size_t material, bool withTangents) {
+void addPrimitive(JsonTree& mesh, JsonTree attributes, std::size_t indices, std::size_t material,
+                  bool withTangents) {
   if (!withTangents)
     attributes.erase("TANGENT");
   mesh["primitives"].push_back(
@@ -152,12 +152,12 @@ bool any(const std::vector<bool>& values) {
 }
 
 /// The ground, divided like a cake between the materials that `needsTangents` has elements for.
-void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
+void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
                double exemplarAspect) {
   const std::size_t materials = needsTangents.size();
-  const OrderedJson attributes =
+  const JsonTree attributes =
       addAttributes(builder, makeGround(exemplarAspect), any(needsTangents));
-  OrderedJson mesh = {{"name", "ground"}};
+  JsonTree mesh = {{"name", "ground"}};
   for (std::size_t i = 0; i < materials; ++i) {
     const auto sector = [&](std::size_t part) {
       return int(std::size_t(kGroundSectors) * part / materials);
@@ -170,13 +170,13 @@ void addGround(OrderedJson& root, GltfBuilder& builder, const std::vector<bool>&
 }
 
 /// One ball a material, side by side.
-void addBalls(OrderedJson& root, GltfBuilder& builder, const std::array<double, 3>& eye,
+void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>& eye,
               const std::vector<bool>& needsTangents, double exemplarAspect) {
   const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}), exemplarAspect);
-  const OrderedJson attributes = addAttributes(builder, ball, any(needsTangents));
+  const JsonTree attributes = addAttributes(builder, ball, any(needsTangents));
   const std::size_t indices = builder.addIndices(ball.indices);
   for (std::size_t i = 0; i < needsTangents.size(); ++i) {
-    OrderedJson mesh = {{"name", "ball " + std::to_string(i)}};
+    JsonTree mesh = {{"name", "ball " + std::to_string(i)}};
     addPrimitive(mesh, attributes, indices, i, needsTangents[i]);
     const double x = kBallSpacing * (double(i) - (double(needsTangents.size()) - 1.0) / 2.0);
     root["nodes"].push_back(
@@ -186,7 +186,7 @@ void addBalls(OrderedJson& root, GltfBuilder& builder, const std::array<double, 
 }
 
 /// Quaternion x, y, z, w of a turn about +X by `pitch`, then about +Y by `yaw`.
-OrderedJson rotation(double yaw, double pitch) {
+JsonTree rotation(double yaw, double pitch) {
   const double sy = std::sin(yaw / 2.0), cy = std::cos(yaw / 2.0);
   const double sp = std::sin(pitch / 2.0), cp = std::cos(pitch / 2.0);
   return {cy * sp, sy * cp, -sy * sp, cy * cp};
@@ -198,7 +198,7 @@ double cameraDistance(std::size_t balls) {
                   kMarginAroundBalls * halfWidth / std::tan(kCameraFieldOfView / 2.0));
 }
 
-void addCameraAndSun(OrderedJson& root, const std::array<double, 3>& eye) {
+void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye) {
   root["nodes"].push_back({{"name", "camera"},
                            {"translation", eye},
                            {"rotation", rotation(0.0, -kCameraElevation)},
@@ -223,7 +223,7 @@ void addCameraAndSun(OrderedJson& root, const std::array<double, 3>& eye) {
 
 } // namespace
 
-void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
+void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents, double exemplarAspect) {
   if (shape == PreviewShape::none)
     return;
@@ -232,8 +232,8 @@ void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape
   const std::array<double, 3> eye = {0.0,
                                      kCameraTargetHeight + distance * std::sin(kCameraElevation),
                                      distance * std::cos(kCameraElevation)};
-  root["nodes"] = OrderedJson::array();
-  root["meshes"] = OrderedJson::array();
+  root["nodes"] = JsonTree::array();
+  root["meshes"] = JsonTree::array();
   if (withBalls)
     addGround(root, builder, {needsTangents.front()}, exemplarAspect);
   else
@@ -241,7 +241,7 @@ void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape
   if (withBalls)
     addBalls(root, builder, eye, needsTangents, exemplarAspect);
   addCameraAndSun(root, eye);
-  OrderedJson nodeIndices = OrderedJson::array();
+  JsonTree nodeIndices = JsonTree::array();
   for (std::size_t i = 0; i < root["nodes"].size(); ++i)
     nodeIndices.push_back(i);
   root["scene"] = 0;

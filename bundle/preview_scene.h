@@ -13,7 +13,7 @@ namespace lichen {
 /// material's needsTangents is set. `exemplarAspect`, width over height, keeps the exemplar's
 /// proportions, since it spans one unit of texture coordinates each way; all share the geometry, so
 /// it is the first noise's. Nothing for PreviewShape::none.
-void addPreviewScene(OrderedJson& root, GltfBuilder& builder, PreviewShape shape,
+void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents, double exemplarAspect);
 
 } // namespace lichen

@@ -106,8 +106,9 @@ Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t siz
   try {
     bytes.resize(size);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources,
-                 path.string() + ": not enough memory for its " + std::to_string(size) + " bytes"};
+    return memoryError([&] {
+      return path.string() + ": not enough memory for its " + std::to_string(size) + " bytes";
+    });
   }
   std::size_t done = 0;
   while (done < size) {
@@ -123,6 +124,17 @@ Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t siz
   }
   bytes.resize(done);
   return bytes;
+}
+
+/// Runs `operation`, which returns a Result; names and messages may not fit into memory either.
+template <class Operation>
+auto withinMemory(const std::filesystem::path& path, const Operation& operation)
+    -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const std::bad_alloc&) {
+    return memoryError([&] { return path.string() + ": not enough memory"; });
+  }
 }
 
 /// Reads as many bytes as `wanted` makes of the file's size, unless it refuses that.
@@ -148,21 +160,8 @@ Error wrongSize(const std::filesystem::path& path, std::size_t size, const char*
                                         bound + " " + std::to_string(accepted) + " are accepted"};
 }
 
-} // namespace
-
-Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  return openAndRead(path, [&](std::size_t size) -> Result<std::size_t> {
-    return size > maxBytes ? Result<std::size_t>(wrongSize(path, size, "most", maxBytes)) : size;
-  });
-}
-
-Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, std::size_t size) {
-  return openAndRead(path, [&](std::size_t there) -> Result<std::size_t> {
-    return there < size ? Result<std::size_t>(wrongSize(path, there, "least", size)) : size;
-  });
-}
-
-Result<void> replaceFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+/// As replaceFile(), but throws std::bad_alloc, with nothing left behind either.
+Result<void> replace(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   std::filesystem::path temporary; // empty until this call has made it
   const auto failure = [&](int code) {
     if (!temporary.empty())
@@ -188,6 +187,28 @@ Result<void> replaceFile(const std::filesystem::path& path, std::span<const std:
   if (::rename(temporary.c_str(), path.c_str()) != 0)
     return failure(errno);
   return {};
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
+  return withinMemory(path, [&] {
+    return openAndRead(path, [&](std::size_t size) -> Result<std::size_t> {
+      return size > maxBytes ? Result<std::size_t>(wrongSize(path, size, "most", maxBytes)) : size;
+    });
+  });
+}
+
+Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, std::size_t size) {
+  return withinMemory(path, [&] {
+    return openAndRead(path, [&](std::size_t there) -> Result<std::size_t> {
+      return there < size ? Result<std::size_t>(wrongSize(path, there, "least", size)) : size;
+    });
+  });
+}
+
+Result<void> replaceFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  return withinMemory(path, [&] { return replace(path, bytes); });
 }
 
 } // namespace lichen

@@ -18,8 +18,8 @@ Error refused(const std::string& name, const std::string& reason) {
   return {ErrorKind::badInput, name + ": " + reason};
 }
 
-Error outOfMemory(const std::string& name, const std::string& purpose) {
-  return {ErrorKind::resources, name + ": not enough memory to " + purpose};
+Error outOfMemory(const std::string& name, const char* purpose) noexcept {
+  return memoryError([&] { return name + ": not enough memory to " + purpose; });
 }
 
 std::string printable(std::string_view text) {

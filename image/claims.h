@@ -17,7 +17,7 @@ namespace lichen {
 [[nodiscard]] Error refused(const std::string& name, const std::string& reason);
 
 /// "name: not enough memory to ..." as ErrorKind::resources.
-[[nodiscard]] Error outOfMemory(const std::string& name, const std::string& purpose);
+[[nodiscard]] Error outOfMemory(const std::string& name, const char* purpose) noexcept;
 
 /// `text` with everything but printable ASCII replaced by '?', cut to a length that fits a message.
 [[nodiscard]] std::string printable(std::string_view text);

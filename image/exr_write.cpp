@@ -54,8 +54,7 @@ std::vector<half> toHalf(const LinearImage& image) {
 } // namespace
 
 Result<std::vector<std::byte>> encodeExr(const LinearImage& image) {
-  static const std::array<std::vector<const char*>, 4> kChannelNames = {
-      {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}};
+  constexpr std::array<std::string_view, 4> kChannelNames = {"Y", "YA", "RGB", "RGBA"};
   if (Result<void> encodable =
           checkEncodable(kName, image.width, image.height, image.channels, image.values);
       !encodable)
@@ -67,7 +66,7 @@ Result<std::vector<std::byte>> encodeExr(const LinearImage& image) {
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < channels; ++c) {
-      const char* channel = kChannelNames[channels - 1][c];
+      const std::string channel(1, kChannelNames[channels - 1][c]);
       header.channels().insert(channel, Imf::Channel(Imf::HALF));
       frame.insert(channel, Imf::Slice::Make(Imf::HALF, values.data() + c, header.dataWindow(),
                                              channels * sizeof(half),

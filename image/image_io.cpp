@@ -67,7 +67,7 @@ Result<void> write(const std::filesystem::path& path, const AnyImage& image) {
       return Error{encoded.error().kind, path.string() + ": " + encoded.error().message};
     return replaceFile(path, encoded.value());
   } catch (const std::bad_alloc&) {
-    return outOfMemory(path.string(), "convert the image");
+    return memoryError([&] { return path.string() + ": not enough memory to convert the image"; });
   }
 }
 
@@ -88,10 +88,14 @@ Result<ImageFile> decodeImage(std::span<const std::byte> file, const std::string
 }
 
 Result<ImageFile> readImage(const std::filesystem::path& path) {
-  const Result<std::vector<std::byte>> file = readFile(path);
-  if (!file)
-    return file.error();
-  return decodeImage(file.value(), path.string());
+  try {
+    const Result<std::vector<std::byte>> file = readFile(path);
+    if (!file)
+      return file.error();
+    return decodeImage(file.value(), path.string());
+  } catch (const std::bad_alloc&) { // of a message or a name
+    return memoryError([&] { return path.string() + ": not enough memory to read the image"; });
+  }
 }
 
 Result<void> writeImage(const std::filesystem::path& path, const SrgbImage& image) {

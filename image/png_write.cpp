@@ -109,24 +109,24 @@ Result<std::vector<std::byte>> encode(const AnyImage& image, int bits) {
   if (bits != 8 && bits != 16)
     return Error{ErrorKind::usage,
                  "PNG: " + std::to_string(bits) + " bits per channel; 8 and 16 are accepted"};
-  const Error exhausted = outOfMemory(kName, "encode the image");
+  const auto exhausted = [] { return outOfMemory(kName, "encode the image"); };
   try {
     std::vector<std::byte> bytes;
     const std::size_t valuesPerRow = std::size_t(image.width) * std::size_t(image.channels);
     std::vector<png_byte> row(valuesPerRow * std::size_t(bits / 8));
     PngWriter writer(bytes);
     if (!writer.start(image.width, image.height, image.channels, bits))
-      return exhausted;
+      return exhausted();
     for (int y = 0; y < image.height; ++y) {
       quantizeRow({image.pixel(0, y), valuesPerRow}, bits, row);
       if (!writer.writeRow(row.data()))
-        return exhausted;
+        return exhausted();
     }
     if (!writer.finish())
-      return exhausted;
+      return exhausted();
     return bytes;
   } catch (const std::bad_alloc&) {
-    return exhausted;
+    return exhausted();
   }
 }
 

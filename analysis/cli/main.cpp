@@ -128,7 +128,8 @@ int main(int argc, char** argv) {
   try {
     return lichen::cli::flushed(lichen::cli::run(argc, argv));
   } catch (const std::bad_alloc&) {
-    return lichen::cli::fail({lichen::ErrorKind::resources, "not enough memory"});
+    std::fputs("lichen: not enough memory\n", stderr); // needs none itself
+    return int(lichen::ErrorKind::resources);
   } catch (const std::exception& error) {
     return lichen::cli::fail({lichen::ErrorKind::environment, error.what()});
   }

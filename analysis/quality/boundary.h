@@ -54,7 +54,7 @@ auto withinMemory(Measure measure) -> Result<decltype(measure())> {
   try {
     return measure();
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, "memory exhausted while measuring; try a smaller result"};
+    return memoryError([] { return "memory exhausted while measuring; try a smaller result"; });
   }
 }
 

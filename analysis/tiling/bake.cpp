@@ -190,9 +190,10 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
   } catch (const Interrupted&) {
     return Error{ErrorKind::environment, name + ": interrupted"};
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, name + ": not enough memory to bake " +
-                                           std::to_string(maps.front().width) + " x " +
-                                           std::to_string(maps.front().height) + " pixels"};
+    return memoryError([&] {
+      return name + ": not enough memory to bake " + std::to_string(maps.front().width) + " x " +
+             std::to_string(maps.front().height) + " pixels";
+    });
   }
 }
 

@@ -132,8 +132,8 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     }
     return evaluator;
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources,
-                 "noise '" + noise.name + "': not enough memory for its tables"};
+    return memoryError(
+        [&] { return "noise '" + noise.name + "': not enough memory for its tables"; });
   }
 }
 

@@ -136,9 +136,10 @@ Result<LinearImage> evaluateInMemory(const Bundle& bundle, const SynthesisOption
   } catch (const Interrupted&) {
     return Error{ErrorKind::environment, "interrupted"};
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, "not enough memory for an image of " +
-                                           std::to_string(options.width) + "x" +
-                                           std::to_string(options.height)};
+    return memoryError([&] {
+      return "not enough memory for an image of " + std::to_string(options.width) + "x" +
+             std::to_string(options.height);
+    });
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the analysis does when memory runs out: each allocation in turn fails, and the function
+// What happens when memory runs out: from each allocation in turn on, all fail, and the function
 // reports it and leaves nothing behind (AddressSanitizer's runs look for leaks).
 #include "example_exemplar.h"
-#include "failing_allocations.h"
 
+#include <lichen/bundle_writer.h>
+#include <lichen/image_io.h>
 #include <lichen/quality.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
@@ -11,23 +12,40 @@
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <exhausted_memory.h>
+#include <temporary_folder.h>
 
 using namespace lichen;
 
 namespace {
 
-/// Runs `operation`, which returns a Result, with failing allocations 1, 2, 4, ... or, if `every`,
-/// 1, 2, 3, ... until it succeeds; each failure must be reported as one of resources. One thread
-/// only: the count is the thread's. Returns how many failures there were.
-template <class Operation>
-int failEachAllocation(bool every, Operation operation) {
+/// Which allocations are the first to fail.
+enum class First {
+  each,
+  sampled ///< each up to the 64th, then every 16th part farther
+};
+
+/// Runs `operation`, which returns a Result, with memory that ends at one allocation after another
+/// until it succeeds; each failure must be reported as one of resources. One thread only: the count
+/// is the thread's. `afterFailure` is called with memory there again. Returns how many failures
+/// there were.
+template <class Operation, class Check>
+int exhaustMemory(First first, Operation operation, Check afterFailure) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  tbb::parallel_for(0, 1, [](int) {}); // oneTBB waits for ever where its first use lacks memory
+  constexpr int kSteps = 16;
   int failures = 0;
-  for (int failing = 1;; failing += every ? 1 : failing) {
-    test::allocationsUntilFailure = failing;
-    const auto result = operation();
-    const bool reached = test::allocationsUntilFailure == 0;
-    test::allocationsUntilFailure = 0;
+  for (int failing = 1;; failing += first == First::each ? 1 : std::max(1, failing / kSteps)) {
+    bool reached = false;
+    const auto result = [&] {
+      const test::ExhaustedMemory memory(failing);
+      auto made = operation();
+      reached = test::ExhaustedMemory::reached();
+      return made;
+    }();
     if (!reached) {
       REQUIRE(result.ok());
       return failures;
@@ -36,8 +54,14 @@ int failEachAllocation(bool every, Operation operation) {
     REQUIRE_FALSE(result.ok());
     REQUIRE(result.error().kind == ErrorKind::resources);
     REQUIRE(result.error().message.find("memory") != std::string::npos);
+    afterFailure();
     ++failures;
   }
+}
+
+template <class Operation>
+int exhaustMemory(First first, Operation operation) {
+  return exhaustMemory(first, operation, [] {});
 }
 
 MapExemplar oneChannel(MapExemplar map) {
@@ -64,18 +88,44 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   const MapExemplar grey = oneChannel(color);
   TilingOptions options;
   options.transport = TransportEffort::fast;
-  CHECK(failEachAllocation(true, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
-  CHECK(failEachAllocation(false, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
+  CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
+  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
 TEST_CASE("an evaluation that runs out of memory says so, whichever allocation fails") {
   const Bundle bundle = bakedBundle(oneChannel(test::threeMaterials(64, 64, 1, 1)));
-  CHECK(failEachAllocation(true, [&] { return TilingEvaluator::create(bundle, 0); }) > 2);
+  CHECK(exhaustMemory(First::each, [&] { return TilingEvaluator::create(bundle, 0); }) > 2);
   SynthesisOptions options;
   options.width = options.height = 64;
-  CHECK(failEachAllocation(true, [&] { return synthesize(bundle, options); }) > 3);
-  CHECK(failEachAllocation(
-            true, [&] { return synthesizePreview(bundle, 0, MapTarget::baseColor, 1, 1); }) > 3);
+  CHECK(exhaustMemory(First::each, [&] { return synthesize(bundle, options); }) > 3);
+  CHECK(exhaustMemory(First::each, [&] {
+          return synthesizePreview(bundle, 0, MapTarget::baseColor, 1, 1);
+        }) > 3);
+}
+
+TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no file is left") {
+  BundleFile file;
+  MapExemplar height = oneChannel(test::threeMaterials(8, 8, 1, 1)); // whose table is small
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  file.bundle = bakedBundle(height);
+  file.bundle.materials = {MaterialNoise{}};
+  // Long enough not to fit into the string object; with a texture transform, and every slot.
+  file.bundle.materials[0]->scale = 3.0;
+  file.bundle.materialNames = {"a material with a long name"};
+  file.generator = "a generator with a long name";
+  PreviewImages images;
+  images.baseColor = images.normal = images.emissive = encodePng(SrgbImage(4, 4, 3), 8).value();
+  file.previews = {images};
+  CHECK(exhaustMemory(First::each, [&] { return encodeGlb(file); }) > 500);
+  for (const char* name : {"x.glb", "x.gltf"}) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / name;
+    CHECK(exhaustMemory(
+              First::sampled, [&] { return writeBundle(path, file); },
+              [&] { REQUIRE(folder.entryCount() == 0); }) > 50);
+  }
 }
 
 TEST_CASE("a measure that runs out of memory says so, whichever allocation fails") {
@@ -85,11 +135,11 @@ TEST_CASE("a measure that runs out of memory says so, whichever allocation fails
   const SrgbImage b = a;
   LatticeView view;
   view.tilesPerPixelX = view.tilesPerPixelY = 1.0 / 40.0;
-  CHECK(failEachAllocation(true, [&] { return colorDistance(a, b); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return spectrumDistanceDb(a, b); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return autocovarianceError(a, b, 8); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return latticeVisibility(a, view); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return seamVisibility(a, b); }) > 0);
-  CHECK(failEachAllocation(true, [&] { return phaseRandomized(a, 1); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return colorDistance(a, b); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return spectrumDistanceDb(a, b); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return autocovarianceError(a, b, 8); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return latticeVisibility(a, view); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
 }

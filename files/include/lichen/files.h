@@ -21,10 +21,10 @@ namespace lichen {
 
 /// Writes `bytes` to a new file in the folder of `path`, flushes it to the disk, and renames it
 /// over `path`. Errors: environment when the folder is absent or cannot be written, resources when
-/// the disk is full; in both the old file, if any, is untouched and nothing is left beside it. A
-/// process that is killed leaves nothing either, where the file system has files without a name
-/// (ext4, XFS, Btrfs, tmpfs; not NFS, FAT); elsewhere a file PATH.part-* may stay. Thread-safe; of
-/// several calls for one path at the same time one wins, whole.
+/// the disk is full or memory does not suffice; in all the old file, if any, is untouched and
+/// nothing is left beside it. A process that is killed leaves nothing either, where the file system
+/// has files without a name (ext4, XFS, Btrfs, tmpfs; not NFS, FAT); elsewhere a file PATH.part-*
+/// may stay. Thread-safe; of several calls for one path at the same time one wins, whole.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cassert>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,17 @@ struct Error {
   ErrorKind kind = ErrorKind::badInput;
   std::string message;
 };
+
+/// The error of what memory did not suffice for. `describe` makes its message; where not even that
+/// can be stored, it is one that needs no memory.
+template <class Describe>
+[[nodiscard]] Error memoryError(const Describe& describe) noexcept {
+  try {
+    return {ErrorKind::resources, describe()};
+  } catch (const std::bad_alloc&) {
+    return {ErrorKind::resources, "out of memory"}; // fits into the string object itself
+  }
+}
 
 /// Either a value of type T or an Error. Asking for the one that is absent breaks the contract.
 template <class T>
