@@ -14,8 +14,9 @@
 namespace lichen::transport {
 namespace {
 
-/// What the multiscale matching takes of the default effort's time.
-constexpr double kMultiscaleWork = 0.4;
+/// What the multiscale matching takes, in units of a round of exchanges or of exact blocks, which
+/// take about the same: docs/decisions/008-multiscale-transport.md.
+constexpr double kMultiscaleWork = 3.0;
 
 /// Salts, so that the two kinds of block draw from different streams.
 constexpr std::uint64_t kSwapStream = 2;
@@ -70,9 +71,11 @@ std::vector<std::uint32_t> assign(std::span<const Point> source, std::span<const
   const PointPair points = precondition(source, target);
   if (points.dimensions < 2)
     return sorted(points);
+  const double multiscale =
+      kMultiscaleWork / (kMultiscaleWork + options.swapRounds + options.exactRounds);
   std::vector<std::uint32_t> assignment =
-      multiscaleMatching(points, options.progress.part(0.0, kMultiscaleWork));
-  improve(points, assignment, options, options.progress.part(kMultiscaleWork, 1.0));
+      multiscaleMatching(points, options.progress.part(0.0, multiscale));
+  improve(points, assignment, options, options.progress.part(multiscale, 1.0));
   return assignment;
 }
 

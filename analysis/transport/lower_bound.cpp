@@ -103,6 +103,8 @@ double bestDualValue(const PointPair& pairs, double increment, const ProgressPar
   std::vector<std::size_t> sizes{pairs.source.size()};
   while (sizes.back() > kSmallestSubset)
     sizes.push_back(sizes.back() / kRefinement);
+  const auto pairCount = double(std::accumulate(sizes.begin(), sizes.end(), std::size_t(0)));
+  double done = 0.0;
   std::vector<double> prices(sizes.back(), 0.0);
   for (std::size_t level = sizes.size();; --level) {
     const std::span<const Point> buyers(pairs.source.data(), sizes[level - 1]);
@@ -110,10 +112,13 @@ double bestDualValue(const PointPair& pairs, double increment, const ProgressPar
     const double last = increment * std::pow(kStepRatio, double(level - 1));
     const double gap = pairsCost(buyers, targets) - dualValue(buyers, targets, prices);
     double step = last;
-    while (step * kStepsOfGap * double(buyers.size()) < gap)
+    int auctions = 1;
+    for (; step * kStepsOfGap * double(buyers.size()) < gap; ++auctions)
       step *= kStepRatio;
-    for (; step >= last; step /= kStepRatio)
-      prices = pricesAfterAuction(buyers, targets, prices, step, progress);
+    const double share = double(buyers.size()) / pairCount / auctions;
+    for (; auctions > 0; --auctions, step /= kStepRatio, done += share)
+      prices = pricesAfterAuction(buyers, targets, prices, step,
+                                  progress.part(done, std::min(1.0, done + share)));
     if (level == 1)
       return dualValue(buyers, targets, prices);
     prices = carriedOver(buyers, leastCosts(buyers, PriceTree(targets, prices)),

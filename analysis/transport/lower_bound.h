@@ -18,7 +18,7 @@ namespace lichen::transport {
 /// it is the closer the better `assignment` is, from whose pairs the prices are found. `tolerance`
 /// in [1e-6, 1] is the step of the prices in units of centredCost: the bound ends up about half a
 /// step below the optimum. On photographs, N = 65,536 and the default take about 20 s on one core.
-/// `progress` is asked now and then whether to go on; throws Interrupted and std::bad_alloc.
+/// Throws Interrupted and std::bad_alloc.
 /// The same result for any number of threads. About 300 bytes a point.
 /// Sources: auction algorithm [B88]; prices from coarse to fine [M11].
 [[nodiscard]] TransportBound boundTransportCost(std::span<const Point> source,
