@@ -95,12 +95,34 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
       to.push_back(matrix(row, column));
 }
 
-/// What the table and its levels take, in units of transporting a pixel: nearly the same for every
-/// exemplar. Measured on 256 x 256.
-constexpr double kTableWork = 65536.0;
+/// What the steps of a map's bake take, in units of transporting a pixel by the default effort.
+struct MapWork {
+  double gaussian = 0.0;
+  double certificate = 0.0;
+  double table = 0.0;
 
-double gaussianizeWork(const MapExemplar& map, bool periodic) {
-  return (periodic ? 1.0 : 2.0) * double(map.width) * double(map.height);
+  [[nodiscard]] double whole() const { return gaussian + certificate + table; }
+};
+
+MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
+  // Nearly the same for every exemplar. Measured on 256 x 256.
+  constexpr double kTable = 65536.0;
+  // By the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
+  constexpr double kFast = 0.5;
+  constexpr double kExact = 9.0;
+  // 104 s of rust's 65,536 pixels (docs/benchmarks.md), which the default effort takes 0.38 s for.
+  constexpr double kCertificate = 104.0 / 0.38;
+  const double pixels = double(map.width) * double(map.height);
+  const double gaussian = (periodic ? 1.0 : 2.0) * pixels;
+  switch (effort) {
+  case TransportEffort::fast:
+    return {kFast * gaussian, 0.0, kTable};
+  case TransportEffort::standard:
+    break;
+  case TransportEffort::exact:
+    return {kExact * gaussian, kCertificate * pixels, kTable};
+  }
+  return {gaussian, 0.0, kTable};
 }
 
 /// A bound half a step below the optimum leaves room for an excess of 0.03 %.
@@ -117,8 +139,9 @@ TransportBound certificate(const std::vector<Point>& points, const std::vector<P
 /// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are.
 void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
              ProgressPart progress, TilingBake& bake) {
-  const double work = gaussianizeWork(map, fitting.periodic);
-  const double fitted = work / (work + kTableWork);
+  const MapWork work = workOf(map, fitting.periodic, fitting.transport);
+  const double fitted = work.gaussian / work.whole();
+  const double certified = (work.gaussian + work.certificate) / work.whole();
   const ColorSpace space = colorSpaceOf(map);
   MapFit fit;
   if (space.dimensions() == 0) {
@@ -130,7 +153,7 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
       fitting.share = fit.share;
     if (fitting.transport == TransportEffort::exact)
       bake.transportBounds.push_back(
-          certificate(fit.points, fit.gaussian.matched, progress.part(fitted, 1.0)));
+          certificate(fit.points, fit.gaussian.matched, progress.part(fitted, certified)));
   }
   Table image = gaussianTable(fit.gaussian, bits);
   const std::vector<ChannelMatrix> lost = lostVariance(image);
@@ -171,9 +194,12 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
     bake.exemplarWasPeriodic =
         options.periodic == Periodic::yes ||
         (options.periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+    const auto workOfMap = [&](const MapExemplar& map) {
+      return workOf(map, bake.exemplarWasPeriodic, options.transport).whole();
+    };
     double whole = 0.0;
     for (const MapExemplar& map : maps)
-      whole += gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
+      whole += workOfMap(map);
     MapFitOptions fitting;
     fitting.periodic = bake.exemplarWasPeriodic;
     fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
@@ -181,7 +207,7 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
     double done = 0.0;
     for (const MapExemplar& map : maps) {
-      const double after = done + gaussianizeWork(map, bake.exemplarWasPeriodic) + kTableWork;
+      const double after = done + workOfMap(map);
       bakeMap(map, name, options.bits, fitting,
               ProgressPart(options.progress).part(done / whole, after / whole), bake);
       done = after;
