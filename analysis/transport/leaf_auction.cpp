@@ -112,9 +112,9 @@ void LeafAuction::setCandidates(std::size_t group, std::span<const std::uint32_t
   std::copy_n(leaves.begin(), g.leafCount, g.leaves);
 }
 
-void LeafAuction::run(float increment, std::size_t leftOver, int rounds) {
-  for (int round = 0; round < rounds && waiting_ > leftOver; ++round)
-    for (std::size_t group = 0; group < groups_.size() && waiting_ > leftOver; ++group)
+void LeafAuction::run(float increment, int rounds) {
+  for (int round = 0; round < rounds && waiting_ > 0; ++round)
+    for (std::size_t group = 0; group < groups_.size() && waiting_ > 0; ++group)
       if (groups_[group].waiting != 0)
         visit(group, increment);
 }

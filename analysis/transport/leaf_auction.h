@@ -32,9 +32,9 @@ public:
   /// The first kMostLeaves of `leaves` become the candidates of a group; they are distinct.
   void setCandidates(std::size_t group, std::span<const std::uint32_t> leaves);
 
-  /// Groups bid in turn, prices rising by `increment` >= 0 at least, until at most `leftOver`
-  /// buyers have no site or `rounds` are over.
-  void run(float increment, std::size_t leftOver, int rounds);
+  /// Groups bid in turn, prices rising by `increment` >= 0 at least, until every buyer has a site
+  /// or `rounds` are over.
+  void run(float increment, int rounds);
 
   /// The site of each buyer, or kNoPartner.
   [[nodiscard]] const std::vector<std::uint32_t>& siteOf() const { return siteOf_; }

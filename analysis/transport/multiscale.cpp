@@ -175,7 +175,7 @@ Solution solveCoarsest(const Level& level) {
     LeafAuction auction(level.source, level.target, prices);
     for (std::size_t group = 0; group < auction.groupCount(); ++group)
       auction.setCandidates(group, leaves);
-    auction.run(step * kIncrement * spread, 0, kRoundsOfCells);
+    auction.run(step * kIncrement * spread, kRoundsOfCells);
     for (std::size_t j = 0; j < level.size(); ++j)
       prices[j] = auction.price(j);
     solution.targetOf = completed(auction, level);
@@ -193,8 +193,7 @@ Solution solveFiner(const Level& cells, const Solution& coarse, const Level& fin
                       carriedOver(cells, coarse, neighbours, fine.target));
   tbb::parallel_for(std::size_t(0), auction.groupCount(),
                     [&](std::size_t group) { setCandidates(auction, group, coarse, neighbours); });
-  auction.run(kIncrement * spreadOfCells(fine.target), 0,
-              isFinest ? kRoundsOfPoints : kRoundsOfCells);
+  auction.run(kIncrement * spreadOfCells(fine.target), isFinest ? kRoundsOfPoints : kRoundsOfCells);
   Solution solution{completed(auction, fine), {}};
   if (isFinest)
     return solution;

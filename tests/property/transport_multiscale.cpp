@@ -95,7 +95,7 @@ TEST_CASE("an auction among all sites ends within one increment a pair of the op
     for (std::size_t group = 0; group < auction.groupCount(); ++group)
       auction.setCandidates(group, leaves);
     constexpr float kIncrement = 1e-3f;
-    auction.run(kIncrement, 0, 1000000);
+    auction.run(kIncrement, 1000000);
     INFO(set.name);
     REQUIRE(isPermutation(auction.siteOf(), kCount));
     // Prices are sums of floats around 1: a thousand roundings of 2^-24 at most.
@@ -121,7 +121,7 @@ TEST_CASE("an auction gives a site to one buyer only, also when it ends early") 
   const std::array<std::uint32_t, 2> leaves{3, 12}; // the last holds four sites
   for (std::size_t group = 0; group < auction.groupCount(); ++group)
     auction.setCandidates(group, leaves);
-  auction.run(1e-3f, 0, 5);
+  auction.run(1e-3f, 5);
   std::size_t taken = 0;
   for (std::uint32_t i = 0; i < 100; ++i) {
     const std::uint32_t j = auction.siteOf()[i];
