@@ -14,8 +14,7 @@ namespace lichen {
 [[nodiscard]] NoiseMap readMap(ObjectReader& reader,
                                const std::vector<std::optional<Table>>& tables);
 
-/// Bounds that the schema states too; those of a material's parameters are in bundle.h.
-inline constexpr NumberRange kTileSizeRange{1e-6, 1e6}; // metres
+/// A bound that the schema states too; those of parameters are in bundle.h.
 inline constexpr std::uint64_t kMaxTexCoord = 15;
 
 } // namespace lichen

@@ -172,7 +172,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of noise and material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
-  addValue(verb, "--tile", arguments->tileMetres, number({1e-6, 1e6}), "1",
+  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};

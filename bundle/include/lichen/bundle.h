@@ -139,6 +139,9 @@ struct NumberRange {
   double most = std::numeric_limits<double>::max();
 };
 
+/// Of Noise::tileSizeMetres, as the format's schema states it.
+inline constexpr NumberRange kTileSizeRange{1e-6, 1e6};
+
 /// Of a material's parameters, as the format's schema states them.
 inline constexpr NumberRange kScaleRange{1e-6, 1e6};
 inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
