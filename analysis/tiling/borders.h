@@ -10,10 +10,11 @@
 
 namespace lichen::tiling {
 
-/// How much more opposite borders differ than neighbours inside do: the mean absolute difference
-/// across the seam over the 90th percentile of the same mean between interior neighbours. Up to
-/// about 1 where there is no seam. 0 across a side under 8 pixels, for want of an interior, and
-/// across borders of equal values; infinite when only the seam has differences.
+/// How much more opposite borders differ than neighbours inside do: the difference across the seam,
+/// averaged over runs of four pixels along it and then by absolute value, over the 90th percentile
+/// of the same mean between interior neighbours. Up to about 1 where there is no seam. 0 across a
+/// side under 8 pixels, for want of an interior, and across borders of equal values; infinite when
+/// only the seam has differences.
 struct SeamStrength {
   double betweenColumns = 0.0; ///< the last and the first
   double betweenRows = 0.0;

@@ -13,9 +13,9 @@
 
 namespace lichen::transport {
 
-/// How much work assign() does beyond the multiscale matching. The defaults cost about 7
-/// microseconds a point and core and leave the transport cost a tenth of a per cent above the
-/// optimum.
+/// How much work assign() does beyond the multiscale matching. The defaults cost about 6
+/// microseconds a point of one core and leave the transport cost at most a tenth of a per cent
+/// above the optimum (docs/decisions/008-multiscale-transport.md).
 struct TransportOptions {
   int swapRounds = 4;  ///< rounds of two-opt inside small blocks, several times in regions
   int exactRounds = 1; ///< rounds of exact assignment inside blocks of `blockSize`

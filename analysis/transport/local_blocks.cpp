@@ -18,7 +18,8 @@
 namespace lichen::transport {
 namespace {
 
-/// Below this, a part is too short to be worth a task of its own.
+/// Points below which a part is not worth a task of its own. At ten nanoseconds or more a point,
+/// this many take a hundred times the microsecond that a task does.
 constexpr std::size_t kTaskSize = 8192;
 
 /// Pairs that are exchanged with each other: in the same time, 64 come nearer to the optimum than

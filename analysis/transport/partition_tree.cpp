@@ -12,7 +12,8 @@
 namespace lichen::transport {
 namespace {
 
-/// Below this, a subtree is too short to be worth a task of its own.
+/// Points below which a subtree is not worth a task of its own. At ten nanoseconds or more a point,
+/// this many take a hundred times the microsecond that a task does.
 constexpr std::size_t kTaskSize = 8192;
 
 /// Steps of the power iteration for a split's direction: any direction makes a valid split, one

@@ -18,7 +18,9 @@ namespace {
 /// Sites in a leaf, at most: as many as are scanned in the time of one step down the tree.
 constexpr std::size_t kLeafSize = 8;
 
-/// Added to the diagonal of the fit of slopes, in units of its trace, where sites lie in a plane.
+/// Added to the diagonal of the fit of slopes, in units of its trace. Any slope gives a true bound:
+/// this keeps the solution finite where sites lie in a plane or on a line, and shortens the slope
+/// of a round cell, with a third of the trace along each axis, by 0.3 %.
 constexpr double kRidge = 1e-3;
 
 std::array<float, 3> coordinates(const Point& p) { return {p.x, p.y, p.z}; }
