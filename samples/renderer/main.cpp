@@ -160,7 +160,8 @@ int main(int argc, char** argv) {
     const lichen::Result<void> done = run(std::get<Command>(parsed.value()));
     return done ? succeed() : fail(done.error());
   } catch (const std::bad_alloc&) {
-    return fail({lichen::ErrorKind::resources, "not enough memory"});
+    std::fputs("lichen-render: not enough memory\n", stderr); // needs none itself
+    return int(lichen::ErrorKind::resources);
   } catch (const std::exception& fault) {
     return fail({lichen::ErrorKind::environment, fault.what()});
   }
