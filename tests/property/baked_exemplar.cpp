@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "baked_exemplar.h"
+
+#include <lichen/image.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::test {
+
+using namespace tiling;
+
+Baked baked(MapExemplar map, bool periodic, Precision precision) {
+  const ColorSpace space = colorSpaceOf(map);
+  std::vector<Point> points = transportPoints(map, space);
+  Gaussianized gaussian = gaussianize(map, points, space.dimensions(), periodic, precision,
+                                      transport::TransportOptions{});
+  return {std::move(map), std::move(points), std::move(gaussian)};
+}
+
+std::vector<float> light(const MapExemplar& map) {
+  std::vector<float> values(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), values.begin(), srgbToLinear);
+  return values;
+}
+
+double slowLookup(const InverseTable& table, const std::array<double, 3>& gaussian, int channel) {
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
+    double weight = 1.0;
+    std::size_t rest = cell;
+    for (int axis = 0; axis < table.dimensions; ++axis) {
+      const auto place = double(rest % std::size_t(table.side));
+      rest /= std::size_t(table.side);
+      const double u = std::clamp(table.side * gaussianCdf(gaussian[std::size_t(axis)]) - 0.5, 0.0,
+                                  table.side - 1.0);
+      weight *= std::max(0.0, 1.0 - std::abs(u - place));
+    }
+    if (weight > 0.0)
+      sum +=
+          weight * double(table.values[cell * std::size_t(table.channels) + std::size_t(channel)]);
+  }
+  return sum;
+}
+
+} // namespace lichen::test

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// The mip chain of the Gaussian image, and the slabs of the table that go with what it loses.
+#include "baked_exemplar.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <tiling/mip_chain.h>
+#include <tiling/prefilter.h>
+#include <tiling/slab_means.h>
+#include <tiling/table_lookup.h>
+#include <transport/random.h>
+
+using namespace lichen;
+using namespace lichen::test;
+using namespace lichen::tiling;
+
+namespace {
+
+/// A normal deviate from counted uniform numbers [BM58].
+double deviate(std::uint64_t seed, std::uint64_t counter) {
+  const double u = transport::randomUniform(seed, 2 * counter);
+  const double v = transport::randomUniform(seed, 2 * counter + 1);
+  return std::sqrt(-2.0 * std::log(1.0 - u)) * std::cos(6.283185307179586 * v);
+}
+
+} // namespace
+
+TEST_CASE("the mips of white noise lose what averaging of white noise must lose") {
+  // Each mip averages four independent texels: it keeps a quarter of the variance before.
+  Gaussianized white{256, 256, 3, stratifiedGaussian(256 * 256, 3, Precision::bits16), {}};
+  for (std::size_t i = white.image.size(); i-- > 1;)
+    std::swap(white.image[i], white.image[transport::randomBits(5, i) % (i + 1)]);
+  const std::vector<ChannelMatrix> lost = lostVariance(gaussianTable(white, 16));
+  REQUIRE(lost.size() == 9);
+  CHECK(scalarLoss(lost[0]) == 0.0);
+  for (std::size_t mip = 1; mip < 5; ++mip) {
+    const double kept = std::pow(0.25, double(mip));
+    // The mean of three sample variances over n texels has standard error kept sqrt(2 / (3 n)):
+    // five of them, false alarms below 1e-6 a level.
+    const double texels = 65536.0 * kept;
+    CHECK(1.0 - scalarLoss(lost[mip]) ==
+          Approx(kept).margin(5.0 * kept * std::sqrt(2.0 / (3.0 * texels))));
+  }
+}
+
+TEST_CASE("each mip texel is the average of the area it covers, for any size") {
+  // Sides odd and even, a side that reaches 1 first, D of 1 to 3. The slow average cuts both levels
+  // into the cells of their common grid and counts in integers.
+  for (const auto& [width, height, dimensions] :
+       {std::array{45, 23, 3}, std::array{7, 61, 2}, std::array{64, 3, 1}, std::array{32, 32, 3}}) {
+    const auto count = std::size_t(width) * std::size_t(height);
+    const Gaussianized noise{
+        width, height, dimensions, stratifiedGaussian(count, dimensions, Precision::bits16), {}};
+    const Table table = gaussianTable(noise, 16);
+    const int channels = channelCount(table.format);
+    REQUIRE(int(table.mipLevels) == int(std::bit_width(unsigned(std::max(width, height)))));
+    for (std::uint32_t mip = 1; mip < table.mipLevels; ++mip) {
+      INFO(width << " x " << height << ", mip " << mip);
+      const std::vector<float> above = decodeLevel(table, mip - 1);
+      const std::vector<float> level = decodeLevel(table, mip);
+      const auto side = [mip](int full, std::uint32_t back) {
+        return std::max(1, full >> (mip - back));
+      };
+      const int aboveWidth = side(width, 1), aboveHeight = side(height, 1);
+      const int levelWidth = side(width, 0), levelHeight = side(height, 0);
+      std::vector<double> sums(level.size(), 0.0);
+      for (int y = 0; y < aboveHeight * levelHeight; ++y)
+        for (int x = 0; x < aboveWidth * levelWidth; ++x)
+          for (int c = 0; c < channels; ++c)
+            sums[std::size_t((y / aboveHeight * levelWidth + x / aboveWidth) * channels + c)] +=
+                double(above[std::size_t(
+                    (y / levelHeight * aboveWidth + x / levelWidth) * channels + c)]);
+      // A half below 2 is off by at most 2^-11, and so are the halves averaged here.
+      for (std::size_t i = 0; i < level.size(); ++i)
+        REQUIRE(double(level[i]) ==
+                Approx(sums[i] / (aboveWidth * aboveHeight)).margin(std::exp2(-10)));
+    }
+  }
+}
+
+TEST_CASE("blended mips decode to the mean colour, Gaussian or not") {
+  const Baked b = baked(threeMaterials(128, 128, 4));
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
+  const Table image = gaussianTable(b.gaussian, 16);
+  const std::vector<ChannelMatrix> lost = lostVariance(image);
+  std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
+  restoreSlabMeans(slabs, image, lost);
+  // Between the slabs of a mip the mean is interpolated like the values.
+  constexpr std::uint32_t kMip = 2;
+  const std::vector<float> texels = decodeLevel(image, kMip);
+  const std::size_t count = texels.size() / 4;
+  const double place = 7.0 * (1.0 - std::sqrt(1.0 - scalarLoss(lost[kMip])));
+  const auto slab = std::size_t(place);
+  const TableLookup<3> lower(slabs[slab]);
+  const TableLookup<3> upper(slabs[slab + 1]);
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> anywhere(0, count - 1);
+  std::exponential_distribution<double> exponential; // three, normalised: uniform in a triangle
+  constexpr int kSamples = 200000;
+  std::array<double, 3> sum{};
+  std::array<double, 3> squares{};
+  for (int k = 0; k < kSamples; ++k) {
+    std::array<double, 3> w{exponential(random), exponential(random), exponential(random)};
+    const double total = w[0] + w[1] + w[2];
+    const double norm = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / total;
+    std::array<float, 3> g{0.5f, 0.5f, 0.5f};
+    for (const double weight : w) {
+      const float* texel = &texels[4 * anywhere(random)];
+      for (std::size_t c = 0; c < 3; ++c)
+        g[c] += float(weight / total / norm) * (texel[c] - 0.5f);
+    }
+    const auto low = lower(g);
+    const auto high = upper(g);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = double(low[c]) + (place - double(slab)) * double(high[c] - low[c]);
+      sum[c] += value;
+      squares[c] += value * value;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double mean = sum[c] / kSamples;
+    const double variance = squares[c] / kSamples - mean * mean;
+    // Five standard errors of this sum and of the 65,536 fetches that the shift is measured with;
+    // the slab below and the one above are shifted for their own places between mips.
+    const double error = 5.0 * std::sqrt(variance * (1.0 / kSamples + 1.0 / 65536.0));
+    INFO("mean " << mean << ", slab mean " << slabs.back().values[c] << ", error " << error);
+    CHECK(mean == Approx(double(slabs.back().values[c])).margin(error));
+  }
+}
+
+TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
+  const Baked b = baked(threeMaterials(96, 96, 4));
+  const InverseTable table =
+      fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
+  ChannelMatrix half(3, 3); // of everything, with channels that lose differently and together
+  half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
+  const std::vector<double> levels = tableLevels();
+  const std::vector<InverseTable> slabs = prefilteredSlabs(table, {half});
+  REQUIRE(slabs.size() == levels.size());
+  CHECK(slabs.front().values == table.values);
+
+  constexpr std::size_t kSlab = 2;
+  const ChannelMatrix loss = half * (levels[kSlab] / scalarLoss(half));
+  const Eigen::LLT<ChannelMatrix> factor(loss);
+  const ChannelMatrix lower = factor.matrixL();
+  constexpr int kSamples = 1500;
+  for (const std::size_t cell : {std::size_t(16912), std::size_t(9000), std::size_t(23456)}) {
+    std::array<double, 3> middle{};
+    std::size_t rest = cell;
+    for (double& coordinate : middle) {
+      coordinate = gaussianQuantile((double(rest % 32) + 0.5) / 32.0);
+      rest /= 32;
+    }
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int s = 0; s < kSamples; ++s) {
+      ChannelVector z(3);
+      for (int c = 0; c < 3; ++c)
+        z[c] = deviate(17, std::uint64_t(3 * s + c)) / 6.0;
+      const ChannelVector e = lower * z;
+      const double value =
+          slowLookup(table, {middle[0] + e[0], middle[1] + e[1], middle[2] + e[2]}, 0);
+      sum += value;
+      squares += value * value;
+    }
+    const double mean = sum / kSamples;
+    const double deviationOfValue = std::sqrt(std::max(0.0, squares / kSamples - mean * mean));
+    // Five standard errors of the Monte Carlo mean, alpha 6e-7, and of the slab's own 64 stratified
+    // samples, whose error is below a third of independent samples'.
+    const double tolerance =
+        5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 1.0 / 24.0);
+    CHECK(double(slabs[kSlab].values[3 * cell]) == Approx(mean).margin(tolerance));
+  }
+  const Moments moments = interpolatedMoments(table);
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(double(slabs.back().values[c]) == Approx(moments.mean[Eigen::Index(c)]).epsilon(1e-5));
+}
