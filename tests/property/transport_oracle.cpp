@@ -48,17 +48,18 @@ TEST_CASE("a problem of one block is solved exactly") {
       }
 }
 
-TEST_CASE("a problem of several blocks is solved to within eight per cent, half of one on average") {
+TEST_CASE("a problem of several blocks is solved to within a per cent, or eight of mere noise") {
   double sum = 0.0;
   int problems = 0;
   for (unsigned seed = 1; seed <= 3; ++seed)
-    for (const NamedSet& source : everyKindOfSet(300, seed))
-      for (const NamedSet& target : everyKindOfSet(300, seed + 100)) {
+    for (const NamedSet& source : everyKindOfSet(200, seed))
+      for (const NamedSet& target : everyKindOfSet(200, seed + 100)) {
         const double above = excess(source.points, target.points);
         INFO(source.name << " to " << target.name << ", seed " << seed);
         CHECK(above > -1e-6);
-        // 7 % was measured between two samples of one distribution, whose optimum is noise.
-        CHECK(above < 0.08);
+        // Measured: at most 0.37 % between kinds, 6.2 % between two samples of one, whose optimum
+        // is nothing but their noise, and 0.21 % on average.
+        CHECK(above < (source.name == target.name ? 0.08 : 0.01));
         sum += above;
         ++problems;
       }
