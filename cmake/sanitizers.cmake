@@ -4,8 +4,10 @@ if(LICHEN_SANITIZE)
                       -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${LICHEN_SANITIZE})
 endif()
-# The resolver that picks a clone runs while the program is being loaded, before ThreadSanitizer is:
-# instrumented, it crashes there. Without clones there is no resolver.
-if(LICHEN_SANITIZE STREQUAL "thread")
+string(REPLACE "," ";" LICHEN_SANITIZERS "${LICHEN_SANITIZE}")
+if("thread" IN_LIST LICHEN_SANITIZERS)
+  # The resolver that picks a clone runs while the program is being loaded, before ThreadSanitizer
+  # is: instrumented, it crashes there. Without clones there is no resolver.
   add_compile_options("-Dtarget_clones(...)=")
+  include_directories(BEFORE ${PROJECT_SOURCE_DIR}/tests/tsan) # headers in front of oneTBB's
 endif()
