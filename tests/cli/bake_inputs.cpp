@@ -230,10 +230,10 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
 
 TEST_CASE("a file name that is not UTF-8 becomes a name that is") {
   const Workplace workplace;
-  const std::string input = workplace.write("caf\xe9.png", smooth(16));
+  const std::string input = workplace.write("caf\xe9.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input, "noise.glb");
   CHECK(synth(workplace, bundle, {"--noise", "caf_", "--size", "8"}).width == 8);
-  const std::string accented = workplace.write("caf\xc3\xa9.png", smooth(16));
+  const std::string accented = workplace.write("caf\xc3\xa9.png", smoothGrey(16));
   bake(workplace, accented, "noise.glb");
   CHECK(synth(workplace, bundle, {"--noise", "caf\xc3\xa9", "--size", "8"}).width == 8);
 }

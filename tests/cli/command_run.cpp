@@ -179,6 +179,14 @@ SrgbImage smooth(int side) {
   return image;
 }
 
+SrgbImage smoothGrey(int side) {
+  const SrgbImage colour = smooth(side);
+  SrgbImage grey(side, side, 1);
+  for (std::size_t i = 0; i < grey.values.size(); ++i)
+    grey.values[i] = colour.values[3 * i];
+  return grey;
+}
+
 std::vector<double> meanOf(const SrgbImage& image) {
   std::vector<double> mean(std::size_t(image.channels), 0.0);
   for (std::size_t i = 0; i < image.values.size(); ++i)

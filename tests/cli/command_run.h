@@ -56,6 +56,8 @@ private:
 [[nodiscard]] SrgbImage speckled(int width, int height, int channels);
 /// Smooth blobs of many colours that continue over opposite borders, several texels wide.
 [[nodiscard]] SrgbImage smooth(int side);
+/// Its first channel, as a grey image: baked in no time, where the colour does not matter.
+[[nodiscard]] SrgbImage smoothGrey(int side);
 /// The mean of each channel, in the image's own encoding.
 [[nodiscard]] std::vector<double> meanOf(const SrgbImage& image);
 

@@ -28,7 +28,7 @@ nlohmann::json onlyObject(const std::string& text) {
 
 TEST_CASE("bake writes the one file that was named, synth and check work on it alone") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   bake(workplace, input, "moss.glb");
   CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
   std::filesystem::remove(input);
@@ -41,22 +41,22 @@ TEST_CASE("bake writes the one file that was named, synth and check work on it a
 
 TEST_CASE("a .gltf with what it refers to can be checked and synthesized too") {
   const Workplace workplace;
-  const std::string bundle =
-      bake(workplace, workplace.write("moss.png", smooth(16)), "moss.gltf", {"--preview", "plane"});
+  const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)),
+                                  "moss.gltf", {"--preview", "plane"});
   CHECK(runLichen({"check", bundle}).code == 0);
   CHECK(synth(workplace, bundle, {"--size", "16x16"}).width == 16);
 }
 
 TEST_CASE("every preview shape gives a clean bundle") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   for (const char* shape : {"sphere", "plane", "none"})
     CHECK(runLichen({"check", bake(workplace, input, "moss.glb", {"--preview", shape})}).code == 0);
 }
 
 TEST_CASE("an EXR holds the light of which a PNG holds the sRGB code") {
   const Workplace workplace;
-  const std::string bundle = bake(workplace, workplace.write("moss.png", smooth(16)));
+  const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)));
   const SrgbImage png = synth(workplace, bundle, {"--size", "32x32"});
   REQUIRE(runLichen({"synth", bundle, "-o", workplace.path("light.exr"), "--size", "32x32"}).code ==
           0);
@@ -68,7 +68,7 @@ TEST_CASE("an EXR holds the light of which a PNG holds the sRGB code") {
 
 TEST_CASE("--name names the noise, and the input's name does without it") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string named = bake(workplace, input, "named.glb", {"--name", "wet moss"});
   CHECK(synth(workplace, named, {"--noise", "wet moss", "--size", "8x8"}).width == 8);
   const std::string plain = bake(workplace, input, "plain.glb");
@@ -138,7 +138,7 @@ TEST_CASE("bake and synth write the same bytes with one thread and with two, and
 
 TEST_CASE("a full disk leaves the old file whole and no partial one") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input, "moss.glb");
   synth(workplace, bundle, {"--size", "64x64"});
   const Names names = workplace.names();
@@ -196,7 +196,7 @@ TEST_CASE("a bake that is interrupted while it works ends at once and leaves the
 
 TEST_CASE("what standard output does not take is an error of one line") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input);
   const std::string picture = workplace.path("p.png");
   Limits limits;
@@ -218,7 +218,7 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
   const Workplace workplace;
   const std::string hostile = "m\x1b[31m\xc2\x9b\x7f\nf\xc3\xbc";
   const std::string shown = "m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc";
-  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string input = workplace.write("moss.png", smoothGrey(16));
   const auto checkShown = [&](const std::string& text, const std::string& expected) {
     CHECK_THAT(text, Catch::Contains(expected));
     CHECK(std::count(text.begin(), text.end(), '\n') == 1);
