@@ -33,10 +33,13 @@ constexpr double kTypicalSlope = -3.0;
 constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 
 MapExemplar middleOf(const MapExemplar& map) {
-  MapExemplar part = map;
+  MapExemplar part;
+  part.target = map.target;
+  part.channels = map.channels;
+  part.encoding = map.encoding;
+  part.quantum = map.quantum;
   part.width = std::min(map.width, kLargestTrialSide);
   part.height = std::min(map.height, kLargestTrialSide);
-  part.values.clear();
   const std::size_t channels = map.channels.size();
   const auto left = std::size_t((map.width - part.width) / 2);
   const auto top = std::size_t((map.height - part.height) / 2);
@@ -71,7 +74,7 @@ MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
 float nextShare(const std::vector<std::array<double, 2>>& tried, float largestShare) {
   const auto [share, error] = tried.back();
   double slope = kTypicalSlope;
-  if (tried.size() > 1 && tried[tried.size() - 2][0] != share) {
+  if (tried.size() > 1) {
     const auto [shareBefore, errorBefore] = tried[tried.size() - 2];
     slope = std::min((error - errorBefore) / (share - shareBefore), kLeastSlope);
   }
