@@ -96,33 +96,35 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
 }
 
 /// What the steps of a map's bake take, in units of transporting a pixel by the default effort.
+/// More than one trial of a share is not foreseen: most photographs need none.
 struct MapWork {
-  double gaussian = 0.0;
+  double fit = 0.0;
   double certificate = 0.0;
-  double table = 0.0;
+  double slabs = 0.0;
 
-  [[nodiscard]] double whole() const { return gaussian + certificate + table; }
+  [[nodiscard]] double whole() const { return fit + certificate + slabs; }
 };
 
 MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
-  // Nearly the same for every exemplar. Measured on 256 x 256.
-  constexpr double kTable = 65536.0;
+  // Nearly the same for every exemplar; measured on 256 x 256.
+  constexpr double kTable = 0.7 * 65536.0;
+  constexpr double kSlabs = 0.4 * 65536.0;
   // By the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
   constexpr double kFast = 0.5;
   constexpr double kExact = 9.0;
   // 104 s of rust's 65,536 pixels (docs/benchmarks.md), which the default effort takes 0.38 s for.
   constexpr double kCertificate = 104.0 / 0.38;
   const double pixels = double(map.width) * double(map.height);
-  const double gaussian = (periodic ? 1.0 : 2.0) * pixels;
+  const double transport = (periodic ? 1.0 : 2.0) * pixels;
   switch (effort) {
   case TransportEffort::fast:
-    return {kFast * gaussian, 0.0, kTable};
+    return {kTable + kFast * transport, 0.0, kSlabs};
   case TransportEffort::standard:
     break;
   case TransportEffort::exact:
-    return {kExact * gaussian, kCertificate * pixels, kTable};
+    return {kTable + kExact * transport, kCertificate * pixels, kSlabs};
   }
-  return {gaussian, 0.0, kTable};
+  return {kTable + transport, 0.0, kSlabs};
 }
 
 /// A bound half a step below the optimum leaves room for an excess of 0.03 %.
@@ -140,8 +142,8 @@ TransportBound certificate(const std::vector<Point>& points, const std::vector<P
 void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
              ProgressPart progress, TilingBake& bake) {
   const MapWork work = workOf(map, fitting.periodic, fitting.transport);
-  const double fitted = work.gaussian / work.whole();
-  const double certified = (work.gaussian + work.certificate) / work.whole();
+  const double fitted = work.fit / work.whole();
+  const double certified = (work.fit + work.certificate) / work.whole();
   const ColorSpace space = colorSpaceOf(map);
   MapFit fit;
   if (space.dimensions() == 0) {

@@ -36,6 +36,7 @@ struct ColorSpace {
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
 
+/// Most photographs' choice: docs/decisions/009-surroundings.md.
 inline constexpr float kUsualShare = 0.1f;
 
 /// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of

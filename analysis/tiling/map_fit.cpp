@@ -32,6 +32,10 @@ constexpr double kTypicalSlope = -3.0;
 /// Blending's effect on detail falls as the share grows; a measured slope nearer to none is noise.
 constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 
+/// Of the progress, where the fit itself comes after the trials: a map of 1024 x 1024, or an exact
+/// one of 512 x 512.
+constexpr double kTrialsOfProgress = 0.25;
+
 MapExemplar middleOf(const MapExemplar& map) {
   MapExemplar part;
   part.target = map.target;
@@ -110,21 +114,21 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
 MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
+  if (!hasSpectrum(map))
+    return fitWith(map, space, std::min(kUsualShare, options.largestShare), options);
   const bool onMiddle = std::max(map.width, map.height) > kLargestTrialSide;
   const bool exact = options.transport == TransportEffort::exact;
-  const bool twice = onMiddle || exact;
+  if (!onMiddle && !exact)
+    return bestTrial(map, space, options);
   MapFitOptions trial = options;
-  trial.progress = options.progress.part(0.0, twice ? 0.5 : 1.0);
+  trial.progress = options.progress.part(0.0, kTrialsOfProgress);
+  trial.periodic = options.periodic && !onMiddle;
   if (exact)
     trial.transport = TransportEffort::standard;
-  if (onMiddle)
-    trial.periodic = false;
-  MapFit best = bestTrial(onMiddle ? middleOf(map) : map, space, trial);
-  if (!twice)
-    return best;
   MapFitOptions whole = options;
-  whole.progress = options.progress.part(0.5, 1.0);
-  return fitWith(map, space, best.share, whole);
+  whole.progress = options.progress.part(kTrialsOfProgress, 1.0);
+  whole.share = bestTrial(onMiddle ? middleOf(map) : map, space, trial).share;
+  return fitMap(map, space, whole);
 }
 
 } // namespace lichen::tiling

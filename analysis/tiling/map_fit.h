@@ -15,11 +15,12 @@ namespace lichen::tiling {
 
 /// Beyond it points are no longer mostly the pixels' own values.
 inline constexpr float kLargestShare = 0.5f;
-/// Of maps that have others beside them, whose correlations the surroundings would blur.
+/// Of maps that have others beside them, whose correlations the surroundings would blur
+/// (docs/decisions/009-surroundings.md).
 inline constexpr float kLargestShareInSet = 0.05f;
 
 struct MapFit {
-  float share = kUsualShare; ///< of its surroundings in each point
+  float share = kUsualShare; ///< as transportPoints takes it
   std::vector<Point> points; ///< the map's, as they were transported
   Gaussianized gaussian;
   InverseTable table;

@@ -12,12 +12,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace lichen::tiling {
 namespace {
 
-// As the quality measure spectrum_distance_db has them.
+// As the quality measure spectrum_distance_db has them (spectral_distances.cpp).
 constexpr int kLargestWindow = 128;
 constexpr int kWindowsPerSide = 4;
 constexpr int kLowestCycles = 4;
@@ -26,8 +27,9 @@ constexpr int kSmallestWindow = 16;
 /// Of noise, in all windows: as many as 1024 x 1024 pixels have.
 constexpr int kSampledTexels = 1 << 20;
 
-/// A power below that of rounding to 8 bits is none.
-constexpr double kRoundingPower = 1.0 / (255.0 * 255.0 * 12.0);
+int windowSide(const MapExemplar& map) {
+  return std::min(kLargestWindow, std::min(map.width, map.height) / kWindowsPerSide) / 2 * 2;
+}
 
 using Spectrum = std::vector<double>;
 using Planes = std::vector<std::vector<float>>;
@@ -45,7 +47,7 @@ Spectrum powerOf(const Planes& planes, int width, int height, int window) {
 /// Colour as an eye sees its detail, by luminance; of other maps each channel.
 Planes planesOf(const MapExemplar& map, std::vector<float> values, int width, int height) {
   const std::size_t channels = map.channels.size();
-  if (map.encoding == ValueEncoding::srgb) {
+  if (map.target == MapTarget::baseColor || map.target == MapTarget::emissive) {
     SrgbImage image;
     image.width = width;
     image.height = height;
@@ -90,6 +92,7 @@ template <std::size_t kDimensions>
 std::vector<float> noiseWindow(const Gaussianized& gaussian, const TableLookup<kDimensions>& lookup,
                                const Blend& blend, std::size_t channels, int window) {
   std::vector<float> values;
+  values.reserve(std::size_t(window) * std::size_t(window) * channels);
   constexpr auto kMean = float(kGaussianMean);
   for (int y = 0; y < window; ++y)
     for (int x = 0; x < window; ++x) {
@@ -145,17 +148,19 @@ Spectrum noisePower(const MapExemplar& map, const Gaussianized& gaussian, const 
 
 } // namespace
 
+bool hasSpectrum(const MapExemplar& map) { return windowSide(map) >= kSmallestWindow; }
+
 double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
                        const InverseTable& table) {
-  const int window =
-      std::min(kLargestWindow, std::min(map.width, map.height) / kWindowsPerSide) / 2 * 2;
-  if (window < kSmallestWindow)
-    return 0.0;
+  assert(hasSpectrum(map));
+  const int window = windowSide(map);
   const Spectrum exemplar =
       powerOf(planesOf(map, map.values, map.width, map.height), map.width, map.height, window);
   const Spectrum noise = noisePower(map, gaussian, table, window);
-  const auto decibels = [](double power) {
-    return 10.0 * std::log10(std::max(power, kRoundingPower));
+  // Less than the power of rounding the stored values is none.
+  const double roundingPower = map.quantum * map.quantum / 12.0;
+  const auto decibels = [&](double power) {
+    return 10.0 * std::log10(std::max(power, roundingPower));
   };
   double sum = 0.0;
   for (std::size_t radius = kLowestCycles; radius < noise.size(); ++radius)

@@ -2,7 +2,9 @@
 // How the detail of a noise is measured, and that a fit has its exemplar's.
 #include "example_exemplar.h"
 
-#include <lichen/image.h>
+#include <lichen/image_io.h>
+#include <lichen/quality.h>
+#include <lichen/synthesize.h>
 
 #include <catch2/catch.hpp>
 
@@ -125,10 +127,26 @@ TEST_CASE("the error of colours is that of their luminance") {
         Approx(20.0 * std::log10(0.7152)).margin(kMargin));
 }
 
-TEST_CASE("exemplars too small for a window have no error") {
-  MapExemplar map = linearMap(std::vector<float>(63 * 63, 0.5f));
-  map.width = map.height = 63;
-  CHECK(spectrumErrorDb(map, gaussianImage(whiteNoise(6)), identityTable()) == 0.0);
+TEST_CASE("exemplars too small for a window have no spectrum, and the usual share") {
+  CHECK(hasSpectrum(test::threeMaterials(64, 80, 7)));
+  const MapExemplar small = test::threeMaterials(63, 80, 7);
+  CHECK_FALSE(hasSpectrum(small));
+  CHECK(fitMap(small, colorSpaceOf(small), {}).share == kUsualShare);
+}
+
+TEST_CASE("the share for a large map is that of its middle, also for an exact transport") {
+  const MapExemplar whole = test::threeMaterials(520, 64, 7, 3);
+  const MapExemplar middle = test::cropped(whole, 4, 0, 512, 64);
+  MapFitOptions options;
+  const float share = fitMap(whole, colorSpaceOf(whole), options).share;
+  options.periodic = false;
+  CHECK(share == fitMap(middle, colorSpaceOf(whole), options).share);
+  CHECK(share != kUsualShare);
+  const MapExemplar small = test::threeMaterials(64, 64, 7, 3);
+  options.periodic = true;
+  const float usual = fitMap(small, colorSpaceOf(small), options).share;
+  options.transport = TransportEffort::exact;
+  CHECK(fitMap(small, colorSpaceOf(small), options).share == usual);
 }
 
 TEST_CASE("a fit has its exemplar's detail where the usual share of the surroundings has not") {
@@ -148,6 +166,20 @@ TEST_CASE("a fit has its exemplar's detail where the usual share of the surround
   CHECK(std::abs(usualError) > 0.5);
   const MapFit fit = fitMap(map, space, {});
   CHECK(std::abs(spectrumErrorDb(map, fit.gaussian, fit.table)) < 0.25);
+
+  // The whole way, by the measure of results and its target.
+  Result<TilingBake> bake =
+      bakeTiling("patches", {&map, 1}, {.periodic = Periodic::yes, .progress = {}});
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  SynthesisOptions size;
+  size.width = size.height = 768;
+  const SrgbImage result = toSrgb(synthesize(bundle, size).value());
+  SrgbImage exemplar(map.width, map.height, 3);
+  exemplar.values = map.values;
+  CHECK(spectrumDistanceDb(exemplar, result).value() < 0.6);
 }
 
 TEST_CASE("maps of a set share a share of the surroundings, which stays small") {
