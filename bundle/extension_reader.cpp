@@ -88,9 +88,10 @@ std::optional<int> laterRevision(const json& noise) {
 }
 
 /// All of a later revision that can be told without knowing it.
-IgnoredNoise ignoreNoise(const json& noise, int revision, const std::string& pointer,
-                         FindingList& findings) {
+IgnoredNoise ignoreNoise(const json& noise, std::size_t place, int revision,
+                         const std::string& pointer, FindingList& findings) {
   IgnoredNoise ignored;
+  ignored.place = place;
   ignored.revision = revision;
   if (const json* name = memberOf(&noise, "name"); name != nullptr && name->is_string())
     ignored.name = name->get<std::string>();
@@ -154,7 +155,7 @@ NoisePlaces readNoises(const json& list, const std::string& pointer, const Table
     const std::string place = elementPointer(pointer, i);
     if (const auto revision = laterRevision(list[i])) {
       places.push_back({true, bundle.ignoredNoises.size()});
-      bundle.ignoredNoises.push_back(ignoreNoise(list[i], *revision, place, findings));
+      bundle.ignoredNoises.push_back(ignoreNoise(list[i], i, *revision, place, findings));
       continue;
     }
     places.push_back({false, bundle.noises.size()});

@@ -39,26 +39,35 @@ Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::st
                fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
 }
 
-/// An error where the noise that was named is one that is ignored, or where there is no other.
-Result<void> checkRevision(const Bundle& bundle, const Arguments& arguments) {
-  for (const IgnoredNoise& noise : bundle.ignoredNoises)
-    if (bundle.noises.empty() || (!arguments.noise.empty() && noise.name == arguments.noise))
-      return Error{ErrorKind::badInput,
-                   fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
-                               "lichen wrote it",
-                               arguments.bundle, noise.name, noise.revision, kTilingRevision)};
-  return {};
+/// The ignored noise that was meant, or null: the one that was named, unless a known one has that
+/// name too; without a name, the file's first.
+const IgnoredNoise* ignoredNoiseMeant(const Bundle& bundle, const std::string& wanted) {
+  const auto isWanted = [&](const auto& noise) { return noise.name == wanted; };
+  if (!wanted.empty() && std::any_of(bundle.noises.begin(), bundle.noises.end(), isWanted))
+    return nullptr;
+  const auto meant = std::find_if(bundle.ignoredNoises.begin(), bundle.ignoredNoises.end(),
+                                  [&](const IgnoredNoise& noise) {
+                                    return wanted.empty() ? noise.place == 0 : isWanted(noise);
+                                  });
+  return meant == bundle.ignoredNoises.end() ? nullptr : &*meant;
 }
 
 /// Finds the noise and the map that were named.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
-  if (Result<void> known = checkRevision(bundle, arguments); !known)
-    return known;
-  if (bundle.noises.empty())
-    return Error{ErrorKind::badInput, arguments.bundle + ": has no noise"};
   std::vector<std::string> noises, maps;
   for (const Noise& noise : bundle.noises)
     noises.push_back(noise.name);
+  if (const IgnoredNoise* ignored = ignoredNoiseMeant(bundle, arguments.noise))
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
+                             "lichen wrote it{}{}",
+                             arguments.bundle, ignored->name, ignored->revision, kTilingRevision,
+                             noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
+  if (bundle.noises.empty())
+    return Error{ErrorKind::badInput,
+                 arguments.bundle + (bundle.ignoredNoises.empty()
+                                         ? ": has no noise"
+                                         : ": has no noise of a revision that is known")};
   const Result<std::size_t> noise = placeOf(arguments.noise, noises, "--noise", arguments.bundle);
   if (!noise)
     return noise.error();

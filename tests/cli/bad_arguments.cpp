@@ -6,6 +6,7 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -254,6 +255,45 @@ TEST_CASE("a noise of a later revision is warned of by check, and refused by syn
   CHECK(ended.code == 0);
   CHECK_THAT(ended.output, Catch::StartsWith("warning: 2; 1 is known"));
   CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
+}
+
+TEST_CASE("synth takes the file's first noise, and a known one before an ignored one of its name") {
+  const Workplace workplace;
+  const std::string grey = workplace.write("grey.png", smoothGrey(16));
+  const std::string known = bake(workplace, grey, "stone.gltf", {"--name", "stone"});
+  auto file = nlohmann::json::parse(workplace.read("stone.gltf"));
+  nlohmann::json& noises = file["extensions"]["LICHEN_materials_exemplar_noise"]["noises"];
+  const auto writeWith = [&](const std::string& name, bool first) {
+    nlohmann::json changed = file;
+    nlohmann::json later = noises[0];
+    later["name"] = name;
+    later["revision"] = 2;
+    nlohmann::json& list = changed["extensions"]["LICHEN_materials_exemplar_noise"]["noises"];
+    list.insert(first ? list.begin() : list.end(), later);
+    return workplace.write("later.gltf", changed.dump());
+  };
+  const auto refuse = [&](const std::string& path, Arguments more, const std::string& words) {
+    more.insert(more.begin(), {"synth", path, "-o", workplace.path("new.png")});
+    checkRefusal(more, kBadInput, {words});
+  };
+  const Arguments small{"--size", "32"};
+  const Arguments named{"--size", "32", "--noise", "stone"};
+  const SrgbImage expected = synth(workplace, known, small);
+
+  const std::string first = writeWith("moss", true);
+  const std::string refusal =
+      "noise 'moss' is of revision 2; 1 is known: a later version of lichen wrote it; --noise can "
+      "name stone";
+  refuse(first, {}, refusal);
+  refuse(first, {"--noise", "moss"}, refusal);
+  CHECK((synth(workplace, first, named).values == expected.values));
+
+  const std::string second = writeWith("moss", false);
+  CHECK((synth(workplace, second, small).values == expected.values));
+  refuse(second, {"--noise", "moss"}, refusal);
+
+  const std::string alike = writeWith("stone", true);
+  CHECK((synth(workplace, alike, named).values == expected.values));
 }
 
 TEST_CASE("check prints warnings, but not with --quiet, and ends with 0") {

@@ -32,6 +32,7 @@ TEST_CASE("a noise of a later revision is ignored with its maps, tables and mate
     FAIL(parsed.error().message);
   const Bundle& bundle = parsed.value();
   REQUIRE(bundle.ignoredNoises.size() == 1);
+  CHECK(bundle.ignoredNoises[0].place == 0);
   CHECK(bundle.ignoredNoises[0].name == "felt");
   CHECK(bundle.ignoredNoises[0].revision == 2);
   CHECK(bundle.ignoredNoises[0].materials == std::vector<std::size_t>{0});
@@ -69,7 +70,8 @@ TEST_CASE("a file of later noises alone has none") {
   REQUIRE(parsed.ok());
   CHECK(parsed.value().noises.empty());
   CHECK(parsed.value().tables.empty());
-  CHECK(parsed.value().ignoredNoises.size() == 2);
+  REQUIRE(parsed.value().ignoredNoises.size() == 2);
+  CHECK(parsed.value().ignoredNoises[1].place == 1);
   CHECK_FALSE(parsed.value().materials[1].has_value());
 }
 

@@ -167,7 +167,8 @@ struct MaterialNoise {
 /// A noise of a revision that this version does not know. Materials that use it have no noise: they
 /// are to be shown with their core textures.
 struct IgnoredNoise {
-  std::string name; ///< may be empty
+  std::size_t place = 0; ///< among all noises of the file
+  std::string name;      ///< may be empty
   int revision = 0;
   std::vector<std::size_t> materials; ///< glTF's, in order
 };
