@@ -10,7 +10,6 @@
 #include <lichen/gltf_container.h>
 
 #include <limits>
-#include <new>
 
 namespace lichen {
 namespace {
@@ -127,13 +126,14 @@ std::string uriOf(const std::string& fileName) {
 /// Runs `operation`, which returns a Result, with its exceptions turned into errors.
 template <class Operation>
 auto guarded(const Operation& operation) -> decltype(operation()) {
-  try {
-    return operation();
-  } catch (const std::bad_alloc&) {
-    return memoryError([] { return "bundle: not enough memory to encode"; });
-  } catch (const nlohmann::json::exception&) {
-    return refusal("a name is not UTF-8");
-  }
+  return withinMemory([] { return "bundle: not enough memory to encode"; },
+                      [&]() -> decltype(operation()) {
+                        try {
+                          return operation();
+                        } catch (const nlohmann::json::exception&) {
+                          return refusal("a name is not UTF-8");
+                        }
+                      });
 }
 
 constexpr std::size_t kHashDigits = 8;

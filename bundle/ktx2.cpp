@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <new>
 #include <numeric>
 
 namespace lichen {
@@ -361,11 +360,8 @@ std::vector<std::byte> encodeKtx2(const Table& table) {
 }
 
 Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name) {
-  try {
-    return decode(file, name);
-  } catch (const std::bad_alloc&) {
-    return memoryError([&] { return name + ": not enough memory for its texels"; });
-  }
+  return withinMemory([&] { return name + ": not enough memory for its texels"; },
+                      [&] { return decode(file, name); });
 }
 
 } // namespace lichen

@@ -126,15 +126,9 @@ Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t siz
   return bytes;
 }
 
-/// Runs `operation`, which returns a Result; names and messages may not fit into memory either.
-template <class Operation>
-auto withinMemory(const std::filesystem::path& path, const Operation& operation)
-    -> decltype(operation()) {
-  try {
-    return operation();
-  } catch (const std::bad_alloc&) {
-    return memoryError([&] { return path.string() + ": not enough memory"; });
-  }
+/// The message where not even a name or a message fits into memory.
+auto exhausted(const std::filesystem::path& path) {
+  return [&path] { return path.string() + ": not enough memory"; };
 }
 
 /// Reads as many bytes as `wanted` makes of the file's size, unless it refuses that.
@@ -192,7 +186,7 @@ Result<void> replace(const std::filesystem::path& path, std::span<const std::byt
 } // namespace
 
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  return withinMemory(path, [&] {
+  return withinMemory(exhausted(path), [&] {
     return openAndRead(path, [&](std::size_t size) -> Result<std::size_t> {
       return size > maxBytes ? Result<std::size_t>(wrongSize(path, size, "most", maxBytes)) : size;
     });
@@ -200,7 +194,7 @@ Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::
 }
 
 Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, std::size_t size) {
-  return withinMemory(path, [&] {
+  return withinMemory(exhausted(path), [&] {
     return openAndRead(path, [&](std::size_t there) -> Result<std::size_t> {
       return there < size ? Result<std::size_t>(wrongSize(path, there, "least", size)) : size;
     });
@@ -208,7 +202,7 @@ Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, 
 }
 
 Result<void> replaceFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  return withinMemory(path, [&] { return replace(path, bytes); });
+  return withinMemory(exhausted(path), [&] { return replace(path, bytes); });
 }
 
 } // namespace lichen

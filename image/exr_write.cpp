@@ -51,41 +51,49 @@ std::vector<half> toHalf(const LinearImage& image) {
   return values;
 }
 
+/// Throws what OpenEXR throws, and std::bad_alloc.
+std::vector<std::byte> encode(const LinearImage& image) {
+  constexpr std::array<std::string_view, 4> kChannelNames = {"Y", "YA", "RGB", "RGBA"};
+  const std::vector<half> values = toHalf(image);
+  const auto channels = std::size_t(image.channels);
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < channels; ++c) {
+    const std::string channel(1, kChannelNames[channels - 1][c]);
+    header.channels().insert(channel, Imf::Channel(Imf::HALF));
+    frame.insert(channel, Imf::Slice::Make(Imf::HALF, values.data() + c, header.dataWindow(),
+                                           channels * sizeof(half),
+                                           channels * sizeof(half) * std::size_t(image.width)));
+  }
+  std::vector<std::byte> bytes;
+  MemoryStream stream(bytes);
+  {
+    Imf::OutputFile output(stream, header, 0);
+    output.setFrameBuffer(frame);
+    output.writePixels(image.height);
+  } // the destructor completes the file
+  return bytes;
+}
+
 } // namespace
 
 Result<std::vector<std::byte>> encodeExr(const LinearImage& image) {
-  constexpr std::array<std::string_view, 4> kChannelNames = {"Y", "YA", "RGB", "RGBA"};
-  if (Result<void> encodable =
-          checkEncodable(kName, image.width, image.height, image.channels, image.values);
-      !encodable)
-    return encodable.error();
-  try {
-    const std::vector<half> values = toHalf(image);
-    const auto channels = std::size_t(image.channels);
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::FrameBuffer frame;
-    for (std::size_t c = 0; c < channels; ++c) {
-      const std::string channel(1, kChannelNames[channels - 1][c]);
-      header.channels().insert(channel, Imf::Channel(Imf::HALF));
-      frame.insert(channel, Imf::Slice::Make(Imf::HALF, values.data() + c, header.dataWindow(),
-                                             channels * sizeof(half),
-                                             channels * sizeof(half) * std::size_t(image.width)));
+  const auto exhausted = [] { return "EXR: not enough memory to encode the image"; };
+  return withinMemory(exhausted, [&]() -> Result<std::vector<std::byte>> {
+    if (Result<void> encodable =
+            checkEncodable(kName, image.width, image.height, image.channels, image.values);
+        !encodable)
+      return encodable.error();
+    try {
+      return encode(image);
+    } catch (const std::bad_alloc&) {
+      throw; // is a std::exception too
+    } catch (const std::exception& problem) {
+      return Error{ErrorKind::resources,
+                   std::string("EXR: cannot be encoded: ") + printable(problem.what())};
     }
-    std::vector<std::byte> bytes;
-    MemoryStream stream(bytes);
-    {
-      Imf::OutputFile output(stream, header, 0);
-      output.setFrameBuffer(frame);
-      output.writePixels(image.height);
-    } // the destructor completes the file
-    return bytes;
-  } catch (const std::bad_alloc&) {
-    return outOfMemory(kName, "encode the image");
-  } catch (const std::exception& problem) {
-    return Error{ErrorKind::resources,
-                 std::string("EXR: cannot be encoded: ") + printable(problem.what())};
-  }
+  });
 }
 
 } // namespace lichen

@@ -102,15 +102,15 @@ void quantizeRow(std::span<const float> values, int bits, std::vector<png_byte>&
 
 template <class AnyImage>
 Result<std::vector<std::byte>> encode(const AnyImage& image, int bits) {
-  if (Result<void> encodable =
-          checkEncodable(kName, image.width, image.height, image.channels, image.values);
-      !encodable)
-    return encodable.error();
-  if (bits != 8 && bits != 16)
-    return Error{ErrorKind::usage,
-                 "PNG: " + std::to_string(bits) + " bits per channel; 8 and 16 are accepted"};
   const auto exhausted = [] { return outOfMemory(kName, "encode the image"); };
   try {
+    if (Result<void> encodable =
+            checkEncodable(kName, image.width, image.height, image.channels, image.values);
+        !encodable)
+      return encodable.error();
+    if (bits != 8 && bits != 16)
+      return Error{ErrorKind::usage,
+                   "PNG: " + std::to_string(bits) + " bits per channel; 8 and 16 are accepted"};
     std::vector<std::byte> bytes;
     const std::size_t valuesPerRow = std::size_t(image.width) * std::size_t(image.channels);
     std::vector<png_byte> row(valuesPerRow * std::size_t(bits / 8));

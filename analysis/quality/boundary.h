@@ -6,7 +6,6 @@
 #include <lichen/result.h>
 
 #include <algorithm>
-#include <new>
 #include <optional>
 #include <string>
 
@@ -48,14 +47,7 @@ inline std::optional<Error> refusal(const SrgbImage& exemplar, const SrgbImage& 
                                         describe(result) + "; both must be grey or both in colour"};
 }
 
-/// Runs `measure`, which returns a T, with std::bad_alloc turned into an error.
-template <class Measure>
-auto withinMemory(Measure measure) -> Result<decltype(measure())> {
-  try {
-    return measure();
-  } catch (const std::bad_alloc&) {
-    return memoryError([] { return "memory exhausted while measuring; try a smaller result"; });
-  }
-}
+/// The message of a measure that memory does not suffice for.
+inline const char* exhausted() { return "memory exhausted while measuring; try a smaller result"; }
 
 } // namespace lichen

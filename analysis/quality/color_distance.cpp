@@ -116,9 +116,9 @@ double squaredDistance(const std::vector<std::uint32_t>& a, std::size_t countA,
 } // namespace
 
 Result<double> colorDistance(const SrgbImage& exemplar, const SrgbImage& result) {
-  if (auto error = refusal(exemplar, result, 1))
-    return *error;
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    if (auto error = refusal(exemplar, result, 1))
+      return *error;
     Bounds bounds;
     extend(bounds, exemplar, true);
     extend(bounds, result, false);

@@ -116,23 +116,23 @@ std::optional<Error> viewRefusal(const SrgbImage& image, const LatticeView& view
 } // namespace
 
 Result<double> latticeVisibility(const SrgbImage& result, const LatticeView& view) {
-  if (auto error = viewRefusal(result, view))
-    return *error;
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    if (auto error = viewRefusal(result, view))
+      return *error;
     return visibility(luminancePlane(result), distanceClasses(result.width, result.height, view));
   });
 }
 
 Result<double> stationaryLatticeVisibility(const SrgbImage& result, const LatticeView& view,
                                            int trials, double quantile) {
-  if (auto error = viewRefusal(result, view))
-    return *error;
-  constexpr int kMostTrials = 10000;
-  if (trials < 1 || trials > kMostTrials || !(quantile > 0.0 && quantile <= 1.0))
-    return Error{ErrorKind::usage, std::to_string(trials) + " trials, quantile " +
-                                       std::to_string(quantile) +
-                                       ": 1 to 10000 trials and a quantile in (0, 1] are accepted"};
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    if (auto error = viewRefusal(result, view))
+      return *error;
+    constexpr int kMostTrials = 10000;
+    if (trials < 1 || trials > kMostTrials || !(quantile > 0.0 && quantile <= 1.0))
+      return Error{ErrorKind::usage,
+                   std::to_string(trials) + " trials, quantile " + std::to_string(quantile) +
+                       ": 1 to 10000 trials and a quantile in (0, 1] are accepted"};
     const auto classes = distanceClasses(result.width, result.height, view);
     const HalfSpectrum spectrum = forwardFft(luminancePlane(result), result.width, result.height);
     std::vector<double> scores(std::size_t(trials), 0.0);
@@ -147,9 +147,9 @@ Result<double> stationaryLatticeVisibility(const SrgbImage& result, const Lattic
 }
 
 Result<SrgbImage> phaseRandomized(const SrgbImage& image, std::uint32_t seed) {
-  if (auto error = refusal(image, "the image", 1))
-    return *error;
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<SrgbImage> {
+    if (auto error = refusal(image, "the image", 1))
+      return *error;
     const int channels = colorChannels(image);
     SrgbImage randomized(image.width, image.height, channels);
     std::vector<float> plane(image.pixelCount());

@@ -76,9 +76,11 @@ double edgePercentile(const SrgbImage& image) {
 } // namespace
 
 Result<double> seamVisibility(const SrgbImage& exemplar, const SrgbImage& result) {
-  if (auto error = refusal(exemplar, result, kRun + 1))
-    return *error;
-  return withinMemory([&] { return edgePercentile(result) / edgePercentile(exemplar); });
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    if (auto error = refusal(exemplar, result, kRun + 1))
+      return *error;
+    return edgePercentile(result) / edgePercentile(exemplar);
+  });
 }
 
 } // namespace lichen

@@ -41,9 +41,9 @@ std::vector<double> normalizedAutocovariance(const SrgbImage& image, int support
 } // namespace
 
 Result<double> spectrumDistanceDb(const SrgbImage& exemplar, const SrgbImage& result) {
-  if (auto error = refusal(exemplar, result, kSmallestSide))
-    return *error;
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    if (auto error = refusal(exemplar, result, kSmallestSide))
+      return *error;
     const int side = std::min(shorterSide(exemplar), shorterSide(result)) / kCropsPerSide;
     const int crop = std::min(kLargestCrop, side) / 2 * 2;
     const std::vector<double> a = spectrumDb(exemplar, crop);
@@ -57,16 +57,16 @@ Result<double> spectrumDistanceDb(const SrgbImage& exemplar, const SrgbImage& re
 
 Result<double> autocovarianceError(const SrgbImage& exemplar, const SrgbImage& result,
                                    int supportPixels) {
-  constexpr int kSmallestSupport = 2;
-  constexpr int kSupportsPerSide = 4; // so that every lag has enough pairs
-  if (auto error = refusal(exemplar, result, kSmallestSupport * kSupportsPerSide))
-    return *error;
-  const int largest = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;
-  if (supportPixels < kSmallestSupport || supportPixels > largest)
-    return Error{ErrorKind::usage, "support " + std::to_string(supportPixels) +
-                                       ": for these images " + std::to_string(kSmallestSupport) +
-                                       " to " + std::to_string(largest) + " pixels are accepted"};
-  return withinMemory([&] {
+  return withinMemory(exhausted, [&]() -> Result<double> {
+    constexpr int kSmallestSupport = 2;
+    constexpr int kSupportsPerSide = 4; // so that every lag has enough pairs
+    if (auto error = refusal(exemplar, result, kSmallestSupport * kSupportsPerSide))
+      return *error;
+    const int largest = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;
+    if (supportPixels < kSmallestSupport || supportPixels > largest)
+      return Error{ErrorKind::usage, "support " + std::to_string(supportPixels) +
+                                         ": for these images " + std::to_string(kSmallestSupport) +
+                                         " to " + std::to_string(largest) + " pixels are accepted"};
     const std::vector<double> a = normalizedAutocovariance(exemplar, supportPixels);
     const std::vector<double> b = normalizedAutocovariance(result, supportPixels);
     double difference = 0.0, norm = 0.0;

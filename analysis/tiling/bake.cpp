@@ -18,7 +18,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <optional>
 
@@ -184,10 +183,9 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
   progress.reach(1.0);
 }
 
-} // namespace
-
-Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
-                              const TilingOptions& options) {
+/// As bakeTiling(), but throws std::bad_alloc.
+Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
+                            const TilingOptions& options) {
   if (Result<void> checked = checkOptions(maps, options); !checked)
     return checked.error();
   try {
@@ -217,12 +215,20 @@ Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> map
     return bake;
   } catch (const Interrupted&) {
     return Error{ErrorKind::environment, name + ": interrupted"};
-  } catch (const std::bad_alloc&) {
-    return memoryError([&] {
-      return name + ": not enough memory to bake " + std::to_string(maps.front().width) + " x " +
-             std::to_string(maps.front().height) + " pixels";
-    });
   }
+}
+
+} // namespace
+
+Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
+                              const TilingOptions& options) {
+  const auto exhausted = [&] {
+    const std::string pixels = maps.empty() ? "nothing"
+                                            : std::to_string(maps.front().width) + " x " +
+                                                  std::to_string(maps.front().height) + " pixels";
+    return name + ": not enough memory to bake " + pixels;
+  };
+  return withinMemory(exhausted, [&] { return bakeMaps(name, maps, options); });
 }
 
 } // namespace lichen

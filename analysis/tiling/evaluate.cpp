@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace lichen {
 namespace {
@@ -96,14 +95,17 @@ float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float 
 } // namespace
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
-  if (noiseIndex >= bundle.noises.size())
-    return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
-                                       std::to_string(bundle.noises.size())};
-  const Noise& noise = bundle.noises[noiseIndex];
-  if (noise.method != "tiling")
-    return Error{ErrorKind::usage,
-                 "noise '" + noise.name + "' has method '" + noise.method + "', not tiling"};
-  try {
+  const auto exhausted = [&] {
+    return "noise " + std::to_string(noiseIndex) + ": not enough memory for its tables";
+  };
+  return withinMemory(exhausted, [&]() -> Result<TilingEvaluator> {
+    if (noiseIndex >= bundle.noises.size())
+      return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
+                                         std::to_string(bundle.noises.size())};
+    const Noise& noise = bundle.noises[noiseIndex];
+    if (noise.method != "tiling")
+      return Error{ErrorKind::usage,
+                   "noise '" + noise.name + "' has method '" + noise.method + "', not tiling"};
     TilingEvaluator evaluator;
     const auto texelsOf = [](const Table& table, std::uint32_t level) {
       const std::vector<float> values = decodeLevel(table, level);
@@ -131,10 +133,7 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       evaluator.maps_.push_back(std::move(map));
     }
     return evaluator;
-  } catch (const std::bad_alloc&) {
-    return memoryError(
-        [&] { return "noise '" + noise.name + "': not enough memory for its tables"; });
-  }
+  });
 }
 
 Value TilingEvaluator::bilinear(const Mip& mip, float u, float v) {

@@ -11,7 +11,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <new>
 
 namespace lichen {
 namespace {
@@ -83,7 +82,8 @@ double startOf(double origin, double periodTiles, bool periodic) {
   return start < 0.0 ? start + periodTiles : start;
 }
 
-/// As synthesize(), with pixels per tile along each axis; the options are in range.
+/// As synthesize(), with pixels per tile along each axis; the options are in range. Throws
+/// Interrupted and std::bad_alloc.
 Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions& options,
                                    const std::array<double, 2>& pixelsPerTile, std::size_t map) {
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, options.noise);
@@ -129,64 +129,66 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   return image;
 }
 
-Result<LinearImage> evaluateInMemory(const Bundle& bundle, const SynthesisOptions& options,
-                                     const std::array<double, 2>& pixelsPerTile, std::size_t map) {
-  try {
-    return evaluatePixels(bundle, options, pixelsPerTile, map);
-  } catch (const Interrupted&) {
-    return Error{ErrorKind::environment, "interrupted"};
-  } catch (const std::bad_alloc&) {
-    return memoryError([&] {
-      return "not enough memory for an image of " + std::to_string(options.width) + "x" +
-             std::to_string(options.height);
-    });
-  }
-}
-
 } // namespace
 
 Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
-  if (Result<void> checked = check(bundle, options); !checked)
-    return checked.error();
-  const std::optional<std::size_t> map = findMap(bundle.noises[options.noise], options.map);
-  if (!map)
-    return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
-                 std::string(nameOf(options.map)));
-  const Table& gaussian = gaussianOf(bundle, options.noise, *map);
-  const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
-  const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
-  if (options.tileable &&
-      std::min(options.width / perTile[0], options.height / perTile[1]) < kLeastPeriodTiles)
-    return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                 " is under half a tile: a tileable image of at least " +
-                 std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
-                 std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) + " is accepted");
-  return evaluateInMemory(bundle, options, perTile, *map);
+  const auto exhausted = [&] {
+    return "not enough memory for an image of " + std::to_string(options.width) + "x" +
+           std::to_string(options.height);
+  };
+  return withinMemory(exhausted, [&]() -> Result<LinearImage> {
+    if (Result<void> checked = check(bundle, options); !checked)
+      return checked.error();
+    const std::optional<std::size_t> map = findMap(bundle.noises[options.noise], options.map);
+    if (!map)
+      return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
+                   std::string(nameOf(options.map)));
+    const Table& gaussian = gaussianOf(bundle, options.noise, *map);
+    const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
+    const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
+    if (options.tileable &&
+        std::min(options.width / perTile[0], options.height / perTile[1]) < kLeastPeriodTiles)
+      return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+                   " is under half a tile: a tileable image of at least " +
+                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
+                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) + " is accepted");
+    try {
+      return evaluatePixels(bundle, options, perTile, *map);
+    } catch (const Interrupted&) {
+      return Error{ErrorKind::environment, "interrupted"};
+    }
+  });
 }
 
 Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, MapTarget target,
                                       std::uint32_t seed, int tiles) {
-  if (noise >= bundle.noises.size() || tiles < 1 || tiles > kMaxPreviewSide)
-    return usage("a preview of noise " + std::to_string(noise) + " with " + std::to_string(tiles) +
-                 " tiles a side: a noise of the bundle and 1 to 1024 tiles are accepted");
-  const std::optional<std::size_t> map = findMap(bundle.noises[noise], target);
-  if (!map)
-    return usage("noise '" + bundle.noises[noise].name + "' has no map " +
-                 std::string(nameOf(target)));
-  const Table& gaussian = gaussianOf(bundle, noise, *map);
-  const auto side = [tiles](std::uint32_t texels) {
-    const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));
-    return int(std::min<std::uint64_t>(wanted, std::uint64_t(kMaxPreviewSide)));
+  const auto exhausted = [tiles] {
+    return "not enough memory for a preview with " + std::to_string(tiles) + " tiles a side";
   };
-  SynthesisOptions options;
-  options.noise = noise;
-  options.map = target;
-  options.seed = seed;
-  options.tileable = true;
-  options.width = side(gaussian.width);
-  options.height = side(gaussian.height);
-  return evaluateInMemory(bundle, options,
+  return withinMemory(exhausted, [&]() -> Result<LinearImage> {
+    if (noise >= bundle.noises.size() || tiles < 1 || tiles > kMaxPreviewSide)
+      return usage("a preview of noise " + std::to_string(noise) + " with " +
+                   std::to_string(tiles) +
+                   " tiles a side: a noise of the bundle and 1 to 1024 tiles are accepted");
+    const std::optional<std::size_t> map = findMap(bundle.noises[noise], target);
+    if (!map)
+      return usage("noise '" + bundle.noises[noise].name + "' has no map " +
+                   std::string(nameOf(target)));
+    const Table& gaussian = gaussianOf(bundle, noise, *map);
+    const auto side = [tiles](std::uint32_t texels) {
+      const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));
+      return int(std::min<std::uint64_t>(wanted, std::uint64_t(kMaxPreviewSide)));
+    };
+    SynthesisOptions options;
+    options.noise = noise;
+    options.map = target;
+    options.seed = seed;
+    options.tileable = true;
+    options.width = side(gaussian.width);
+    options.height = side(gaussian.height);
+    return evaluatePixels(bundle, options,
                           {double(options.width) / tiles, double(options.height) / tiles}, *map);
+  });
 }
 
 } // namespace lichen

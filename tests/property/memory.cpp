@@ -28,12 +28,15 @@ enum class First {
   sampled ///< each up to the 64th, then every 16th part farther
 };
 
+/// What the operation says with memory enough.
+enum class Outcome { success, refusal };
+
 /// Runs `operation`, which returns a Result, with memory that ends at one allocation after another
-/// until it succeeds; each failure must be reported as one of resources. One thread only: the count
-/// is the thread's. `afterFailure` is called with memory there again. Returns how many failures
-/// there were.
+/// until it is enough; each failure must be reported as one of resources. One thread only: the
+/// count is the thread's. `afterFailure` is called with memory there again. Returns how many
+/// failures there were.
 template <class Operation, class Check>
-int exhaustMemory(First first, Operation operation, Check afterFailure) {
+int exhaustMemory(First first, Outcome outcome, Operation operation, Check afterFailure) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   tbb::parallel_for(0, 1, [](int) {}); // oneTBB waits for ever where its first use lacks memory
   constexpr int kSteps = 16;
@@ -47,7 +50,9 @@ int exhaustMemory(First first, Operation operation, Check afterFailure) {
       return made;
     }();
     if (!reached) {
-      REQUIRE(result.ok());
+      REQUIRE(result.ok() == (outcome == Outcome::success));
+      if (!result.ok())
+        REQUIRE(result.error().kind != ErrorKind::resources);
       return failures;
     }
     INFO("allocation " << failing);
@@ -61,7 +66,13 @@ int exhaustMemory(First first, Operation operation, Check afterFailure) {
 
 template <class Operation>
 int exhaustMemory(First first, Operation operation) {
-  return exhaustMemory(first, operation, [] {});
+  return exhaustMemory(first, Outcome::success, operation, [] {});
+}
+
+/// Of an operation that refuses its input, whose message is the first that needs memory.
+template <class Operation>
+int exhaustRefusal(Operation operation) {
+  return exhaustMemory(First::each, Outcome::refusal, operation, [] {});
 }
 
 MapExemplar oneChannel(MapExemplar map) {
@@ -123,7 +134,7 @@ TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no fi
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / name;
     CHECK(exhaustMemory(
-              First::sampled, [&] { return writeBundle(path, file); },
+              First::sampled, Outcome::success, [&] { return writeBundle(path, file); },
               [&] { REQUIRE(folder.entryCount() == 0); }) > 50);
   }
 }
@@ -142,4 +153,40 @@ TEST_CASE("a measure that runs out of memory says so, whichever allocation fails
   CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
+}
+
+TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails") {
+  TilingOptions bits;
+  bits.bits = 7;
+  const MapExemplar map = oneChannel(test::threeMaterials(64, 64, 1, 1));
+  CHECK(exhaustRefusal([&] { return bakeTiling("x", {&map, 1}, bits); }) > 0);
+  CHECK(exhaustRefusal([&] { return bakeTiling("x", {}, {}); }) > 0);
+
+  const Bundle bundle = bakedBundle(map);
+  SynthesisOptions options;
+  options.width = 0;
+  CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
+  options.width = options.height = 16;
+  options.tileable = true;
+  CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
+  constexpr auto kMap = MapTarget::baseColor;
+  CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, 0, kMap, 1, 0); }) > 0);
+  CHECK(exhaustRefusal([&] { return TilingEvaluator::create(bundle, 1); }) > 0);
+
+  const SrgbImage empty;
+  const SrgbImage grey(80, 72, 1);
+  LatticeView view;
+  view.tilesPerPixelX = 0.0;
+  CHECK(exhaustRefusal([&] { return colorDistance(empty, grey); }) > 0);
+  CHECK(exhaustRefusal([&] { return spectrumDistanceDb(empty, grey); }) > 0);
+  CHECK(exhaustRefusal([&] { return autocovarianceError(empty, grey, 8); }) > 0);
+  CHECK(exhaustRefusal([&] { return autocovarianceError(grey, grey, 1); }) > 0);
+  CHECK(exhaustRefusal([&] { return latticeVisibility(grey, view); }) > 0);
+  CHECK(exhaustRefusal([&] { return stationaryLatticeVisibility(empty, view, 2); }) > 0);
+  CHECK(exhaustRefusal([&] { return seamVisibility(empty, grey); }) > 0);
+  CHECK(exhaustRefusal([&] { return phaseRandomized(empty, 1); }) > 0);
+
+  CHECK(exhaustRefusal([&] { return encodePng(empty, 8); }) > 0);
+  CHECK(exhaustRefusal([&] { return encodePng(grey, 7); }) > 0);
+  CHECK(exhaustRefusal([] { return encodeExr(LinearImage()); }) > 0);
 }

@@ -86,4 +86,16 @@ private:
   std::optional<Error> error_;
 };
 
+/// Runs `operation`, which returns a Result, with std::bad_alloc turned into memoryError(describe).
+/// What a function checks belongs in there too: the message of a refusal needs memory as well.
+template <class Describe, class Operation>
+[[nodiscard]] auto withinMemory(const Describe& describe, const Operation& operation)
+    -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const std::bad_alloc&) {
+    return memoryError(describe);
+  }
+}
+
 } // namespace lichen
