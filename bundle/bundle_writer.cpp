@@ -219,12 +219,13 @@ Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& fi
     Result<Encoded> encoded = encode(file);
     if (!encoded)
       return encoded.error();
-    Result<std::vector<std::byte>> glb = framed(encoded.value()); // checked for both forms
-    if (!glb)
-      return glb.error();
-    if (extension == ".glb")
-      return replaceFile(path, glb.value());
-    glb.value() = {};
+    {
+      const Result<std::vector<std::byte>> glb = framed(encoded.value()); // checked for both forms
+      if (!glb)
+        return glb.error();
+      if (extension == ".glb")
+        return replaceFile(path, glb.value());
+    } // as large as the bundle itself, which is still to be written
     return writeGltf(path, std::move(encoded).value());
   });
 }
