@@ -45,7 +45,7 @@ LichenResult allocateOwn(const LichenVulkanContext_T& context,
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
-  VkResult failure = VK_SUCCESS;
+  VkResult firstFailure = VK_SUCCESS; // of the best type: drivers put that first
   for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
     const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
     if ((requirements.memoryTypeBits & (1u << type)) == 0 || (has & needed) != needed ||
@@ -54,15 +54,17 @@ LichenResult allocateOwn(const LichenVulkanContext_T& context,
     info.memoryTypeIndex = type;
     LichenDeviceMemory block;
     LICHEN_INIT(block, LICHEN_STRUCTURE_DEVICE_MEMORY);
-    failure = allocateBlock(context, info, use, block);
-    if (failure == VK_SUCCESS) {
+    const VkResult result = allocateBlock(context, info, use, block);
+    if (result == VK_SUCCESS) {
       memory = block;
       return LICHEN_SUCCESS;
     }
+    if (firstFailure == VK_SUCCESS)
+      firstFailure = result;
     // The next type may have room in its heap, or be mapped where this one cannot.
   }
-  if (failure != VK_SUCCESS)
-    return vulkanFailure(nameOf(use), failure, diagnostic);
+  if (firstFailure != VK_SUCCESS)
+    return vulkanFailure(nameOf(use), firstFailure, diagnostic);
   say(diagnostic,
       "%s: the device has no ordinary type of memory with VkMemoryPropertyFlags 0x%x among those "
       "that fit, 0x%x",

@@ -340,6 +340,13 @@ TEST_CASE("the next type of memory is taken when a heap is full or cannot be map
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
     CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4, 5});
   }
+  SECTION("if none will do, the first one's failure is reported") {
+    ManyMemoryTypes::unmappable = 4;
+    ManyMemoryTypes::full = 5;
+    const Created created = createWith(fixture, functions);
+    CHECK(created.message.find("cannot be mapped") != std::string::npos);
+    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4, 5});
+  }
   CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
