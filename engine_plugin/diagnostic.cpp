@@ -53,11 +53,13 @@ void say(LichenDiagnostic* diagnostic, const char* format, ...) noexcept {
     return;
   // As long as the text may be: escapes make it longer, never shorter, so that a character cut here
   // does not fit there either.
-  char message[sizeof diagnostic->text];
+  char message[sizeof diagnostic->text] = "";
   std::va_list arguments;
   va_start(arguments, format);
-  std::vsnprintf(message, sizeof message, format, arguments);
+  const int written = std::vsnprintf(message, sizeof message, format, arguments);
   va_end(arguments);
+  if (written < 0) // what stands in the buffer is then not specified
+    message[0] = '\0';
 
   const std::size_t capacity =
       std::min<std::size_t>(diagnostic->size - kTextOffset, sizeof diagnostic->text);

@@ -218,6 +218,15 @@ TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
   CHECK(diagnostic.text[8] == 'x');
 }
 
+TEST_CASE("a diagnostic that cannot be formatted is empty") {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  std::memset(diagnostic.text, 'x', sizeof diagnostic.text);
+  const wchar_t noCharacter[] = {wchar_t(0x110000), 0};
+  plugin::say(&diagnostic, "before %ls", noCharacter);
+  CHECK(std::string(diagnostic.text).empty());
+}
+
 TEST_CASE("a diagnostic is one line of whole characters, whatever names it quotes") {
   const std::vector<std::byte> notABundle(100, std::byte(7));
   const auto messageFor = [&](const std::string& name, std::size_t capacity) {
