@@ -13,3 +13,8 @@
 TEST_CASE("the uniform block of the C interface is the shader's") {
   CHECK(sizeof(lichen::shader::LichenUniforms) == LICHEN_UNIFORM_BYTES);
 }
+
+TEST_CASE("an array of uniform blocks fits any device's minUniformBufferOffsetAlignment") {
+  constexpr int kLargestAllowed = 256; // Vulkan 1.0, Required Limits
+  CHECK(LICHEN_UNIFORM_BYTES % kLargestAllowed == 0);
+}
