@@ -25,7 +25,9 @@ public:
   template <std::floating_point Number>
   JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(double(value))) {}
   template <std::unsigned_integral Number>
-  JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(std::uint64_t(value))) {}
+  requires(!std::same_as<Number, bool>) // would be written as 0 or 1
+      JsonTree(Number value)
+      : kind_(Kind::scalar), text_(textOf(std::uint64_t(value))) {}
   template <std::signed_integral Number>
   JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(std::int64_t(value))) {}
   template <class Value>
@@ -40,7 +42,7 @@ public:
   [[nodiscard]] static JsonTree array();
   [[nodiscard]] static JsonTree object();
 
-  /// The member of an object, null where it was absent.
+  /// The member of an object, null where it was absent. The next new member ends the reference.
   JsonTree& operator[](std::string_view key);
   [[nodiscard]] bool contains(std::string_view key) const;
   void erase(std::string_view key);

@@ -60,21 +60,22 @@ JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& u
 void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, const Noise& noise,
                  const MaterialNoise& use, const PreviewImages& preview) {
   constexpr double kRoughnessWithoutMap = 0.8;
+  constexpr const char* kPbr = "pbrMetallicRoughness";
   JsonTree material = {{"name", name}};
-  JsonTree& pbr = material["pbrMetallicRoughness"] = JsonTree::object();
   const auto texture = [&](const char* slot, const std::vector<std::byte>& png) {
     return textureInfo(root, addTexture(root, builder, name + "." + slot, png), use,
                        preview.tilesPerImage);
   };
   if (!preview.baseColor.empty())
-    pbr["baseColorTexture"] = texture("baseColor", preview.baseColor);
+    material[kPbr]["baseColorTexture"] = texture("baseColor", preview.baseColor);
   // Factors multiply the map; where it has no such channel they are the value.
-  pbr["metallicFactor"] = hasChannel(noise, MapChannel::metallic) ? 1.0 : 0.0;
-  pbr["roughnessFactor"] = hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
+  material[kPbr]["metallicFactor"] = hasChannel(noise, MapChannel::metallic) ? 1.0 : 0.0;
+  material[kPbr]["roughnessFactor"] =
+      hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
   if (!preview.occlusionRoughnessMetallic.empty()) {
     const JsonTree info = texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
     if (hasChannel(noise, MapChannel::roughness) || hasChannel(noise, MapChannel::metallic))
-      pbr["metallicRoughnessTexture"] = info;
+      material[kPbr]["metallicRoughnessTexture"] = info;
     if (hasChannel(noise, MapChannel::occlusion))
       material["occlusionTexture"] = info;
   }
