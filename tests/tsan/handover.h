@@ -2,6 +2,10 @@
 // Tells ThreadSanitizer what oneTBB synchronises, which Debian's uninstrumented library hides: a
 // task sees what its spawner did before, and who waits for the tasks sees what they did. Nothing
 // orders the tasks among themselves, so a race between them is reported.
+// Used by the headers of tbb/, for parallel_for over indices and parallel_invoke. oneTBB's other
+// algorithms (parallel_reduce, parallel_sort, task_group and so on) are not covered:
+// ThreadSanitizer would report races in their tasks where there are none. Who needs one adds a
+// header there.
 #pragma once
 
 #include <sanitizer/tsan_interface.h>
