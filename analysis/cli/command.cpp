@@ -2,6 +2,8 @@
 // Checks and lines that verbs share.
 #include "command.h"
 
+#include <lichen/escaped.h>
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -28,40 +30,17 @@ std::string toText(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string printable(const std::string& text) {
-  std::string line;
-  const auto escape = [&](char byte) {
-    line += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto code = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F are controls too; in UTF-8 they are C2 80 to C2 9F.
-    const bool twoByteControl = code == 0xc2 && i + 1 < text.size() &&
-                                static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
-                                static_cast<unsigned char>(text[i + 1]) <= 0x9f;
-    if (twoByteControl) {
-      escape(text[i]);
-      escape(text[++i]);
-    } else if (code < 0x20 || code == 0x7f) {
-      escape(text[i]);
-    } else {
-      line += text[i];
-    }
-  }
-  return line;
-}
-
 // fmt::print throws where a stream takes no more.
 void printLine(const std::string& text) { std::fputs((text + "\n").c_str(), stdout); }
 
 void say(const SharedOptions& options, const std::string& line) {
   if (!options.quiet && !options.json)
-    printLine(printable(line));
+    printLine(escaped(line));
 }
 
 void note(const SharedOptions& options, const std::string& line) {
   if (!options.quiet)
-    std::fputs(("note: " + printable(line) + "\n").c_str(), stderr);
+    std::fputs(("note: " + escaped(line) + "\n").c_str(), stderr);
 }
 
 } // namespace lichen::cli

@@ -40,10 +40,6 @@ using Runner = std::function<Result<int>()>;
 /// Indented JSON; bytes that are not UTF-8, as file names may have, are replaced.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 
-/// `text` on one line that moves no cursor: control characters, C1 as well, as \xNN of their bytes.
-/// All other bytes, and so all other UTF-8, stay. Names from files and folders may have anything.
-[[nodiscard]] std::string printable(const std::string& text);
-
 /// `text` and a line's end on standard output. Where that takes no more, main.cpp finds out.
 void printLine(const std::string& text);
 /// One line on standard output unless `quiet` or `json`.

@@ -4,6 +4,7 @@
 #include "options.h"
 
 #include <lichen/bundle.h>
+#include <lichen/escaped.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -42,9 +43,9 @@ Result<int> run(const Arguments& arguments) {
                     {"pointer", finding.pointer},
                     {"message", finding.message}});
     if (!arguments.shared.json && (isError || !arguments.shared.quiet))
-      printLine(printable(fmt::format("{}: {} [{}] at {}", severityName(finding.severity),
-                                      finding.message, finding.code,
-                                      finding.pointer.empty() ? "/" : finding.pointer)));
+      printLine(
+          escaped(fmt::format("{}: {} [{}] at {}", severityName(finding.severity), finding.message,
+                              finding.code, finding.pointer.empty() ? "/" : finding.pointer)));
   }
   if (arguments.shared.json) {
     const nlohmann::ordered_json report{{"file", arguments.bundle},

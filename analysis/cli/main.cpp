@@ -3,6 +3,8 @@
 #include "command.h"
 #include "options.h"
 
+#include <lichen/escaped.h>
+
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
@@ -35,7 +37,7 @@ std::string verbNames() {
 
 int fail(const Error& error) {
   // Nothing is left to do where this cannot be written, so nothing may be thrown either.
-  std::fputs(("lichen: " + printable(error.message) + "\n").c_str(), stderr);
+  std::fputs(("lichen: " + escaped(error.message) + "\n").c_str(), stderr);
   return int(error.kind);
 }
 

@@ -7,8 +7,8 @@
 
 namespace lichen::renderer {
 
-/// `text` on one line: control characters as \xNN, and of a longer text the first `maxLength`
-/// bytes, down to a whole character of UTF-8.
+/// escaped() of `text`, of a longer text its first `maxLength` bytes, down to a whole character of
+/// UTF-8.
 [[nodiscard]] std::string printable(const std::string& text, std::size_t maxLength = 60);
 
 } // namespace lichen::renderer

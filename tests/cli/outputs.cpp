@@ -237,6 +237,8 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
       runLichen({"synth", bundle, "-o", workplace.path("p.png"), "--noise", "absent"}).errors,
       "has " + shown);
 
+  checkShown(runLichen({"check", workplace.path("latin f\xfc.glb")}).errors, "latin f\\xfc.glb: ");
+
   // Of a finding: a buffer's file that is absent.
   const std::string text = workplace.read(
       std::filesystem::path(bake(workplace, input, "moss.gltf")).filename().string());

@@ -182,6 +182,8 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
   INFO(absent.output);
   CHECK(isOneLine(absent.output));
   CHECK(absent.output.find("m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc.glb") != std::string::npos);
+  CHECK(run("\"$(printf 'latin f\\374.glb')\" -o o.png").output.find("latin f\\xfc.glb: ") !=
+        std::string::npos);
 }
 
 TEST_CASE("what standard output does not take is an error of one line") {
