@@ -114,7 +114,7 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
 MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
-  if (!hasSpectrum(map))
+  if (options.transport == TransportEffort::fast || !hasSpectrum(map))
     return fitWith(map, space, std::min(kUsualShare, options.largestShare), options);
   const bool onMiddle = std::max(map.width, map.height) > kLargestTrialSide;
   const bool exact = options.transport == TransportEffort::exact;
