@@ -3,6 +3,7 @@
 #include "slab_means.h"
 
 #include "prefilter.h"
+#include "random_blend.h"
 #include "table_lookup.h"
 
 #include <lichen/lattice.h>
@@ -78,27 +79,19 @@ private:
   std::vector<std::vector<float>> levels_;
 };
 
-/// [HN18] eq. 8 on three texels at random, with weights uniform in the triangle.
+/// Three texels at random, blended.
 std::array<float, 3> blendedFetch(const Mips& mips, const Between& between, std::uint32_t sample) {
   const std::uint32_t count = mips.texelCount(between.mip);
   const std::array<std::uint32_t, 3> tap = pcg3d({sample, 0u, 0u});
   const std::array<std::uint32_t, 3> place = pcg3d({sample, 1u, 0u});
-  const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };
-  float a = random(place[0]);
-  float b = random(place[1]);
-  if (a + b > 1.0f) {
-    a = 1.0f - a;
-    b = 1.0f - b;
-  }
-  const std::array<float, 3> weights{a, b, 1.0f - a - b};
+  const std::array<float, 3> weights = randomBlendWeights(place[0], place[1]);
   const std::array<std::uint32_t, 3> texels{std::uint32_t(std::uint64_t(sample) * count / kSamples),
                                             tap[1] % count, tap[2] % count};
-  const float norm = std::sqrt(a * a + b * b + weights[2] * weights[2]);
   std::array<float, 3> value{0.5f, 0.5f, 0.5f};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::array<float, 3> tapValue = mips.fetch(between, texels[k]);
     for (std::size_t c = 0; c < 3; ++c)
-      value[c] += weights[k] / norm * tapValue[c];
+      value[c] += weights[k] * tapValue[c];
   }
   return value;
 }

@@ -2,6 +2,7 @@
 // Exemplar, Gaussian image and inverse table -> decibels between the spectra of noise and exemplar.
 #include "spectrum_error.h"
 
+#include "random_blend.h"
 #include "table_lookup.h"
 #include "value_encoding.h"
 
@@ -61,27 +62,17 @@ Planes planesOf(const MapExemplar& map, std::vector<float> values, int width, in
   return planes;
 }
 
-/// Three windows of the image and the weights that blend them [HN18] eq. 8.
+/// Three windows of the image, anywhere and wrapping, and the weights that blend them.
 struct Blend {
   std::array<std::array<int, 2>, 3> corners;
-  std::array<float, 3> weights; ///< their squares sum to 1
+  std::array<float, 3> weights;
 };
 
-/// Weights are uniform in the triangle, as on the lattice; windows are anywhere and wrap.
 Blend blendAt(std::uint32_t sample, const Gaussianized& gaussian) {
   const std::array<std::uint32_t, 3> columns = pcg3d({sample, 0u, 0u});
   const std::array<std::uint32_t, 3> rows = pcg3d({sample, 1u, 0u});
   const std::array<std::uint32_t, 3> place = pcg3d({sample, 2u, 0u});
-  const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };
-  float a = random(place[0]);
-  float b = random(place[1]);
-  if (a + b > 1.0f) {
-    a = 1.0f - a;
-    b = 1.0f - b;
-  }
-  const float c = 1.0f - a - b;
-  const float norm = std::sqrt(a * a + b * b + c * c);
-  Blend blend{{}, {a / norm, b / norm, c / norm}};
+  Blend blend{{}, randomBlendWeights(place[0], place[1])};
   for (std::size_t k = 0; k < 3; ++k)
     blend.corners[k] = {int(columns[k] % std::uint32_t(gaussian.width)),
                         int(rows[k] % std::uint32_t(gaussian.height))};

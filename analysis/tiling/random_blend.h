@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Weights of the three taps of a blend, as a place on the lattice has them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace lichen::tiling {
+
+/// [HN18] eq. 8 at a place uniform in the triangle, from two words of a hash: weights whose squares
+/// sum to 1.
+[[nodiscard]] inline std::array<float, 3> randomBlendWeights(std::uint32_t first,
+                                                             std::uint32_t second) {
+  const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };
+  float a = random(first);
+  float b = random(second);
+  if (a + b > 1.0f) {
+    a = 1.0f - a;
+    b = 1.0f - b;
+  }
+  const float c = 1.0f - a - b;
+  const float norm = std::sqrt(a * a + b * b + c * c);
+  return {a / norm, b / norm, c / norm};
+}
+
+} // namespace lichen::tiling
