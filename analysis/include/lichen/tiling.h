@@ -49,7 +49,8 @@ struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, of each map that varies: how near the optimum its matching is.
+  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that
+  /// varies, and one more of each whose borders are blended.
   std::vector<TransportBound> transportBounds;
 };
 
