@@ -36,6 +36,8 @@ LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
 Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std::uint32_t seed) {
   std::map<MapTarget, LinearImage> textures;
   for (const NoiseMap& map : bundle.noises[noise].maps) {
+    if (map.target == MapTarget::height)
+      continue; // core materials have none
     Result<LinearImage> values =
         synthesizePreview(bundle, noise, map.target, seed, kTilesPerPreview);
     if (!values)
@@ -44,9 +46,9 @@ Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std
   }
   if (const auto opacity = textures.find(MapTarget::opacity); opacity != textures.end())
     textures[MapTarget::baseColor] = withAlpha(textures[MapTarget::baseColor], opacity->second);
-  // Of height alone core materials show nothing; white uses the scene's texture coordinates, which
-  // the noise needs and the Khronos validator would find unused.
-  if (textures.size() == textures.count(MapTarget::height))
+  // White uses the scene's texture coordinates, which the noise needs and the Khronos validator
+  // would find unused.
+  if (textures.empty())
     textures[MapTarget::baseColor] = white();
 
   PreviewImages images;
