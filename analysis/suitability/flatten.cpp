@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace lichen {
 namespace {
@@ -94,13 +95,25 @@ void subtract(std::vector<float>& values, const std::vector<float>& slow) {
     values[i] += kept - slow[i];
 }
 
-bool isColor(ValueEncoding encoding) {
-  return encoding == ValueEncoding::srgb || encoding == ValueEncoding::log2;
+bool isLight(const MapExemplar& map) {
+  return map.target == MapTarget::baseColor || map.target == MapTarget::emissive;
 }
 
-/// The largest code value that stands for a colour.
-float whitest(ValueEncoding encoding) {
-  return encoding == ValueEncoding::srgb ? 1.0f : tiling::encoded(kHalfMax, encoding);
+/// What the channel's stored values may become: light up to white, data within its own range,
+/// slopes anything.
+std::pair<float, float> storedRange(const MapExemplar& map, std::size_t channel) {
+  if (map.encoding == ValueEncoding::slope)
+    return {-kHalfMax, kHalfMax};
+  float least = map.values[channel], most = least;
+  for (std::size_t i = channel; i < map.values.size(); i += map.channels.size()) {
+    least = std::min(least, map.values[i]);
+    most = std::max(most, map.values[i]);
+  }
+  if (!isLight(map))
+    return {least, most};
+  const float white =
+      map.encoding == ValueEncoding::log2 ? tiling::encoded(kHalfMax, map.encoding) : 1.0f;
+  return {std::min(least, 0.0f), std::max(most, white)};
 }
 
 void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period, bool periodic) {
@@ -110,21 +123,22 @@ void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period,
   for (std::size_t i = channel; i < map.values.size(); i += channels)
     plane.values.push_back(tiling::decoded(map.values[i], map.encoding));
   const Plane slow = lowPassed(plane, period, periodic);
-  if (isColor(map.encoding))
+  if (isLight(map))
     evenOut(plane.values, slow.values);
   else
     subtract(plane.values, slow.values);
-  for (std::size_t pixel = 0; pixel < plane.values.size(); ++pixel) {
-    const float value = tiling::encoded(plane.values[pixel], map.encoding);
+  const auto [least, most] = storedRange(map, channel);
+  for (std::size_t pixel = 0; pixel < plane.values.size(); ++pixel)
     map.values[pixel * channels + channel] =
-        isColor(map.encoding) ? std::clamp(value, 0.0f, whitest(map.encoding)) : value;
-  }
+        std::clamp(tiling::encoded(plane.values[pixel], map.encoding), least, most);
 }
 
 /// As flatten(), of maps in range, but throws std::bad_alloc.
 void flattenMaps(std::span<MapExemplar> maps, double periodPixels, bool periodic) {
   const MapExemplar& first = maps.front();
   for (MapExemplar& map : maps) {
+    if (map.target == MapTarget::opacity)
+      continue;
     const Period period{periodPixels * map.width / first.width,
                         periodPixels * map.height / first.height};
     for (std::size_t channel = 0; channel < map.channels.size(); ++channel)
