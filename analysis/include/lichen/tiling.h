@@ -38,7 +38,7 @@ enum class Periodic {
 };
 
 /// Whether a bake of these maps keeps their borders: as the option says, or as all of them do.
-/// Each map within the ranges above.
+/// Each map within the ranges above. Throws std::bad_alloc, as building blocks do.
 [[nodiscard]] bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic);
 
 struct TilingOptions {
