@@ -213,10 +213,12 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
   if (table.mipLevels != 1)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
-  if (usedChannels(table.format) < map.channels.size())
+  const bool isSlope = map.encoding == ValueEncoding::slope;
+  const std::size_t needed = map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
+  if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(channelCount(table.format)) + " channels; at least " +
-                            std::to_string(map.channels.size()) + " are accepted");
+                            std::to_string(needed) + " are accepted");
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
   if (isUnorm && !isColor)

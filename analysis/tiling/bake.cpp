@@ -8,6 +8,7 @@
 #include "mip_chain.h"
 #include "prefilter.h"
 #include "slab_means.h"
+#include "slope_variance.h"
 #include "transport/lower_bound.h"
 #include "value_encoding.h"
 
@@ -160,6 +161,8 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
   const std::vector<ChannelMatrix> lost = lostVariance(image);
   std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, lost);
   restoreSlabMeans(slabs, image, lost);
+  if (map.encoding == ValueEncoding::slope)
+    appendSlopeVariance(slabs, fit.table, image, lost);
   Table inverse = inverseTableTexels(slabs, map.encoding, bits);
 
   NoiseMap result;

@@ -92,6 +92,21 @@ float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float 
   return 1.0f - (above + rest * rest * (below - above));
 }
 
+/// Of the lost variance, the share that the footprint takes: the rest is interpolation's.
+float footprintShare(const shader::LichenMap& map, float lod, float lostVariance) {
+  const int mip = int(lod);
+  const float below = mipKept(map, mip);
+  const float above = mipKept(map, mip + 1);
+  const float rest = 1.0f - (lod - float(mip));
+  const float lost = 1.0f - (above * above + rest * rest * (below * below - above * above));
+  return lost < lostVariance ? lost / lostVariance : 1.0f;
+}
+
+/// The level of the table that is prefiltered for this loss.
+float tableLevel(const shader::LichenMap& map, float lost) {
+  return float(map.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+}
+
 } // namespace
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
@@ -191,16 +206,22 @@ Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::siz
   return dimensions == 2 ? square(0) : mix(square(0), square(step[2]), fraction[2]);
 }
 
-Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
+Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float lost) {
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
     uniform[axis] = uniformFromGaussian(gaussian[axis]);
-  const float level =
-      float(map.constants.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+  const float level = tableLevel(map.constants, lost);
   const auto slab = std::size_t(level);
   const Value value = slabLookup(map, uniform, slab);
   const float t = level - float(slab);
   return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
+}
+
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
+  if (map.constants.decoding == LICHEN_DECODING_JOINT)
+    return decodeJoint(map, gaussian, lost);
+  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
+                         std::min(1.0f, lost));
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -225,7 +246,12 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
   Value result = middle;
   for (std::size_t c = 0; c < 3; ++c)
     result[c] += scale * sum[c];
-  return decodeFirst ? result : decode(map, result, noise.contrast * noise.contrast * lost);
+  if (decodeFirst)
+    return result;
+  result = decode(map, result, noise.contrast * noise.contrast * lost);
+  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+    result[2] *= footprintShare(map.constants, lod, lost);
+  return result;
 }
 
 } // namespace lichen

@@ -5,6 +5,7 @@
 #include "inverse_table.h"
 #include "mip_chain.h"
 
+#include <array>
 #include <vector>
 
 namespace lichen::tiling {
@@ -15,6 +16,14 @@ inline constexpr int kTableLevels = 8;
 /// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k: kTableLevels values
 /// from 0 to 1, in units of the full variance.
 [[nodiscard]] std::vector<double> tableLevels();
+
+/// The covariance that fetches have lost when its mean over the channels is `level`: between
+/// nothing, the mips' in `lost` and everything.
+[[nodiscard]] ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost);
+
+/// Zero-mean Gaussian displacements, stratified, with the covariance `loss` / 36.
+[[nodiscard]] std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss,
+                                                                  std::size_t count);
 
 /// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36) and S the covariance that fetches
 /// have lost when the mean loss is levels[k]: interpolated between the mips' in `lost`. Slab 0 is

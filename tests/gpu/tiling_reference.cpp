@@ -107,8 +107,8 @@ Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
           p[1] + double(index[1]) * double(n.offsetStepY)};
 }
 
-/// Step 5.
-double lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
+/// Step 5: s, and what of it the mips lose at the centres of their texels.
+std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept.x, m.mipKept.y, m.mipKept.z, m.mipKept.w};
   const auto amplitude = [&](int mip) {
     mip = std::min(mip, 15);
@@ -128,7 +128,10 @@ double lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   lambda = std::clamp(lambda, 0.0, double(m.mipCount - 1));
   const int mu = int(std::floor(lambda));
   const double t = lambda - mu, below = kept(mu), above = kept(mu + 1);
-  return 1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above));
+  const double atTexels =
+      std::pow(amplitude(mu + 1), 2) +
+      (1.0 - t) * (1.0 - t) * (std::pow(amplitude(mu), 2) - std::pow(amplitude(mu + 1), 2));
+  return {1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above)), 1.0 - atTexels};
 }
 
 } // namespace
@@ -178,7 +181,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   }
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  sample.gaussian[3] = lostVariance(p, lambda, m);
+  const auto [lost, lostAtTexels] = lostVariance(p, lambda, m);
+  sample.gaussian[3] = lost;
 
   // Step 6.
   const double s = std::min(1.0, double(n.contrast) * double(n.contrast) * sample.gaussian[3]);
@@ -203,6 +207,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   const Vec4 a = slab(low), b = slab(high);
   for (std::size_t c = 0; c < 4; ++c)
     sample.value[c] = a[c] + (level - low) * (b[c] - a[c]);
+  if (m.encoding == LICHEN_ENCODING_SLOPE && lost > 0.0)
+    sample.value[2] *= lostAtTexels / lost;
   return sample;
 }
 

@@ -297,6 +297,16 @@ TEST_CASE("every disagreement of a map with its tables is found") {
   });
 }
 
+TEST_CASE("a table of slopes without their variance is refused") {
+  BundleFile file = example::everyMap();
+  REQUIRE(encodeGlb(file));
+  const std::size_t table = *file.bundle.noises[1].maps[1].inverseTable;
+  file.bundle.tables[table] = example::patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1);
+  const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker sees it first
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("at least 3") != std::string::npos);
+}
+
 TEST_CASE("every fault of a material's use is found") {
   checkFaults({
       {"noise out of range", "noise-index", [](GlbParts& p) { p.use(0)["noise"] = 2; }},

@@ -101,7 +101,8 @@ BundleFile everyMap() {
 
   NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
   normal.gaussian = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
-  normal.inverseTable = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1));
+  normal.inverseTable =
+      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 64, 192, 0, 1));
   normal.levels = levels(3);
   noise.maps.push_back(std::move(normal));
 

@@ -43,7 +43,8 @@ public:
 
   /// The decoded value of map `map`, below mapCount(), with the parameters that shaderNoise() makes
   /// of the same bundle's noise: light for sRGB, the stored quantity otherwise, undoing log2;
-  /// channels that the map has not are 0, the fourth is 1. Constant time, no allocation.
+  /// channels that the map has not are 0, the fourth is 1. Of slopes, the third is the variance of
+  /// a slope that the footprint hides. Constant time, no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
@@ -64,6 +65,7 @@ private:
   [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
   [[nodiscard]] static Value trilinear(const Map& map, float u, float v, float lod);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
+  [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
 
   std::vector<Map> maps_;
