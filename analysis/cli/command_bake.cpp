@@ -6,6 +6,7 @@
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
+#include <lichen/precision_loss.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
 
@@ -91,8 +92,23 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   return file;
 }
 
+/// How the map's Gaussian values become colours.
+const char* tableKind(const NoiseMap& map) {
+  if (!map.inverseTable)
+    return "none";
+  return map.tableOffset.empty() ? "joint" : "separable";
+}
+
+nlohmann::ordered_json toJson(const PrecisionLoss& loss) {
+  nlohmann::ordered_json json{
+      {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
+  if (loss.roundTrip)
+    json["roundTrip"] = *loss.roundTrip;
+  return json;
+}
+
 void report(const Arguments& arguments, const BundleFile& file, bool periodic,
-            const std::vector<std::string>& notes, double seconds) {
+            const PrecisionLoss& loss, const std::vector<std::string>& notes, double seconds) {
   const Noise& noise = file.bundle.noises.front();
   const Table& gaussian = file.bundle.tables[noise.maps.front().gaussian];
   std::size_t tableBytes = 0;
@@ -106,7 +122,9 @@ void report(const Arguments& arguments, const BundleFile& file, bool periodic,
                                       {"height", gaussian.height},
                                       {"dimensions", std::min(3, channelCount(gaussian.format))},
                                       {"periodic", periodic},
+                                      {"table", tableKind(noise.maps.front())},
                                       {"tableBytes", tableBytes},
+                                      {"precisionLoss", toJson(loss)},
                                       {"notes", notes},
                                       {"seconds", seconds}};
     printLine(toText(json));
@@ -156,8 +174,13 @@ Result<int> run(const Arguments& arguments) {
     return written.error();
   progress.erase();
   printNotes(printed);
+  Result<PrecisionLoss> loss = PrecisionLoss{};
+  if (arguments.shared.json)
+    loss = precisionLoss(file.value().bundle, 0, 0, exemplar.value(), periodic);
+  if (!loss)
+    return loss.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  report(arguments, file.value(), periodic, notes, seconds.count());
+  report(arguments, file.value(), periodic, loss.value(), notes, seconds.count());
   return kDone;
 }
 
@@ -183,6 +206,14 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", arguments->tiling.transport, oneOf(efforts), "default",
            "How near to optimal colours are matched");
+  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
+                                  {"separable", LookupTable::separable}};
+  addValue(verb, "--lut", arguments->tiling.lut, oneOf(luts), "joint",
+           "One table of all colours, or a small one for each axis of colour");
+  const Choices<GaussianOnly> gaussian{
+      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
+  addValue(verb, "--gaussian", arguments->tiling.gaussian, oneOf(gaussian), "auto",
+           "Whether the exemplar's values are Gaussian, and need no table");
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
   const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},

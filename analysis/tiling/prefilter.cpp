@@ -126,12 +126,11 @@ InverseTable averaged(const InverseTable& table, const ChannelMatrix& loss) {
 
 template <std::size_t kDimensions>
 std::vector<InverseTable> slabsOf(const InverseTable& table,
-                                  const std::vector<ChannelMatrix>& lost) {
+                                  const std::vector<ChannelMatrix>& losses) {
   const Moments moments = interpolatedMoments(table);
   std::vector<InverseTable> slabs{table};
-  const std::vector<double> levels = tableLevels();
-  for (std::size_t k = 1; k + 1 < levels.size(); ++k)
-    slabs.push_back(averaged<kDimensions>(table, lossAt(levels[k], lost)));
+  for (std::size_t k = 1; k + 1 < losses.size(); ++k)
+    slabs.push_back(averaged<kDimensions>(table, losses[k]));
   slabs.push_back(table);
   const auto channels = std::size_t(table.channels);
   for (std::size_t i = 0; i < table.values.size(); ++i)
@@ -200,16 +199,24 @@ std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss, s
   return result;
 }
 
-std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                           const std::vector<ChannelMatrix>& lost) {
+std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
+                                              const std::vector<ChannelMatrix>& losses) {
   switch (table.dimensions) {
   case 1:
-    return slabsOf<1>(table, lost);
+    return slabsOf<1>(table, losses);
   case 2:
-    return slabsOf<2>(table, lost);
+    return slabsOf<2>(table, losses);
   default:
-    return slabsOf<3>(table, lost);
+    return slabsOf<3>(table, losses);
   }
+}
+
+std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
+                                           const std::vector<ChannelMatrix>& lost) {
+  std::vector<ChannelMatrix> losses;
+  for (const double level : tableLevels())
+    losses.push_back(lossAt(level, lost));
+  return prefilteredSlabsFor(table, losses);
 }
 
 Table inverseTableTexels(const std::vector<InverseTable>& slabs, ValueEncoding encoding, int bits) {

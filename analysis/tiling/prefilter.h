@@ -32,6 +32,10 @@ inline constexpr int kTableLevels = 8;
 [[nodiscard]] std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
                                                          const std::vector<ChannelMatrix>& lost);
 
+/// The same with the covariance that each slab's fetches have lost: kTableLevels of them.
+[[nodiscard]] std::vector<InverseTable>
+prefilteredSlabsFor(const InverseTable& table, const std::vector<ChannelMatrix>& losses);
+
 /// The slabs (at least one, all of one shape) as one KTX2-ready table: D = 1 2-D (256 x L), D = 2
 /// 2-D (64 x 64 L), D = 3 3-D (32 x 32 x 32 L). Format by encoding and bits, 8 or 16: RGBA8 SRGB
 /// for light, RGBA8 UNORM for other data in [0, 1], RGBA16F otherwise; one- and two-channel data as

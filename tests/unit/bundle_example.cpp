@@ -117,6 +117,14 @@ BundleFile everyMap() {
   opacityMap.gaussian = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
   noise.maps.push_back(std::move(opacityMap));
 
+  NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
+  glow.gaussian = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
+  glow.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
+  glow.levels = levels(2);
+  glow.tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};
+  glow.tableOffset = {0.0, 0.125, 0.25};
+  noise.maps.push_back(std::move(glow));
+
   bundle.noises.push_back(std::move(noise));
   MaterialNoise use = useOf(1);
   use.mapping = Mapping::triplanar;

@@ -35,7 +35,7 @@ public:
 
   /// Decodes the tables of noise `noise` of a bundle that parsed or was baked without error:
   /// indices and sizes of tables are not checked again. The bundle is not referred to afterwards.
-  /// Errors: usage for an index out of range, another method or a map without an inverse table;
+  /// Errors: usage for an index out of range, another method;
   /// resources for memory. Time and memory: 16 bytes a texel of its tables.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
 
@@ -49,6 +49,10 @@ public:
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
 
+  /// What the texels of the Gaussian image's level 0 decode to, row by row, as many interleaved
+  /// channels as map `map`, below mapCount(), has. Throws std::bad_alloc.
+  [[nodiscard]] std::vector<float> decodedTexels(std::size_t map) const;
+
 private:
   struct Mip {
     int width = 0;
@@ -58,14 +62,16 @@ private:
   struct Map {
     shader::LichenMap constants{};
     std::vector<Mip> mips;
+    std::size_t channels = 0;
     int tableSide = 0;
-    std::vector<Value> table; ///< slab k, then the cells, first axis fastest
+    std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
   };
 
   [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
   [[nodiscard]] static Value trilinear(const Map& map, float u, float v, float lod);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
   [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
+  [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
 
   std::vector<Map> maps_;

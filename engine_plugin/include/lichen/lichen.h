@@ -188,7 +188,7 @@ typedef struct LichenMapProperties {
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t gaussianImage;    /* image indices, < imageCount */
-  uint32_t tableImage;
+  uint32_t tableImage;       /* of a map without a table one of two texels, which is not read */
   uint32_t reserved; /* 0 */
 } LichenMapProperties;
 
