@@ -236,6 +236,9 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
   values.gaussianImage = std::uint32_t(source.gaussian);
   values.tableImage = bundle->tables[noise][map];
+  values.tableKind = !source.inverseTable         ? LICHEN_TABLE_NONE
+                     : source.tableOffset.empty() ? LICHEN_TABLE_JOINT
+                                                  : LICHEN_TABLE_SEPARABLE;
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 

@@ -120,6 +120,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
+    hasOtherTables_ = hasOtherTables_ || map.tableKind != LICHEN_TABLE_JOINT;
     if (map.target < NOISE_ROLES)
       roles.map[map.target] = int(m);
     else

@@ -9,6 +9,15 @@
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
 
+// 0 where no map has a separable table, or where none has no table. Literals, or the host's
+// specialization constants.
+#ifndef LICHEN_SEPARABLE_TABLES
+#define LICHEN_SEPARABLE_TABLES 1
+#endif
+#ifndef LICHEN_GAUSSIAN_ONLY
+#define LICHEN_GAUSSIAN_ONLY 1
+#endif
+
 // Cells of a three-channel inverse table along each axis.
 #define LICHEN_TABLE_CELLS 32.0
 
@@ -93,11 +102,11 @@ vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
 /// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`
 /// is not fetched where the map has none.
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
-  if (map.decoding == uint(LICHEN_DECODING_JOINT))
-    return lichenDecodeJoint(table, gaussian, lostVariance, map);
-  if (map.decoding == uint(LICHEN_DECODING_SEPARABLE))
+  if (bool(LICHEN_SEPARABLE_TABLES) && map.decoding == uint(LICHEN_DECODING_SEPARABLE))
     return lichenDecodeSeparable(table, gaussian, lostVariance, map);
-  return lichenDecodeGaussian(gaussian, lostVariance, map);
+  if (bool(LICHEN_GAUSSIAN_ONLY) && map.decoding == uint(LICHEN_DECODING_GAUSSIAN))
+    return lichenDecodeGaussian(gaussian, lostVariance, map);
+  return lichenDecodeJoint(table, gaussian, lostVariance, map);
 }
 
 #endif

@@ -132,6 +132,8 @@ TEST_CASE("--lut and --gaussian choose the kind of table, and all kinds can be c
     REQUIRE(baked.code == 0);
     const auto report = nlohmann::json::parse(baked.output);
     CHECK(report.at("table") == table);
+    CHECK(report.at("precisionLoss").at("colorDistance").get<double>() > 0.0);
+    CHECK(report.at("precisionLoss").at("mean").get<double>() < 0.02);
     // Besides, 64 x 48 texels of four bytes and their mips, up to a third more.
     const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
     CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));

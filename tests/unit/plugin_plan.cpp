@@ -242,6 +242,7 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, opacity, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_NONE);
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
   REQUIRE(lichenGetBinding(bundle.handle, 1, 2 + 2 * opacity, &binding) == LICHEN_SUCCESS);
@@ -252,6 +253,10 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
   REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
   CHECK(image.dimensionality == 3);
   CHECK(image.byteCount == 2);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_JOINT);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 4, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_SEPARABLE);
 }
 
 TEST_CASE("what is no bundle is refused") {

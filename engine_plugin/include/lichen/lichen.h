@@ -180,6 +180,15 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
+/* How a map's Gaussian values become its own: LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of
+ * the shader library may be 0 where no map has that kind. */
+typedef enum LichenTableKind {
+  LICHEN_TABLE_JOINT = 0,
+  LICHEN_TABLE_SEPARABLE = 1,
+  LICHEN_TABLE_NONE = 2,
+  LICHEN_TABLE_KIND_MAX_ENUM = 0x7FFFFFFF
+} LichenTableKind;
+
 typedef struct LichenMapProperties {
   LichenStructureType type;
   uint32_t size;
@@ -189,7 +198,7 @@ typedef struct LichenMapProperties {
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t gaussianImage;    /* image indices, < imageCount */
   uint32_t tableImage;       /* of a map without a table one of two texels, which is not read */
-  uint32_t reserved; /* 0 */
+  LichenTableKind tableKind;
 } LichenMapProperties;
 
 /* noise < noiseCount, map < mapCount; map k is lichenUniforms.maps[k] in the shader. */

@@ -5,6 +5,10 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
+// Whether some noise of the scene has a separable table, or none.
+layout(constant_id = 3) const bool kOtherTables = true;
+#define LICHEN_SEPARABLE_TABLES kOtherTables
+#define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"
 #include "scene_interface.h"
 
