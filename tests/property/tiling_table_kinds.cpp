@@ -222,9 +222,25 @@ TEST_CASE("every level of a separable table has the exemplar's mean and its axis
   CHECK((fit.basis * variances * fit.basis.transpose() - wanted.covariance).norm() <
         2e-3 * wanted.covariance.norm());
   const Table image = gaussianTable(combinedImage(fit), 16);
-  const std::vector<InverseTable> slabs = separableSlabs(fit, 16, lostVariance(image));
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    CHECK(double(slabs.back().values[axis]) == Approx(0.0).margin(1e-4));
+  const std::vector<ChannelMatrix> lost = lostVariance(image);
+  const std::vector<InverseTable> slabs = separableSlabs(fit, 16, lost);
+  // Grain and patches: the axes lose differently. Each slab is the axis' own, moved by one number.
+  const ChannelMatrix middle = lossAt(tableLevels()[3], lost);
+  CHECK(middle.diagonal().maxCoeff() - middle.diagonal().minCoeff() > 0.1);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    CHECK(double(slabs.back().values[std::size_t(axis)]) == Approx(0.0).margin(1e-4));
+    std::vector<ChannelMatrix> losses;
+    for (const double level : tableLevels())
+      losses.push_back(lossAt(level, lost).block(axis, axis, 1, 1));
+    const std::vector<InverseTable> own =
+        prefilteredSlabsFor(fit.tables[std::size_t(axis)], losses);
+    const double deviation = std::sqrt(variances(axis, axis));
+    const auto moved = [&](std::size_t cell) {
+      return double(slabs[3].values[3 * cell + std::size_t(axis)]) - double(own[3].values[cell]);
+    };
+    for (std::size_t cell = 32; cell < 224; ++cell)
+      CHECK(moved(cell) == Approx(moved(128)).margin(1e-3 * deviation));
+  }
 }
 
 TEST_CASE("a noise with a separable table has the exemplar's light, near and far") {
