@@ -98,6 +98,19 @@ TEST_CASE("exemplars that are Gaussian are told from those that are not") {
   CHECK_FALSE(isGaussian(test::threeMaterials(128, 128, 4)));
 }
 
+TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance took there passes") {
+  // Between half a step and one step of 8 bits the surrogates decide. 16,384 independent values are
+  // skewed; patches of 15 x 15 texels hold some seventy.
+  const MapExemplar skewed = gaussianExemplar(128, 0, 0.08, 4, 0.45);
+  const MapExemplar smooth = gaussianExemplar(128, 7, 0.07, 4);
+  for (const MapExemplar& map : {skewed, smooth}) {
+    CHECK(distanceToGaussian(map) > 0.5 / 255.0);
+    CHECK(distanceToGaussian(map) < 1.0 / 255.0);
+  }
+  CHECK_FALSE(isGaussian(skewed));
+  CHECK(isGaussian(smooth));
+}
+
 TEST_CASE("the distance to a Gaussian is that of the quantiles") {
   // The uniform distribution on an interval of deviation s: the squared distance to the Gaussian of
   // the same moments is 2 s^2 (1 - integral of sqrt(12) (u - 1/2) q(u)) = 2 s^2 (1 - sqrt(3 / pi)).
