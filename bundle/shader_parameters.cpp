@@ -134,10 +134,11 @@ std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
   const std::array<const shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
   std::array<float, 4> value{0.0f, 0.0f, 0.0f, 1.0f};
   std::array<float, 3> variance{};
+  constexpr float kVariance = 1.0f / 36.0f; // of a Gaussian value: rows are six times the root
   for (std::size_t c = 0; c < 3; ++c) {
     const shader::vec4& row = *rows[c];
     const float stored = dotRow(row, centred) + row.w;
-    variance[c] = lostVariance / 36.0f * dotRow(row, {row.x, row.y, row.z});
+    variance[c] = lostVariance * kVariance * dotRow(row, {row.x, row.y, row.z});
     // Three-point Gauss-Hermite quadrature over what is missing.
     const float reach = std::sqrt(3.0f * variance[c]);
     value[c] =

@@ -63,16 +63,18 @@ vec4 lichenDecodeSeparable(sampler3D table, vec3 gaussian, float lostVariance, L
   along.y = textureLod(table, vec3(uniformValue.y, 0.5, depth), 0.0).y;
   along.z = map.dimensions == 3u ? textureLod(table, vec3(uniformValue.z, 0.5, depth), 0.0).z : 0.0;
   // Together the three may leave the gamut, which each alone does not.
-  float most = map.encoding == uint(LICHEN_ENCODING_LOG2) ? 65504.0 : 1.0;
+  const float kHalfMax = 65504.0; // the most light that a table holds
+  float most = map.encoding == uint(LICHEN_ENCODING_LOG2) ? kHalfMax : 1.0;
   return vec4(clamp(lichenDecodeRows(along, map), 0.0, most), 1.0);
 }
 
 /// A stored value -> the quantity, inside the range of its encoding.
 vec3 lichenDecodeStored(vec3 stored, LichenMap map) {
+  const float kMostLog = 16.0; // a half float's most light is below 2^16 - 1
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     return stored;
   if (map.encoding == uint(LICHEN_ENCODING_LOG2))
-    return exp2(clamp(stored, 0.0, 16.0)) - 1.0;
+    return exp2(clamp(stored, 0.0, kMostLog)) - 1.0;
   vec3 value = clamp(stored, 0.0, 1.0);
   if (map.encoding == uint(LICHEN_ENCODING_LINEAR))
     return value;
@@ -84,8 +86,9 @@ vec3 lichenDecodeStored(vec3 stored, LichenMap map) {
 /// No table: the stored values are Gaussian themselves.
 vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
   vec3 stored = lichenDecodeRows(gaussian - 0.5, map);
-  // A row is six times the root of the covariance.
-  vec3 variance = lostVariance / 36.0 *
+  // A row is six times the root of the covariance, for values of deviation 1/6.
+  const float kVariance = 1.0 / 36.0;
+  vec3 variance = lostVariance * kVariance *
                   vec3(dot(map.row0.xyz, map.row0.xyz), dot(map.row1.xyz, map.row1.xyz),
                        dot(map.row2.xyz, map.row2.xyz));
   // Slopes decode linearly.

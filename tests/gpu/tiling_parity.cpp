@@ -128,7 +128,7 @@ std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint3
   const Bundle bundle = parseBundle(glb, "synthetic").value();
   const TilingReference reference(bundle, bundle.noises[0].maps[0]);
   PluginHost host(*device, glb);
-  const std::vector<Point> points = samplePoints(float(map.width), 4000);
+  const std::vector<Point> points = samplePoints(float(map.width), 2000);
   std::vector<Parity> all;
   for (const LichenUniformInfo& info : manyUniforms())
     all.push_back(compare(host, reference, spirv, info, points, std::size_t(map.dimensions)));
@@ -196,7 +196,7 @@ TEST_CASE("the shader and its CPU twin agree in every operator") {
     const Bundle bundle = parseBundle(glb, "synthetic").value();
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
     PluginHost host(*device, glb);
-    const std::vector<Point> points = samplePoints(float(map.width), 2000);
+    const std::vector<Point> points = samplePoints(float(map.width), 1000);
     for (const LichenUniformInfo& info : manyUniforms())
       for (const auto& [constant, blend] : operators) {
         const auto values = host.evaluate(committed, constant, info, points);
