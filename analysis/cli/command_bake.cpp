@@ -10,6 +10,7 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
+#include <lichen/precision_loss.h>
 #include <lichen/tiling.h>
 
 #include <fmt/core.h>
@@ -129,13 +130,18 @@ Result<int> run(const Arguments& arguments) {
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
   if (!file)
     return file.error();
+  Result<PrecisionLoss> loss = PrecisionLoss{};
+  if (arguments.shared.json)
+    loss = precisionLoss(file.value().bundle, 0, 0, set.value().maps.front(), periodic);
+  if (!loss)
+    return loss.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
   printNotes(printed);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, notes,
-                                risks.value(), seconds.count()});
+  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
+                                notes, risks.value(), seconds.count()});
   return kDone;
 }
 
@@ -181,6 +187,14 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", arguments->tiling.transport, oneOf(efforts), "default",
            "How near to optimal colours are matched");
+  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
+                                  {"separable", LookupTable::separable}};
+  addValue(verb, "--lut", arguments->tiling.lut, oneOf(luts), "joint",
+           "One table of all colours, or a small one for each axis of colour");
+  const Choices<GaussianOnly> gaussian{
+      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
+  addValue(verb, "--gaussian", arguments->tiling.gaussian, oneOf(gaussian), "auto",
+           "Whether the exemplar's values are Gaussian, and need no table");
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
   const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map -> its risks, in a fixed order. Thresholds: docs/decisions/011-suitability.md.
+// One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
 #include "calibration.h"
 #include "clipped_share.h"
 #include "cloudiness.h"

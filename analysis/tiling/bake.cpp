@@ -2,13 +2,16 @@
 // Exemplar maps (width * height * channels values each) -> a noise and its tables.
 #include "borders.h"
 #include "color_space.h"
-#include "gaussianize.h"
+#include "gaussian_image.h"
 #include "inverse_table.h"
 #include "map_fit.h"
 #include "map_ranges.h"
 #include "mip_chain.h"
+#include "normality.h"
 #include "prefilter.h"
+#include "separable.h"
 #include "slab_means.h"
+#include "slope_variance.h"
 #include "value_encoding.h"
 
 #include <lichen/tiling.h>
@@ -27,9 +30,17 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
     return usage("precision " + std::to_string(options.bits) + ": 8 or 16 bits are accepted");
   if (maps.empty())
     return usage("no map to bake: at least one is needed");
-  for (const MapExemplar& map : maps)
+  for (const MapExemplar& map : maps) {
     if (Result<void> checked = checkRanges(map); !checked)
       return checked;
+    const int dimensions = options.gaussian == GaussianOnly::yes ? colorSpaceOf(map).dimensions()
+                                                                 : int(map.channels.size());
+    if (dimensions < int(map.channels.size()))
+      return usage("the values of " + std::string(nameOf(map.target)) + " span " +
+                   std::to_string(dimensions) + " of " + std::to_string(map.channels.size()) +
+                   " dimensions: without an inverse table all are needed, so gaussian auto or no "
+                   "is accepted");
+  }
   return {};
 }
 
@@ -83,49 +94,107 @@ MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
   return {kTable + transport, kSlabs};
 }
 
-/// Bakes one map and appends its two tables. The first map that chooses a share of the surroundings
-/// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are.
-void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
-             ProgressPart progress, TilingBake& bake) {
-  const MapWork work = workOf(map, fitting.periodic, fitting.transport);
-  const double fitted = work.fit / work.whole();
-  const ColorSpace space = colorSpaceOf(map);
-  MapFit fit;
-  if (space.dimensions() == 0) {
-    fit = constantFit(map);
-  } else {
-    fitting.progress = progress.part(0.0, fitted);
-    fit = fitMap(map, space, fitting);
-    if (space.dimensions() > 1)
-      fitting.share = fit.share;
-    for (const TransportBound& bound : fit.gaussian.bounds)
-      bake.transportBounds.push_back(bound);
-  }
-  Table image = gaussianTable(fit.gaussian, bits);
-  const std::vector<ChannelMatrix> lost = lostVariance(image);
-  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, lost);
-  restoreSlabMeans(slabs, image, lost);
-  Table inverse = inverseTableTexels(slabs, map.encoding, bits);
+/// The tables of a map and what the bundle says of them.
+struct MapTables {
+  Gaussianized image;
+  Table gaussian;
+  std::vector<ChannelMatrix> lost; ///< by the mips of `gaussian`
+  std::optional<Table> inverse;
+  std::vector<double> tableBasis, tableOffset; ///< of a separable table
 
+  MapTables(Gaussianized gaussianized, int bits)
+      : image(std::move(gaussianized)), gaussian(gaussianTable(image, bits)),
+        lost(lostVariance(gaussian)) {}
+};
+
+MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits) {
+  MapTables tables(fit.gaussian, bits);
+  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, tables.lost);
+  restoreSlabMeans(slabs, tables.gaussian, tables.lost);
+  if (map.encoding == ValueEncoding::slope)
+    appendSlopeVariance(slabs, fit.table, tables.gaussian, tables.lost);
+  tables.inverse = inverseTableTexels(slabs, map.encoding, bits);
+  return tables;
+}
+
+MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int bits) {
+  MapTables tables(combinedImage(fit), bits);
+  // Values along an axis have either sign, and the darks are differences: always half floats.
+  constexpr int kTableBits = 16;
+  tables.inverse =
+      inverseTableTexels(separableSlabs(fit, bits, tables.lost), map.encoding, kTableBits);
+  appendValues(tables.tableBasis, fit.basis);
+  appendValues(tables.tableOffset, fit.offset);
+  return tables;
+}
+
+void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
+               const std::string& name, TilingBake& bake) {
   NoiseMap result;
   result.target = map.target;
   result.channels = map.channels;
   result.encoding = map.encoding;
-  appendValues(result.mean, space.moments.mean);
-  appendValues(result.covariance, space.moments.covariance);
-  result.levels = tableLevels();
+  appendValues(result.mean, moments.mean);
+  appendValues(result.covariance, moments.covariance);
   double loss = 0.0;
-  for (const ChannelMatrix& mip : lost)
+  for (const ChannelMatrix& mip : tables.lost)
     result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
   const std::string prefix = name + "." + std::string(nameOf(map.target));
-  image.name = prefix + ".gaussian";
-  inverse.name = prefix + ".inverse";
+  tables.gaussian.name = prefix + ".gaussian";
   result.gaussian = bake.tables.size();
-  bake.tables.push_back(std::move(image));
-  result.inverseTable = bake.tables.size();
-  bake.tables.push_back(std::move(inverse));
+  bake.tables.push_back(std::move(tables.gaussian));
+  if (tables.inverse) {
+    result.levels = tableLevels();
+    result.tableBasis = std::move(tables.tableBasis);
+    result.tableOffset = std::move(tables.tableOffset);
+    tables.inverse->name = prefix + ".inverse";
+    result.inverseTable = bake.tables.size();
+    bake.tables.push_back(*std::move(tables.inverse));
+  }
   bake.noise.maps.push_back(std::move(result));
-  progress.reach(1.0);
+}
+
+/// The joint fit. The first map that chooses a share of the surroundings chooses it for all, in
+/// `fitting`: their Gaussian images stay alike where the maps are.
+MapFit fitJoint(const MapExemplar& map, const ColorSpace& space, MapFitOptions& fitting,
+                ProgressPart progress, TilingBake& bake) {
+  const MapWork work = workOf(map, fitting.periodic, fitting.transport);
+  fitting.progress = progress.part(0.0, work.fit / work.whole());
+  MapFit fit = fitMap(map, space, fitting);
+  if (space.dimensions() > 1)
+    fitting.share = fit.share;
+  for (const TransportBound& bound : fit.gaussian.bounds)
+    bake.transportBounds.push_back(bound);
+  return fit;
+}
+
+bool isGaussianOnly(const MapExemplar& map, const ColorSpace& space, GaussianOnly wanted) {
+  const bool spansAll = space.dimensions() == int(map.channels.size());
+  return wanted == GaussianOnly::yes ||
+         (wanted == GaussianOnly::detect && spansAll && isGaussian(map));
+}
+
+/// Bakes one map and appends its tables.
+void bakeMap(const MapExemplar& map, const std::string& name, const TilingOptions& options,
+             MapFitOptions& fitting, ProgressPart progress, TilingBake& bake) {
+  const ColorSpace space = colorSpaceOf(map);
+  const auto append = [&](MapTables tables) {
+    appendMap(map, space.moments, std::move(tables), name, bake);
+    progress.reach(1.0);
+  };
+  if (space.dimensions() == 0 && options.gaussian != GaussianOnly::yes)
+    return append(jointTables(map, constantFit(map), options.bits));
+  if (isGaussianOnly(map, space, options.gaussian))
+    return append(MapTables(gaussianImage(map, space.moments, fitting.periodic, fitting.precision),
+                            options.bits));
+  if (options.lut == LookupTable::separable && space.dimensions() > 1 &&
+      map.encoding != ValueEncoding::slope) {
+    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision,
+                                          transport::optionsFor(fitting.transport));
+    if (fit.dimensions() > 1)
+      return append(separableTables(map, fit, options.bits));
+  }
+  append(jointTables(map, fitJoint(map, space, fitting, progress, bake), options.bits));
 }
 
 /// As bakeTiling(), but throws std::bad_alloc.
@@ -151,7 +220,7 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     double done = 0.0;
     for (const MapExemplar& map : maps) {
       const double after = done + workOfMap(map);
-      bakeMap(map, name, options.bits, fitting,
+      bakeMap(map, name, options, fitting,
               ProgressPart(options.progress).part(done / whole, after / whole), bake);
       done = after;
     }
