@@ -40,6 +40,16 @@ struct Accepted {
 /// "10,-2.5" -> {10.0, -2.5}. Both in `range`.
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
 
+/// The same for an option whose absence means something.
+template <class Value>
+[[nodiscard]] Accepted<std::optional<Value>> optional(Accepted<Value> accepted) {
+  const auto read = [read = accepted.read](const std::string& text) {
+    const std::optional<Value> value = read(text);
+    return value ? std::make_optional(value) : std::nullopt;
+  };
+  return {accepted.placeholder, accepted.sentence, read};
+}
+
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
