@@ -85,8 +85,10 @@ void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, 
     material["emissiveTexture"] = texture("emissive", preview.emissive);
     material["emissiveFactor"] = {1.0, 1.0, 1.0};
   }
+  // Filtered opacity is the share of a pixel that is covered: blended, it is right at every
+  // distance, while a mask would close or empty what it shows from afar.
   if (hasChannel(noise, MapChannel::opacity))
-    material["alphaMode"] = "MASK";
+    material["alphaMode"] = "BLEND";
   material["extensions"][std::string(kExtensionName)] = describeMaterialNoise(use);
   root["materials"].push_back(std::move(material));
 }

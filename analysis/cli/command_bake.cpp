@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // lichen bake: a photograph to a glTF with the noise and a scene to look at it.
+#include "bake_report.h"
 #include "command.h"
-#include "exemplar.h"
 #include "options.h"
+#include "preview_images.h"
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
-#include <lichen/synthesize.h>
+#include <lichen/image_io.h>
+#include <lichen/material_set.h>
 #include <lichen/tiling.h>
 
 #include <fmt/core.h>
@@ -19,33 +21,31 @@
 namespace lichen::cli {
 namespace {
 
-/// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
-constexpr int kTilesPerPreview = 2;
-
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
 
   const SharedOptions& shared;
-  std::string input;
+  std::vector<std::string> inputs;
   std::string output;
   std::string method;
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
+  MaterialSetOptions set;
+  std::optional<std::array<int, 4>> crop;
   TilingOptions tiling;
   PreviewShape preview{};
 };
 
-Result<MapExemplar> readExemplar(const std::string& input, std::vector<std::string>& notes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(input, ignored))
-    return Error{ErrorKind::badInput,
-                 input +
-                     ": a folder; one image file is accepted, such as the base colour of a set"};
-  const Result<ImageFile> image = readImage(input);
-  if (!image)
-    return image.error();
-  return baseColorExemplar(image.value(), notes);
+Result<MaterialSet> readInputs(const Arguments& arguments) {
+  MaterialSetOptions options = arguments.set;
+  options.periodic = arguments.tiling.periodic;
+  if (arguments.crop) {
+    const auto [x, y, width, height] = *arguments.crop;
+    options.crop = PixelRectangle{x, y, width, height};
+  }
+  const std::vector<std::filesystem::path> inputs(arguments.inputs.begin(), arguments.inputs.end());
+  return readMaterialSet(inputs, options);
 }
 
 /// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
@@ -77,57 +77,25 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   file.bundle.noises = {std::move(bake.noise)};
   file.bundle.materials = {material};
 
-  const Result<LinearImage> preview =
-      synthesizePreview(file.bundle, 0, MapTarget::baseColor, arguments.seed, kTilesPerPreview);
-  if (!preview)
-    return preview.error();
-  Result<std::vector<std::byte>> png = encodePng(toSrgb(preview.value()), 8);
-  if (!png)
-    return png.error();
-  PreviewImages images;
-  images.baseColor = std::move(png).value();
-  images.tilesPerImage = kTilesPerPreview;
-  file.previews.push_back(std::move(images));
+  Result<PreviewImages> previews = previewImages(file.bundle, 0, arguments.seed);
+  if (!previews)
+    return previews.error();
+  file.previews.push_back(std::move(previews).value());
   return file;
-}
-
-void report(const Arguments& arguments, const BundleFile& file, bool periodic,
-            const std::vector<std::string>& notes, double seconds) {
-  const Noise& noise = file.bundle.noises.front();
-  const Table& gaussian = file.bundle.tables[noise.maps.front().gaussian];
-  std::size_t tableBytes = 0;
-  for (const Table& table : file.bundle.tables)
-    tableBytes += table.texels.size();
-  if (arguments.shared.json) {
-    const nlohmann::ordered_json json{{"output", arguments.output},
-                                      {"name", noise.name},
-                                      {"method", noise.method},
-                                      {"width", gaussian.width},
-                                      {"height", gaussian.height},
-                                      {"dimensions", std::min(3, channelCount(gaussian.format))},
-                                      {"periodic", periodic},
-                                      {"tableBytes", tableBytes},
-                                      {"notes", notes},
-                                      {"seconds", seconds}};
-    printLine(toText(json));
-    return;
-  }
-  say(arguments.shared, fmt::format("{}: {} x {}, {} KiB of tables, {:.2f} s", arguments.output,
-                                    gaussian.width, gaussian.height, tableBytes / 1024, seconds));
 }
 
 Result<int> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
-  std::vector<std::string> notes;
+  Result<MaterialSet> set = readInputs(arguments);
+  if (!set)
+    return set.error();
+  std::vector<std::string> notes = set.value().notes;
   const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
     for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
       note(arguments.shared, notes[n]);
   };
-  const Result<MapExemplar> exemplar = readExemplar(arguments.input, notes);
-  if (!exemplar)
-    return exemplar.error();
   printNotes(0); // before the work: the user may rather have another photograph
   const std::size_t printed = notes.size();
 
@@ -137,10 +105,8 @@ Result<int> run(const Arguments& arguments) {
     progress.show(fraction);
     return true;
   };
-  const std::string name = arguments.name.empty()
-                               ? asUtf8(std::filesystem::path(arguments.input).stem().string())
-                               : arguments.name;
-  Result<TilingBake> bake = bakeTiling(name, {&exemplar.value(), 1}, options);
+  const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
+  Result<TilingBake> bake = bakeTiling(name, set.value().maps, options);
   if (!bake)
     return bake.error();
   const bool periodic = bake.value().exemplarWasPeriodic;
@@ -157,15 +123,33 @@ Result<int> run(const Arguments& arguments) {
   progress.erase();
   printNotes(printed);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  report(arguments, file.value(), periodic, notes, seconds.count());
+  reportBake(arguments.shared,
+             {arguments.output, file.value().bundle, periodic, notes, seconds.count()});
   return kDone;
+}
+
+/// Options of reading the images.
+void addInputOptions(CLI::App& verb, Arguments& arguments) {
+  addValue(verb, "--crop", arguments.crop, optional(pixelRectangle(kMaxImageSide)), "",
+           "Bake only this part; in pixels of the largest map");
+  addValue(verb, "--size", arguments.set.size, optional(imageSize(kMaxImageSide)), "",
+           "Resample every map to this size");
+  const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
+                                              {"dx", NormalConvention::directX}};
+  addValue(verb, "--normal", arguments.set.normal, oneOf(conventions), "gl",
+           "Whether green points up in normal maps whose names do not say, or down");
+  const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
+  addValue(verb, "--alpha", arguments.set.alpha, oneOf(uses), "ignore",
+           "What the alpha of the base colour is");
 }
 
 } // namespace
 
 Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "INPUT", arguments->input, "", "The photograph: PNG, JPEG or EXR")->required();
+  addTexts(verb, "INPUT", arguments->inputs, "...",
+           "A photograph, or a folder or files with the maps of a material: PNG, JPEG or EXR")
+      ->required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
   addValue(verb, "--method", arguments->method, oneOf<std::string>({{"tiling", "tiling"}}),
            "tiling", "The noise method");
@@ -174,6 +158,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
+  addInputOptions(verb, *arguments);
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   addValue(verb, "--periodic", arguments->tiling.periodic, oneOf(periodic), "auto",

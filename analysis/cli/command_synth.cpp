@@ -5,6 +5,8 @@
 #include "options.h"
 #include "progress_line.h"
 
+#include <lichen/core_texture.h>
+#include <lichen/files.h>
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
 
@@ -49,6 +51,30 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   return {};
 }
 
+/// Slopes as red and green: of two channels an EXR would make grey and alpha.
+LinearImage asRedGreen(const LinearImage& slopes) {
+  LinearImage result(slopes.width, slopes.height, 3);
+  for (std::size_t i = 0; i < slopes.pixelCount(); ++i)
+    std::copy_n(&slopes.values[2 * i], 2, &result.values[3 * i]);
+  return result;
+}
+
+/// PNG has what a core texture of the map holds, EXR the same but for normals: their slopes.
+Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearImage values) {
+  const std::filesystem::path output = arguments.output;
+  const std::vector<NoiseMap>& maps = bundle.noises[arguments.synthesis.noise].maps;
+  const MapTarget target = arguments.synthesis.map;
+  if (output.extension() == ".exr" && target == MapTarget::normal)
+    return writeImage(output, asRedGreen(values));
+  const auto map = std::find_if(maps.begin(), maps.end(),
+                                [target](const NoiseMap& m) { return m.target == target; });
+  LinearImage texture = coreTexture(*map, std::move(values));
+  if (output.extension() == ".exr")
+    return writeImage(output, texture);
+  const Result<std::vector<std::byte>> png = encodeCoreTexture(target, std::move(texture));
+  return png ? replaceFile(output, png.value()) : Result<void>(png.error());
+}
+
 Result<int> run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".png", ".exr"}); !checked)
@@ -65,10 +91,11 @@ Result<int> run(Arguments& arguments) {
     progress.show(fraction);
     return true;
   };
-  const Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
+  Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
   if (!image)
     return image.error();
-  if (Result<void> written = writeImage(arguments.output, image.value()); !written)
+  if (Result<void> written = writeMap(arguments, bundle.value(), std::move(image).value());
+      !written)
     return written.error();
   progress.erase();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -97,7 +124,7 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "--noise", arguments->noise, "NAME",
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "Which map of the noise, such as baseColor [default: the first]");
+          "Which map of the noise, such as baseColor or normal [default: the first]");
   addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024", "In pixels");
   addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(kTexelsPerTileRange), "",
            "Pixels across one exemplar [default: its own width]");

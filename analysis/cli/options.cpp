@@ -104,6 +104,28 @@ Accepted<std::array<double, 2>> coordinates(NumberRange range) {
           [=](const std::string& text) { return parsePair(text, ',', range.least, range.most); }};
 }
 
+Accepted<std::array<int, 4>> pixelRectangle(int largest) {
+  return {
+      "X,Y,W,H",
+      fmt::format("X,Y,W,H with whole numbers, X and Y from 0, W and H from 1, up to {}", largest),
+      [=](const std::string& text) -> std::optional<std::array<int, 4>> {
+        std::array<int, 4> numbers{};
+        std::string_view rest = text;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+          const std::size_t end = rest.find(',');
+          if ((end == std::string_view::npos) != (i + 1 == numbers.size()))
+            return std::nullopt;
+          const auto number = parseNumber(rest.substr(0, end), i < 2 ? 0 : 1, largest);
+          if (!number)
+            return std::nullopt;
+          numbers[i] = *number;
+          if (end != std::string_view::npos)
+            rest.remove_prefix(end + 1);
+        }
+        return numbers;
+      }};
+}
+
 void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
                    const std::string& sentence, std::function<bool(const std::string&)> take,
                    const std::string& preset, const std::string& help) {
@@ -119,6 +141,13 @@ void addReadOption(CLI::App& verb, const std::string& name, const std::string& p
 CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
                      const std::string& placeholder, const std::string& help) {
   return verb.add_option(name, value, help)->type_name(placeholder);
+}
+
+CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                      const std::string& placeholder, const std::string& help) {
+  return verb.add_option(name, values, help)
+      ->type_name(placeholder)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 std::shared_ptr<CLI::FormatterBase> helpFormatter() {

@@ -39,6 +39,18 @@ struct Accepted {
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
 /// "10,-2.5" -> {10.0, -2.5}. Both in `range`.
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
+/// "16,0,256,128" -> {16, 0, 256, 128}: a corner from 0 and a size from 1 to `largest`.
+[[nodiscard]] Accepted<std::array<int, 4>> pixelRectangle(int largest);
+
+/// The same for an option whose absence means something.
+template <class Value>
+[[nodiscard]] Accepted<std::optional<Value>> optional(Accepted<Value> accepted) {
+  const auto read = [read = accepted.read](const std::string& text) {
+    const std::optional<Value> value = read(text);
+    return value ? std::make_optional(value) : std::nullopt;
+  };
+  return {accepted.placeholder, accepted.sentence, read};
+}
 
 /// The same for an option whose absence means something.
 template <class Value>
@@ -95,6 +107,10 @@ void addValue(CLI::App& verb, const std::string& name, Value& value,
 /// An option or argument that is taken as it stands.
 CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
                      const std::string& placeholder, const std::string& help);
+
+/// As above, for an argument that may be given again and again.
+CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                      const std::string& placeholder, const std::string& help);
 
 /// Help with placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();

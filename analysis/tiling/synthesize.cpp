@@ -174,7 +174,11 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, M
     if (!map)
       return usage("noise '" + bundle.noises[noise].name + "' has no map " +
                    std::string(nameOf(target)));
-    const Table& gaussian = gaussianOf(bundle, noise, *map);
+    std::uint32_t width = 0, height = 0;
+    for (std::size_t m = 0; m < bundle.noises[noise].maps.size(); ++m) {
+      width = std::max(width, gaussianOf(bundle, noise, m).width);
+      height = std::max(height, gaussianOf(bundle, noise, m).height);
+    }
     const auto side = [tiles](std::uint32_t texels) {
       const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));
       return int(std::min<std::uint64_t>(wanted, std::uint64_t(kMaxPreviewSide)));
@@ -184,8 +188,8 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, M
     options.map = target;
     options.seed = seed;
     options.tileable = true;
-    options.width = side(gaussian.width);
-    options.height = side(gaussian.height);
+    options.width = side(width);
+    options.height = side(height);
     return evaluatePixels(bundle, options,
                           {double(options.width) / tiles, double(options.height) / tiles}, *map);
   });

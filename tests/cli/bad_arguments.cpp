@@ -167,7 +167,7 @@ TEST_CASE("an input that is absent, a folder, empty, or not an image is bad inpu
     CHECK(!std::filesystem::exists(m.workplace.path("new.glb")));
   };
   refuses(m.workplace.path("absent.png"), {"absent.png", "No such file"});
-  refuses(m.workplace.path("."), {"folder", "image"});
+  refuses(m.workplace.path("."), {"a folder without a map", "nor_gl"});
   refuses(m.workplace.write("empty.png", std::string()), {"empty.png", "empty file", "PNG"});
   refuses(m.workplace.write("text.png", std::string("not an image")), {"text.png", "PNG"});
   refuses(m.bundle, {"stone.glb", "PNG"});

@@ -157,8 +157,9 @@ TEST_CASE("light beyond the range of tables is noted, and baked as the most that
                                     {std::numeric_limits<float>::max(), "3.40282e+38"}}) {
     const auto [bundle, notes] = bakeWith(value);
     CHECK((bundle == most));
-    CHECK_THAT(notes, Catch::Contains("note: 1 of 64 pixels have light above 65504, up to " +
-                                      std::string(text) + "; it is baked as 65504\n"));
+    CHECK_THAT(notes,
+               Catch::Contains("note: the image has light above 65504 in 1 of 64 pixels, up to " +
+                               std::string(text) + "; that is baked as 65504\n"));
   }
   CHECK(runLichen({"check", workplace.path("sun.glb")}).code == 0);
   REQUIRE(runLichen({"synth", workplace.path("sun.glb"), "-o", workplace.path("s.exr"), "--size",

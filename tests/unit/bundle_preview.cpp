@@ -181,7 +181,7 @@ TEST_CASE("a preview image spans its exemplars at the noise's own scale, offset 
   CHECK(transform["offset"] == nlohmann::json({0.25, -1.5}));
   CHECK(transform["rotation"] == 0.1);
   CHECK(material["name"] == "wet moss");
-  CHECK(material["alphaMode"] == "MASK");
+  CHECK(material["alphaMode"] == "BLEND");
 }
 
 TEST_CASE("factors are 1 for channels that the noise has and stand in for those it has not") {

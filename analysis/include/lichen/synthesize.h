@@ -45,8 +45,8 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
 /// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
-/// glTF material. At most 1024 pixels a side. Errors: usage for
-/// an index out of range, a map that the noise has not, or tiles outside [1, 1024].
+/// glTF material. It has the texels of the noise's widest and highest map, so that the images of all
+/// maps have one size; at most 1024 pixels a side. Errors: usage for an index out of range, a map that the noise has not, or tiles outside [1, 1024].
 [[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
                                                     MapTarget map, std::uint32_t seed, int tiles);
 

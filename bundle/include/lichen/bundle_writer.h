@@ -15,7 +15,7 @@ enum class PreviewShape {
 
 /// PNG files for the core slots; empty where the noise has no such map. Power-of-two sizes.
 struct PreviewImages {
-  std::vector<std::byte> baseColor;
+  std::vector<std::byte> baseColor; ///< its alpha is the noise's opacity
   std::vector<std::byte> normal;
   std::vector<std::byte> occlusionRoughnessMetallic;
   std::vector<std::byte> emissive;

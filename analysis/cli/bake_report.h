@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What `lichen bake` says when it is done.
+#pragma once
+
+#include "command.h"
+
+#include <lichen/bundle.h>
+
+#include <string>
+#include <vector>
+
+namespace lichen::cli {
+
+/// A bake that succeeded.
+struct BakeOutcome {
+  std::string output;
+  const Bundle& bundle; ///< of one noise
+  bool exemplarWasPeriodic = true;
+  std::vector<std::string> notes;
+  double seconds = 0.0;
+};
+
+/// One line, or with --json one object, on standard output.
+void reportBake(const SharedOptions& options, const BakeOutcome& outcome);
+
+} // namespace lichen::cli

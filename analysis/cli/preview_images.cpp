@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Bundle -> PNG files for the core texture slots.
+#include "preview_images.h"
+
+#include <lichen/core_texture.h>
+#include <lichen/synthesize.h>
+
+#include <map>
+#include <utility>
+
+namespace lichen::cli {
+namespace {
+
+/// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
+constexpr int kTilesPerPreview = 2;
+
+/// RGB of `color`, white where that is empty, with `opacity` for alpha.
+LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
+  LinearImage result(opacity.width, opacity.height, 4);
+  for (std::size_t i = 0; i < opacity.pixelCount(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      result.values[4 * i + c] = color.values.empty() ? 1.0f : color.values[3 * i + c];
+    result.values[4 * i + 3] = opacity.values[i];
+  }
+  return result;
+}
+
+} // namespace
+
+Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std::uint32_t seed) {
+  std::map<MapTarget, LinearImage> textures;
+  for (const NoiseMap& map : bundle.noises[noise].maps) {
+    Result<LinearImage> values =
+        synthesizePreview(bundle, noise, map.target, seed, kTilesPerPreview);
+    if (!values)
+      return values.error();
+    textures[map.target] = coreTexture(map, std::move(values).value());
+  }
+  if (const auto opacity = textures.find(MapTarget::opacity); opacity != textures.end())
+    textures[MapTarget::baseColor] = withAlpha(textures[MapTarget::baseColor], opacity->second);
+
+  PreviewImages images;
+  images.tilesPerImage = kTilesPerPreview;
+  const std::pair<MapTarget, std::vector<std::byte>*> slots[] = {
+      {MapTarget::baseColor, &images.baseColor},
+      {MapTarget::normal, &images.normal},
+      {MapTarget::occlusionRoughnessMetallic, &images.occlusionRoughnessMetallic},
+      {MapTarget::emissive, &images.emissive}};
+  for (const auto& [target, slot] : slots) {
+    const auto texture = textures.find(target);
+    if (texture == textures.end())
+      continue;
+    Result<std::vector<std::byte>> png = encodeCoreTexture(target, std::move(texture->second));
+    if (!png)
+      return png.error();
+    *slot = std::move(png).value();
+  }
+  return images;
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// File name -> words -> role. The words are those of Poly Haven, of ambientCG, of glTF exporters
+// and plain ones.
+#include "file_roles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+namespace lichen::exemplar {
+namespace {
+
+struct Phrase {
+  std::string_view words; ///< run together, lower case
+  FileRole role;
+};
+
+constexpr Phrase kPhrases[] = {
+    {"diff", FileRole::baseColor},
+    {"diffuse", FileRole::baseColor},
+    {"col", FileRole::baseColor},
+    {"color", FileRole::baseColor},
+    {"colour", FileRole::baseColor},
+    {"albedo", FileRole::baseColor},
+    {"basecolor", FileRole::baseColor},
+    {"basecolour", FileRole::baseColor},
+    {"nor", FileRole::normal},
+    {"normal", FileRole::normal},
+    {"norgl", FileRole::normalGl},
+    {"normalgl", FileRole::normalGl},
+    {"normalopengl", FileRole::normalGl},
+    {"nordx", FileRole::normalDx},
+    {"normaldx", FileRole::normalDx},
+    {"normaldirectx", FileRole::normalDx},
+    {"ao", FileRole::occlusion},
+    {"occlusion", FileRole::occlusion},
+    {"rough", FileRole::roughness},
+    {"roughness", FileRole::roughness},
+    {"metal", FileRole::metallic},
+    {"metallic", FileRole::metallic},
+    {"metalness", FileRole::metallic},
+    {"arm", FileRole::occlusionRoughnessMetallic},
+    {"orm", FileRole::occlusionRoughnessMetallic},
+    {"aoroughmetal", FileRole::occlusionRoughnessMetallic},
+    {"occlusionroughnessmetallic", FileRole::occlusionRoughnessMetallic},
+    {"metallicroughness", FileRole::roughnessMetallic},
+    {"roughnessmetallic", FileRole::roughnessMetallic},
+    {"emissive", FileRole::emissive},
+    {"emission", FileRole::emissive},
+    {"emissivecolor", FileRole::emissive},
+    {"emissioncolor", FileRole::emissive},
+    {"disp", FileRole::height},
+    {"displacement", FileRole::height},
+    {"height", FileRole::height},
+    {"opacity", FileRole::opacity},
+    {"alpha", FileRole::opacity},
+};
+constexpr std::size_t kMostWords = 3; // of "occlusion roughness metallic"
+
+bool isUpper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool isLower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// Whether a word begins with the capital at `i`: in "normalGL" at G, in "AORoughness" at R.
+bool beginsAtCapital(std::string_view text, std::size_t i) {
+  return i > 0 && isUpper(text[i]) &&
+         (isLower(text[i - 1]) ||
+          (isUpper(text[i - 1]) && i + 1 < text.size() && isLower(text[i + 1])));
+}
+
+std::vector<std::string> lowerCaseWords(std::string_view text) {
+  std::vector<std::string> words;
+  bool inside = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool partOfWord = isWordCharacter(text[i]);
+    if (partOfWord && (!inside || beginsAtCapital(text, i)))
+      words.emplace_back();
+    if (partOfWord)
+      words.back() += char(std::tolower(static_cast<unsigned char>(text[i])));
+    inside = partOfWord;
+  }
+  return words;
+}
+
+} // namespace
+
+std::optional<FileRole> fileRole(std::string_view stem) {
+  const std::vector<std::string> words = lowerCaseWords(stem);
+  for (std::size_t end = words.size(); end > 0; --end)
+    for (std::size_t count = std::min(kMostWords, end); count > 0; --count) {
+      std::string joined;
+      for (std::size_t w = end - count; w < end; ++w)
+        joined += words[w];
+      const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases),
+                                      [&](const Phrase& p) { return p.words == joined; });
+      if (found != std::end(kPhrases))
+        return found->role;
+    }
+  return std::nullopt;
+}
+
+} // namespace lichen::exemplar

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Colours and opacity -> colours, over a pyramid that halves both sides down to one pixel.
+#include "invisible_color.h"
+
+#include "resample.h"
+#include "tiling/value_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen::exemplar {
+namespace {
+
+struct Level {
+  int width = 0;
+  int height = 0;
+  std::vector<float> light;    ///< 3 a pixel, of what is covered
+  std::vector<float> coverage; ///< 1 a pixel, [0, 1]: how far the light is to be trusted
+
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return std::size_t(std::clamp(y, 0, height - 1)) * std::size_t(width) +
+           std::size_t(std::clamp(x, 0, width - 1));
+  }
+};
+
+/// Pull: mean light by coverage; coverage adds up until a pixel is certain.
+Level halved(const Level& fine) {
+  Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}};
+  for (int y = 0; y < coarse.height; ++y)
+    for (int x = 0; x < coarse.width; ++x) {
+      float sum = 0.0f;
+      std::array<float, 3> light{};
+      for (int k = 0; k < 4; ++k) {
+        const int fx = 2 * x + k % 2, fy = 2 * y + k / 2;
+        if (fx >= fine.width || fy >= fine.height)
+          continue;
+        const std::size_t i = fine.at(fx, fy);
+        sum += fine.coverage[i];
+        for (std::size_t c = 0; c < 3; ++c)
+          light[c] += fine.coverage[i] * fine.light[3 * i + c];
+      }
+      coarse.coverage.push_back(std::min(1.0f, sum));
+      for (const float value : light)
+        coarse.light.push_back(sum > 0.0f ? value / sum : 0.0f);
+    }
+  return coarse;
+}
+
+/// Push: what a pixel's own light does not cover comes from the coarser level, bilinearly.
+void fillFrom(const Level& coarse, Level& fine) {
+  for (int y = 0; y < fine.height; ++y)
+    for (int x = 0; x < fine.width; ++x) {
+      const std::size_t i = fine.at(x, y);
+      const float own = fine.coverage[i];
+      if (own >= 1.0f)
+        continue;
+      // The centre of a fine pixel lies a quarter of a coarse one from the nearest centre.
+      const int nearX = x / 2, nearY = y / 2;
+      const int farX = nearX + (x % 2 == 0 ? -1 : 1), farY = nearY + (y % 2 == 0 ? -1 : 1);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto light = [&](int column, int row) {
+          return coarse.light[3 * coarse.at(column, row) + c];
+        };
+        const float around = 0.75f * (0.75f * light(nearX, nearY) + 0.25f * light(farX, nearY)) +
+                             0.25f * (0.75f * light(nearX, farY) + 0.25f * light(farX, farY));
+        float& value = fine.light[3 * i + c];
+        value = own * value + (1.0f - own) * around;
+      }
+    }
+}
+
+} // namespace
+
+void fillInvisible(MapExemplar& color, const MapExemplar& opacity) {
+  Level whole{color.width, color.height, color.values,
+              resampled(opacity, color.width, color.height, false).values};
+  const float most = *std::max_element(whole.coverage.begin(), whole.coverage.end());
+  if (most <= 0.0f)
+    return; // nothing is visible: no colour is better than another
+  for (float& value : whole.coverage)
+    value /= most;
+  for (float& value : whole.light)
+    value = tiling::decoded(value, color.encoding);
+  std::vector<Level> pyramid{std::move(whole)};
+  while (pyramid.back().width > 1 || pyramid.back().height > 1)
+    pyramid.push_back(halved(pyramid.back()));
+  for (std::size_t l = pyramid.size() - 1; l-- > 0;)
+    fillFrom(pyramid[l + 1], pyramid[l]);
+  for (std::size_t i = 0; i < color.values.size(); ++i)
+    if (pyramid[0].coverage[i / 3] < 1.0f) // the others keep their code
+      color.values[i] = tiling::encoded(pyramid[0].light[i], color.encoding);
+}
+
+} // namespace lichen::exemplar

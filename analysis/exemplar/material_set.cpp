@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Image files -> maps: read, cut out, rid of invisible colours, resampled and joined, in this
+// order.
+#include "invisible_color.h"
+#include "joined_channels.h"
+#include "map_values.h"
+#include "resample.h"
+#include "set_files.h"
+#include "tiling/borders.h"
+
+#include <lichen/material_set.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using namespace exemplar;
+
+// What README.md recommends.
+constexpr int kFewPixels = 64;
+constexpr int kGoodPixels = 256;
+constexpr int kPlentyOfPixels = 1024;
+
+/// A map with what messages call its file.
+struct NamedMap {
+  MapExemplar map;
+  std::string name;
+};
+
+std::size_t pixelCount(const MapExemplar& map) {
+  return std::size_t(map.width) * std::size_t(map.height);
+}
+
+const NamedMap& largestOf(const std::vector<NamedMap>& maps) {
+  return *std::max_element(maps.begin(), maps.end(), [](const NamedMap& a, const NamedMap& b) {
+    return pixelCount(a.map) < pixelCount(b.map);
+  });
+}
+
+/// The data that a file of this role has in its red, green and blue.
+Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
+                           std::vector<std::string>& notes) {
+  using enum MapChannel;
+  const auto data = [&](MapTarget target, std::initializer_list<MapChannel> channels,
+                        std::initializer_list<int> sources) {
+    return dataMap(image, target, {channels.begin(), channels.size()},
+                   {sources.begin(), sources.size()}, notes);
+  };
+  const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
+  switch (role) {
+  case FileRole::occlusion:
+    return data(orm, {occlusion}, {0});
+  case FileRole::roughness:
+    return data(orm, {roughness}, {0});
+  case FileRole::metallic:
+    return data(orm, {metallic}, {0});
+  case FileRole::occlusionRoughnessMetallic:
+    return data(orm, {occlusion, roughness, metallic}, {0, 1, 2});
+  case FileRole::roughnessMetallic:
+    return data(orm, {roughness, metallic}, {1, 2});
+  case FileRole::height:
+    return data(MapTarget::height, {MapChannel::height}, {0});
+  default:
+    return data(MapTarget::opacity, {opacity}, {0});
+  }
+}
+
+Result<MapExemplar> mapOf(const NamedImage& image, FileRole role, std::vector<std::string>& notes) {
+  switch (role) {
+  case FileRole::baseColor:
+    return colorMap(image, MapTarget::baseColor, notes);
+  case FileRole::emissive:
+    return colorMap(image, MapTarget::emissive, notes);
+  case FileRole::normal:
+  case FileRole::normalGl:
+    return normalMap(image, false, notes);
+  case FileRole::normalDx:
+    return normalMap(image, true, notes);
+  default:
+    return dataOf(image, role, notes);
+  }
+}
+
+/// Appends the map of one file, and its alpha as a map where that is wanted.
+Result<void> appendMaps(const SetFile& source, bool isSingleImage, AlphaUse alphaUse,
+                        std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
+  Result<ImageFile> file = readImage(source.path);
+  if (!file)
+    return file.error();
+  const std::string name = isSingleImage ? "the image" : source.path.filename().string();
+  const NamedImage image{std::move(file).value(), name, source.path.string()};
+  for (const std::string& note : image.file.notes)
+    notes.push_back(isSingleImage ? note : name + ": " + note);
+  Result<MapExemplar> map = mapOf(image, source.role, notes);
+  if (!map)
+    return map.error();
+  maps.push_back({std::move(map).value(), name});
+  if (source.role != FileRole::baseColor || alphaUse == AlphaUse::ignore) {
+    noteIgnoredAlpha(image, notes);
+    return {};
+  }
+  if (std::optional<MapExemplar> alpha = alphaMap(image))
+    maps.push_back({std::move(*alpha), "the alpha of " + name});
+  else
+    notes.push_back(name + " is opaque everywhere; it has no opacity map");
+  return {};
+}
+
+/// Files were told apart by name; the alpha of one may be a second opacity.
+Result<void> checkOneOpacity(const std::vector<NamedMap>& maps) {
+  const NamedMap* first = nullptr;
+  for (const NamedMap& named : maps) {
+    if (named.map.target != MapTarget::opacity)
+      continue;
+    if (first != nullptr)
+      return Error{ErrorKind::badInput, first->name + ": a second opacity beside " + named.name +
+                                            "; one is accepted, or alpha can be ignored"};
+    first = &named;
+  }
+  return {};
+}
+
+/// Cuts the same part out of all maps.
+Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
+  const NamedMap& largest = largestOf(maps);
+  const int width = largest.map.width, height = largest.map.height;
+  if (part.x < 0 || part.y < 0 || part.width < 1 || part.height < 1 ||
+      part.width > width - part.x || part.height > height - part.y)
+    return Error{ErrorKind::usage,
+                 fmt::format("crop {},{},{},{}: a rectangle inside the {} x {} pixels of {} is "
+                             "accepted",
+                             part.x, part.y, part.width, part.height, width, height, largest.name)};
+  for (NamedMap& named : maps) {
+    const auto range = [](int from, int count, int side, int sideOfLargest) {
+      const double scale = double(side) / double(sideOfLargest);
+      const int first = std::min(int(std::lround(from * scale)), side - 1);
+      const int last = int(std::lround((from + count) * scale));
+      return std::array<int, 2>{first, std::max(1, last - first)};
+    };
+    const auto [x, columns] = range(part.x, part.width, named.map.width, width);
+    const auto [y, rows] = range(part.y, part.height, named.map.height, height);
+    named.map = cropped(named.map, {x, y, columns, rows});
+  }
+  return {};
+}
+
+const NamedMap* findMap(const std::vector<NamedMap>& maps, MapTarget target) {
+  const auto found = std::find_if(maps.begin(), maps.end(), [target](const NamedMap& named) {
+    return named.map.target == target;
+  });
+  return found == maps.end() ? nullptr : &*found;
+}
+
+void fillInvisibleColors(std::vector<NamedMap>& maps) {
+  const NamedMap* opacity = findMap(maps, MapTarget::opacity);
+  if (opacity == nullptr)
+    return;
+  for (NamedMap& named : maps)
+    if (named.map.target == MapTarget::baseColor || named.map.target == MapTarget::emissive)
+      fillInvisible(named.map, opacity->map);
+}
+
+bool bordersFit(const std::vector<NamedMap>& maps, Periodic periodic) {
+  const auto tiles = [](const NamedMap& named) { return tiling::isPeriodic(named.map); };
+  return periodic == Periodic::yes ||
+         (periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), tiles));
+}
+
+Result<void> resize(std::vector<NamedMap>& maps, const std::array<int, 2>& size, bool wraps,
+                    std::vector<std::string>& notes) {
+  const auto [width, height] = size;
+  if (std::min(width, height) < 1 || std::max(width, height) > kMaxImageSide)
+    return Error{ErrorKind::usage, fmt::format("size {}x{}: sides from 1 to {} are accepted", width,
+                                               height, kMaxImageSide)};
+  for (NamedMap& named : maps) {
+    if (width > named.map.width || height > named.map.height)
+      notes.push_back(fmt::format("{} is enlarged from {} x {}, which adds no detail", named.name,
+                                  named.map.width, named.map.height));
+    named.map = resampled(named.map, width, height, wraps);
+  }
+  return {};
+}
+
+/// Joins the maps of occlusion, roughness and metallic, and sorts all by target.
+void joinChannels(std::vector<NamedMap>& maps, bool wraps, std::vector<std::string>& notes) {
+  const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
+  std::vector<MapExemplar> parts;
+  std::string names;
+  bool sizesDiffer = false;
+  for (const NamedMap& named : maps)
+    if (named.map.target == orm) {
+      parts.push_back(named.map);
+      names += (names.empty() ? "" : ", ") + named.name;
+      sizesDiffer = sizesDiffer || parts.front().width != named.map.width ||
+                    parts.front().height != named.map.height;
+    }
+  if (parts.size() > 1) {
+    std::erase_if(maps, [=](const NamedMap& named) { return named.map.target == orm; });
+    maps.push_back({joined(parts, wraps), names});
+    if (sizesDiffer)
+      notes.push_back(fmt::format("{} differ in size; they are baked as one map of {} x {}", names,
+                                  maps.back().map.width, maps.back().map.height));
+  }
+  std::sort(maps.begin(), maps.end(),
+            [](const NamedMap& a, const NamedMap& b) { return a.map.target < b.map.target; });
+}
+
+/// Whether no channel varies by more than a rounding.
+bool isConstant(const MapExemplar& map) {
+  const std::size_t channels = map.channels.size();
+  for (std::size_t c = 0; c < channels; ++c) {
+    float least = map.values[c], most = map.values[c];
+    for (std::size_t i = c; i < map.values.size(); i += channels) {
+      least = std::min(least, map.values[i]);
+      most = std::max(most, map.values[i]);
+    }
+    if (most - least > float(map.quantum))
+      return false;
+  }
+  return true;
+}
+
+void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
+  bool varies = false;
+  for (const NamedMap& named : maps) {
+    if (!isConstant(named.map))
+      varies = true;
+    else if (named.map.target == MapTarget::baseColor)
+      notes.push_back(named.name + " has only one colour, and so will the noise");
+    else
+      notes.push_back(named.name + " has only one value, and so will the noise");
+  }
+  const MapExemplar& largest = largestOf(maps).map;
+  const auto noteSize = [&](const char* remark) {
+    notes.push_back(fmt::format("{} x {} pixels {}; {} to {} a side are best", largest.width,
+                                largest.height, remark, kGoodPixels, kPlentyOfPixels));
+  };
+  if (varies && std::min(largest.width, largest.height) < kFewPixels)
+    noteSize("show little of a material");
+  if (std::max(largest.width, largest.height) > kPlentyOfPixels)
+    noteSize("take long to bake and much memory to use");
+}
+
+/// As readMaterialSet(), but throws std::bad_alloc.
+Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
+                             const MaterialSetOptions& options) {
+  Result<SetFiles> found =
+      findSetFiles(inputs, options.normal == NormalConvention::directX ? FileRole::normalDx
+                                                                       : FileRole::normalGl);
+  if (!found)
+    return found.error();
+  const SetFiles& files = found.value();
+  MaterialSet set{files.name, {}, files.notes};
+  std::vector<NamedMap> maps;
+  for (const SetFile& file : files.files)
+    if (Result<void> read = appendMaps(file, files.isSingleImage, options.alpha, maps, set.notes);
+        !read)
+      return read.error();
+  if (Result<void> checked = checkOneOpacity(maps); !checked)
+    return checked.error();
+  if (options.crop)
+    if (Result<void> done = crop(maps, *options.crop); !done)
+      return done.error();
+  fillInvisibleColors(maps);
+  const bool wraps = bordersFit(maps, options.periodic);
+  if (options.size)
+    if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
+      return done.error();
+  joinChannels(maps, wraps, set.notes);
+  noteContent(maps, set.notes);
+  for (NamedMap& named : maps)
+    set.maps.push_back(std::move(named.map));
+  return set;
+}
+
+} // namespace
+
+Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> inputs,
+                                    const MaterialSetOptions& options) {
+  const auto exhausted = [&] {
+    return (inputs.empty() ? std::string() : inputs.front().string() + ": ") +
+           "not enough memory to read the images";
+  };
+  return withinMemory(exhausted, [&] { return readMaps(inputs, options); });
+}
+
+} // namespace lichen

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// values (width * height * channels) -> values of another width and height, first along x, then
+// along y. Source of the filter: [MN88], eq. 8 with B = C = 1/3.
+#include "resample.h"
+
+#include "tiling/value_encoding.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::exemplar {
+namespace {
+
+/// Pixels to either side that the cubic reaches.
+constexpr double kReach = 2.0;
+
+/// [MN88] eq. 8 with B = C = 1/3: their compromise between blur, ringing and moire.
+double mitchell(double x) {
+  const double a = std::abs(x);
+  if (a >= kReach)
+    return 0.0;
+  if (a >= 1.0)
+    return ((-7.0 / 18.0 * a + 2.0) * a - 10.0 / 3.0) * a + 16.0 / 9.0;
+  return (7.0 / 6.0 * a - 2.0) * a * a + 8.0 / 9.0;
+}
+
+/// What one pixel of the result takes of the source's: weights of the pixels from `first` on, which
+/// may lie outside.
+struct Window {
+  int first = 0;
+  std::vector<double> weights; ///< of sum 1
+};
+
+std::vector<Window> windows(int from, int to) {
+  const double step = double(from) / double(to);
+  const double stretch = std::max(1.0, step);
+  std::vector<Window> result(static_cast<std::size_t>(to));
+  for (int i = 0; i < to; ++i) {
+    const double center = (i + 0.5) * step - 0.5;
+    Window& window = result[std::size_t(i)];
+    window.first = int(std::ceil(center - kReach * stretch));
+    double sum = 0.0;
+    for (int k = window.first; k <= center + kReach * stretch; ++k) {
+      window.weights.push_back(mitchell((k - center) / stretch));
+      sum += window.weights.back();
+    }
+    for (double& weight : window.weights)
+      weight /= sum;
+  }
+  return result;
+}
+
+std::size_t inside(int k, int size, bool wraps) {
+  return std::size_t(wraps ? ((k % size) + size) % size : std::clamp(k, 0, size - 1));
+}
+
+/// Replaces an axis of `from` values by one of `to`: value (outer, k, inner) is
+/// values[(outer * from + k) * inner + i].
+std::vector<float> resampledAxis(const std::vector<float>& values, std::size_t outer, int from,
+                                 int to, std::size_t inner, bool wraps) {
+  const std::vector<Window> all = windows(from, to);
+  std::vector<float> result(outer * std::size_t(to) * inner);
+  tbb::parallel_for(std::size_t(0), outer * std::size_t(to), [&](std::size_t line) {
+    const std::size_t o = line / std::size_t(to);
+    const Window& window = all[line % std::size_t(to)];
+    for (std::size_t i = 0; i < inner; ++i) {
+      double sum = 0.0;
+      for (std::size_t w = 0; w < window.weights.size(); ++w) {
+        const std::size_t k = inside(window.first + int(w), from, wraps);
+        sum += window.weights[w] * double(values[(o * std::size_t(from) + k) * inner + i]);
+      }
+      result[line * inner + i] = float(sum);
+    }
+  });
+  return result;
+}
+
+} // namespace
+
+MapExemplar cropped(const MapExemplar& map, const PixelRectangle& part) {
+  MapExemplar result = map;
+  result.width = part.width;
+  result.height = part.height;
+  result.values.clear();
+  const std::size_t channels = map.channels.size();
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    const auto row =
+        map.values.begin() +
+        std::ptrdiff_t((std::size_t(y) * std::size_t(map.width) + std::size_t(part.x)) * channels);
+    result.values.insert(result.values.end(), row,
+                         row + std::ptrdiff_t(std::size_t(part.width) * channels));
+  }
+  return result;
+}
+
+MapExemplar resampled(const MapExemplar& map, int width, int height, bool wraps) {
+  if (width == map.width && height == map.height)
+    return map;
+  MapExemplar result = map;
+  const std::size_t channels = map.channels.size();
+  for (float& value : result.values)
+    value = tiling::decoded(value, map.encoding);
+  std::vector<float> least(result.values.begin(), result.values.begin() + std::ptrdiff_t(channels));
+  std::vector<float> most = least;
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    least[i % channels] = std::min(least[i % channels], result.values[i]);
+    most[i % channels] = std::max(most[i % channels], result.values[i]);
+  }
+  result.values =
+      resampledAxis(result.values, std::size_t(map.height), map.width, width, channels, wraps);
+  result.values =
+      resampledAxis(result.values, 1, map.height, height, std::size_t(width) * channels, wraps);
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = tiling::encoded(
+        std::clamp(result.values[i], least[i % channels], most[i % channels]), map.encoding);
+  result.width = width;
+  result.height = height;
+  return result;
+}
+
+} // namespace lichen::exemplar

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Folders and files -> one file for each map, or why that cannot be told.
+#include "set_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace lichen::exemplar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWordsAccepted =
+    "names with a word such as diff, nor_gl, rough, metal, ao, arm, disp, emissive or opacity are "
+    "accepted";
+
+bool hasImageExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".exr"};
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+/// The images of a folder whose names do not begin with a dot, as hidden files' do.
+Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
+  std::error_code failure;
+  std::vector<fs::path> images;
+  for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
+       at.increment(failure))
+    if (hasImageExtension(at->path()) && !at->path().filename().string().starts_with('.'))
+      images.push_back(at->path());
+  if (failure)
+    return Error{ErrorKind::badInput, folder.string() + ": cannot be read: " + failure.message()};
+  std::sort(images.begin(), images.end());
+  return images;
+}
+
+/// The glTF channels that a role fills, by their names in messages.
+std::vector<std::string_view> slotsOf(FileRole role) {
+  switch (role) {
+  case FileRole::baseColor:
+    return {"base colour"};
+  case FileRole::normal:
+  case FileRole::normalGl:
+  case FileRole::normalDx:
+    return {"normals"};
+  case FileRole::occlusion:
+    return {"occlusion"};
+  case FileRole::roughness:
+    return {"roughness"};
+  case FileRole::metallic:
+    return {"metallic"};
+  case FileRole::occlusionRoughnessMetallic:
+    return {"occlusion", "roughness", "metallic"};
+  case FileRole::roughnessMetallic:
+    return {"roughness", "metallic"};
+  case FileRole::emissive:
+    return {"emissive light"};
+  case FileRole::height:
+    return {"height"};
+  case FileRole::opacity:
+    break;
+  }
+  return {"opacity"};
+}
+
+/// Drops DirectX normals where there are OpenGL ones: downloads often have both.
+void dropSecondConvention(SetFiles& set) {
+  const auto gl = std::find_if(set.files.begin(), set.files.end(),
+                               [](const SetFile& file) { return file.role == FileRole::normalGl; });
+  if (gl == set.files.end())
+    return;
+  const std::string kept = gl->path.filename().string();
+  std::erase_if(set.files, [&](const SetFile& file) {
+    if (file.role != FileRole::normalDx)
+      return false;
+    set.notes.push_back(file.path.filename().string() + " is not used: " + kept +
+                        " has the normals in the OpenGL convention");
+    return true;
+  });
+}
+
+Result<void> checkSlots(const std::vector<SetFile>& files) {
+  for (std::size_t b = 1; b < files.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      for (const std::string_view slot : slotsOf(files[a].role)) {
+        const std::vector<std::string_view> others = slotsOf(files[b].role);
+        if (std::find(others.begin(), others.end(), slot) != others.end())
+          return Error{ErrorKind::badInput,
+                       files[b].path.string() + ": a second file of " + std::string(slot) +
+                           " beside " + files[a].path.filename().string() + "; one is accepted"};
+      }
+  return {};
+}
+
+/// The folder's name, "." and "folder/" too.
+std::string folderName(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path whole = fs::weakly_canonical(folder, ignored);
+  if (!whole.has_filename())
+    whole = whole.parent_path();
+  return whole.filename().string();
+}
+
+/// What the stems of several files begin with, without the punctuation at its end; the first
+/// file's stem where that is nothing.
+std::string commonName(const std::vector<fs::path>& files) {
+  const std::string first = files.front().stem().string();
+  std::size_t length = first.size();
+  for (const fs::path& file : files) {
+    const std::string stem = file.stem().string();
+    const auto [end, ignored] = std::mismatch(first.begin(), first.begin() + std::ptrdiff_t(length),
+                                              stem.begin(), stem.end());
+    length = std::size_t(end - first.begin());
+  }
+  while (length > 0 && std::ispunct(static_cast<unsigned char>(first[length - 1])) != 0)
+    --length;
+  return length > 0 ? first.substr(0, length) : first;
+}
+
+/// The images of folders, and files; which of them came out of a folder.
+struct Listed {
+  std::vector<fs::path> files;
+  std::vector<bool> fromFolder;
+};
+
+Result<Listed> listFiles(std::span<const fs::path> inputs) {
+  Listed listed;
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    const bool isFolder = fs::is_directory(input, ignored);
+    if (!isFolder) {
+      listed.files.push_back(input);
+      listed.fromFolder.push_back(false);
+      continue;
+    }
+    Result<std::vector<fs::path>> images = imagesIn(input);
+    if (!images)
+      return images.error();
+    listed.files.insert(listed.files.end(), images.value().begin(), images.value().end());
+    listed.fromFolder.resize(listed.files.size(), true);
+  }
+  return listed;
+}
+
+} // namespace
+
+Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNormal) {
+  if (inputs.empty())
+    return Error{ErrorKind::usage, "no image to bake: at least one is needed"};
+  const Result<Listed> listed = listFiles(inputs);
+  if (!listed)
+    return listed.error();
+  const std::vector<fs::path>& files = listed.value().files;
+  SetFiles set;
+  if (inputs.size() == 1 && files.size() == 1 && !listed.value().fromFolder.front()) {
+    set.name = files.front().stem().string();
+    set.files = {{files.front(), FileRole::baseColor}};
+    set.isSingleImage = true;
+    return set;
+  }
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    const std::string name = files[f].filename().string();
+    if (const auto role = fileRole(files[f].stem().string()))
+      set.files.push_back({files[f], *role == FileRole::normal ? plainNormal : *role});
+    else if (listed.value().fromFolder[f])
+      set.notes.push_back(name + " is not used: its name does not say which map it is");
+    else
+      return Error{ErrorKind::badInput, files[f].string() +
+                                            ": its name does not say which map it is; " +
+                                            kWordsAccepted};
+  }
+  if (set.files.empty())
+    return Error{ErrorKind::badInput, inputs.front().string() +
+                                          ": a folder without a map; PNG, JPEG and EXR files of " +
+                                          kWordsAccepted};
+  const bool isFolder = listed.value().fromFolder.front();
+  set.name = isFolder ? folderName(inputs.front()) : commonName(files);
+  dropSecondConvention(set);
+  if (Result<void> checked = checkSlots(set.files); !checked)
+    return checked.error();
+  return set;
+}
+
+} // namespace lichen::exemplar

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Which files of a material are its maps.
+#pragma once
+
+#include "file_roles.h"
+
+#include <lichen/result.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lichen::exemplar {
+
+struct SetFile {
+  std::filesystem::path path;
+  FileRole role = FileRole::baseColor;
+};
+
+struct SetFiles {
+  std::string name;           ///< of the material
+  std::vector<SetFile> files; ///< no two of them for one channel; sorted by path
+  bool isSingleImage = false; ///< its notes then need not name it
+  std::vector<std::string> notes;
+};
+
+/// Folders are replaced by the images inside, by extension; those whose name has no role are left
+/// out with a note, while a file named by itself must have one, unless it is alone. Of normals in
+/// both conventions the OpenGL ones are taken. `plainNormal` is what FileRole::normal stands for.
+/// Errors as readMaterialSet().
+[[nodiscard]] Result<SetFiles> findSetFiles(std::span<const std::filesystem::path> inputs,
+                                            FileRole plainNormal);
+
+} // namespace lichen::exemplar
