@@ -5,47 +5,22 @@
 #include "gaussianize.h"
 #include "inverse_table.h"
 #include "map_fit.h"
+#include "map_ranges.h"
 #include "mip_chain.h"
 #include "prefilter.h"
 #include "slab_means.h"
 #include "transport/lower_bound.h"
 #include "value_encoding.h"
 
-#include <lichen/image_io.h>
 #include <lichen/tiling.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <optional>
 
 namespace lichen {
 namespace {
 
 using namespace tiling;
-
-std::string shortest(float value) {
-  std::array<char, 16> digits{}; // enough for the shortest text that gives any float back
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
-
-/// A value that is beyond what tables hold, or that stands for such a one.
-std::optional<float> valueOutOfRange(const MapExemplar& map) {
-  // From here on, rounding to half gives infinity: half a step, 2^4, above the largest.
-  constexpr float kBeyondHalf = kHalfMax + 16.0f;
-  const auto fits = [](float v) { return v > -kBeyondHalf && v < kBeyondHalf; };
-  for (const float value : map.values)
-    if (!fits(value))
-      return value;
-  // Decoding is monotonic.
-  const auto [least, most] = std::minmax_element(map.values.begin(), map.values.end());
-  for (const float value : {*least, *most})
-    if (!fits(decoded(value, map.encoding)))
-      return value;
-  return std::nullopt;
-}
 
 Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
@@ -53,24 +28,9 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
     return usage("precision " + std::to_string(options.bits) + ": 8 or 16 bits are accepted");
   if (maps.empty())
     return usage("no map to bake: at least one is needed");
-  for (const MapExemplar& map : maps) {
-    if (map.width < 1 || map.height < 1 || map.width > kMaxImageSide || map.height > kMaxImageSide)
-      return usage("a map of " + std::to_string(map.width) + " x " + std::to_string(map.height) +
-                   " pixels: sides from 1 to " + std::to_string(kMaxImageSide) + " are accepted");
-    if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
-      return usage("a map of " + std::to_string(map.channels.size()) +
-                   " channels: 1 to 3 are accepted");
-    if (map.values.size() != std::size_t(map.width) * std::size_t(map.height) * map.channels.size())
-      return usage("a map with " + std::to_string(map.values.size()) +
-                   " values: width x height x channels are needed");
-    if (const std::optional<float> value = valueOutOfRange(map))
-      return usage("a map with the value " + shortest(*value) + ", which stands for " +
-                   shortest(decoded(*value, map.encoding)) + ": both from " + shortest(-kHalfMax) +
-                   " to " + shortest(kHalfMax) + " are accepted");
-    if (!(map.quantum > 0.0) || !(map.quantum <= 1.0))
-      return usage("a quantum of " + std::to_string(map.quantum) +
-                   ": above 0 and at most 1 is accepted");
-  }
+  for (const MapExemplar& map : maps)
+    if (Result<void> checked = checkRanges(map); !checked)
+      return checked;
   return {};
 }
 

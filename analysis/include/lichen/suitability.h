@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Whether an exemplar suits random blending, told before anyone ships its noise.
+#pragma once
+
+#include <lichen/result.h>
+#include <lichen/tiling.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lichen {
+
+/// A way in which the noise of an exemplar can disappoint.
+struct Risk {
+  enum class Level { none, mild, severe };
+
+  std::string_view name; ///< "cloudiness", "structure", "low-frequency" or "clipping"
+  double score = 0.0;    ///< [0, 1], calibrated: below 1/3 is none, below 2/3 mild, else severe
+  Level level = Level::none;
+  std::string sentence; ///< what will be seen, with the measured number; no full stop
+  std::string remedy;   ///< the option, or the photograph, that helps; empty where level is none
+};
+
+/// "none", "mild" or "severe".
+[[nodiscard]] std::string_view nameOf(Risk::Level level);
+
+/// Every risk of one map, in the order of the names above, those of no concern included.
+/// `periodic`: whether the exemplar's opposite borders fit together. A map without variance has
+/// none. Errors: usage for maps outside the ranges of MapExemplar, resources for memory.
+/// Thread-safe; the same result for any number of threads. O(N log N) in the number of pixels.
+/// Source: docs/decisions/011-suitability.md.
+[[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic);
+
+} // namespace lichen

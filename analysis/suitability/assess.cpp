@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// One map -> its risks, in a fixed order. Thresholds: docs/decisions/011-suitability.md.
+#include "calibration.h"
+#include "clipped_share.h"
+#include "cloudiness.h"
+#include "gaussian_plane.h"
+#include "lattice_share.h"
+#include "phase_coherence.h"
+#include "slow_variation.h"
+#include "tiling/map_ranges.h"
+
+#include <lichen/suitability.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using namespace suitability;
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+Risk risk(std::string_view name, double score, std::string sentence, std::string remedy) {
+  const auto level = score < kMildScore     ? Risk::Level::none
+                     : score < kSevereScore ? Risk::Level::mild
+                                            : Risk::Level::severe;
+  return {name, score, level, std::move(sentence),
+          level == Risk::Level::none ? std::string() : std::move(remedy)};
+}
+
+Risk cloudinessRisk(const HalfSpectrum& spectrum) {
+  const double measured = cloudiness(spectrum);
+  // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
+  const int side = std::max(spectrum.width, spectrum.height);
+  const bool flattens = cloudinessAbove(spectrum, kShortestAutoPeriod * side) < kCloudiness.mild;
+  const std::string photograph = "a photograph that varies less over large distances";
+  return risk("cloudiness", scoreOf(measured, kCloudiness),
+              "the contrast varies by " + percent(measured) +
+                  " from place to place, by the chance of what is blended",
+              flattens ? "--flatten auto, or " + photograph : photograph);
+}
+
+Risk structureRisk(const HalfSpectrum& spectrum) {
+  const double lattice = latticeShare(spectrum);
+  const double coherence = phaseCoherence(spectrum);
+  const double latticeScore = scoreOf(lattice, kLatticeShare);
+  const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
+  const std::string remedy =
+      "a photograph of the material without joints, letters or a regular pattern; as it is, it "
+      "looks better repeated than blended";
+  if (latticeScore > coherenceScore)
+    return risk("structure", latticeScore,
+                percent(lattice) +
+                    " of the variation repeats at even steps, which random blending breaks",
+                remedy);
+  return risk("structure", coherenceScore,
+              "outlines hold together by " + percent(coherence) +
+                  ", which random blending breaks into pieces",
+              remedy);
+}
+
+Risk lowFrequencyRisk(const MapExemplar& map) {
+  const double measured = slowVariation(map);
+  // Peak to peak of a wave of that deviation.
+  const double difference = 2.0 * std::sqrt(2.0) * measured;
+  return risk("low-frequency", scoreOf(measured, kSlowVariation),
+              "one part of the image differs from another by " + percent(difference) +
+                  " of the full range on the whole, which will show as patches",
+              "--flatten auto, even light, or a crop without the one large object");
+}
+
+Risk clippingRisk(const MapExemplar& map) {
+  const ClippedShare clipped = clippedShare(map);
+  return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
+              percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
+                  " black, without detail",
+              clipped.white > clipped.black ? "a photograph with less exposure"
+                                            : "a photograph with more exposure");
+}
+
+std::vector<Risk> risksOf(const MapExemplar& map, bool periodic) {
+  HalfSpectrum spectrum{1, 1, {0.0f}}; // of a map that does not vary
+  if (const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic))
+    spectrum = forwardFft(plane->values, plane->width, plane->height);
+  return {cloudinessRisk(spectrum), structureRisk(spectrum), lowFrequencyRisk(map),
+          clippingRisk(map)};
+}
+
+} // namespace
+
+std::string_view nameOf(Risk::Level level) {
+  switch (level) {
+  case Risk::Level::none:
+    return "none";
+  case Risk::Level::mild:
+    return "mild";
+  case Risk::Level::severe:
+    break;
+  }
+  return "severe";
+}
+
+Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic) {
+  const auto exhausted = [&] {
+    return "not enough memory to assess " + std::to_string(map.width) + " x " +
+           std::to_string(map.height) + " pixels";
+  };
+  return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
+    if (Result<void> checked = tiling::checkRanges(map); !checked)
+      return checked.error();
+    return risksOf(map, periodic);
+  });
+}
+
+} // namespace lichen

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Power spectrum of a plane (height, width / 2 + 1) -> contrast variation of its random blends.
+// Source: section 5.3 of [HN18] on stationarity; the closed form is derived in the header.
+#include "cloudiness.h"
+
+#include "high_pass.h"
+
+#include <cmath>
+
+namespace lichen::suitability {
+namespace {
+
+template <typename GainAt>
+double cloudinessOf(const HalfSpectrum& spectrum, const GainAt& gainAt) {
+  double sum = 0.0, squares = 0.0;
+  for (int v = 0; v < spectrum.height; ++v)
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      if (u == 0 && v == 0)
+        continue;
+      const double gain = gainAt(u, v);
+      const double power = gain * gain * double(std::norm(spectrum.at(u, v)));
+      sum += spectrum.multiplicity(u) * power;
+      squares += spectrum.multiplicity(u) * power * power;
+    }
+  return sum > 0.0 ? 2.0 / 3.0 * std::sqrt(3.0 * squares) / sum : 0.0;
+}
+
+} // namespace
+
+double cloudiness(const HalfSpectrum& spectrum) {
+  return cloudinessOf(spectrum, [](int, int) { return 1.0; });
+}
+
+double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels) {
+  return cloudinessOf(spectrum, [&](int u, int v) {
+    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    return highPassGain(periodPixels * u / spectrum.width,
+                        periodPixels * signedV / spectrum.height);
+  });
+}
+
+} // namespace lichen::suitability

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Exemplar values (width * height * channels) -> Gaussianized principal component (width * height).
+#include "gaussian_plane.h"
+
+#include "tiling/borders.h"
+#include "tiling/color_space.h"
+#include "tiling/gaussian_distribution.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lichen::suitability {
+namespace {
+
+/// The map projected on the eigenvector of its covariance with the largest eigenvalue.
+MapExemplar principalComponent(const MapExemplar& map) {
+  const std::size_t channels = map.channels.size();
+  const tiling::Moments moments = tiling::momentsOf(map.values, int(channels));
+  const Eigen::SelfAdjointEigenSolver<tiling::ChannelMatrix> solver(moments.covariance);
+  const tiling::ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
+  MapExemplar component;
+  component.target = map.target;
+  component.channels = {map.channels.front()};
+  component.encoding = map.encoding;
+  component.width = map.width;
+  component.height = map.height;
+  component.quantum = map.quantum;
+  component.values.reserve(map.values.size() / channels);
+  for (std::size_t i = 0; i < map.values.size(); i += channels) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < channels; ++c)
+      sum += axis[Eigen::Index(c)] * double(map.values[i + c]);
+    component.values.push_back(float(sum));
+  }
+  return component;
+}
+
+/// The Gaussian of the same rank for every point, by the first coordinate: transport on a line.
+std::vector<Point> gaussianByRank(const std::vector<Point>& points,
+                                  const std::vector<Point>& gaussian) {
+  std::vector<std::pair<float, std::size_t>> order; // ties by index
+  order.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    order.emplace_back(points[i].x, i);
+  std::sort(order.begin(), order.end());
+  std::vector<Point> matched(points.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    matched[order[rank].second] = gaussian[rank];
+  return matched;
+}
+
+} // namespace
+
+std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic) {
+  const MapExemplar component = principalComponent(map);
+  const tiling::ColorSpace space = tiling::colorSpaceOf(component);
+  if (space.dimensions() == 0)
+    return std::nullopt;
+  const std::vector<Point> stratified = tiling::stratifiedGaussian(
+      component.values.size(), 1, tiling::Precision::bits16); // ascending
+  std::vector<Point> image = gaussianByRank(tiling::transportPoints(component, space), stratified);
+  if (!periodic)
+    image = gaussianByRank(tiling::crossFadeBorders(image, map.width, map.height), stratified);
+  GaussianPlane plane{map.width, map.height, {}};
+  plane.values.reserve(image.size());
+  for (const Point& point : image)
+    plane.values.push_back((point.x - float(tiling::kGaussianMean)) /
+                           float(tiling::kGaussianDeviation));
+  return plane;
+}
+
+} // namespace lichen::suitability

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Spectrum of a plane (height, width / 2 + 1) -> share of its variance in spectral lines.
+#include "lattice_share.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace lichen::suitability {
+namespace {
+
+constexpr int kSmallestSide = 32;
+/// Neighbours on each side, of whose powers the median is taken: wide enough that the lines of a
+/// lattice with three or more frequencies between them are the lesser part.
+constexpr int kReach = 4;
+constexpr int kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
+constexpr float kLineOverMedian = 20.0f; // as the header derives
+constexpr int kLowestCycles = 5;
+
+/// Power at the integer frequencies of the full plane and some beyond each border of the half.
+class PowerPlane {
+public:
+  explicit PowerPlane(const HalfSpectrum& spectrum)
+      : width_(spectrum.width), height_(spectrum.height), columns_(spectrum.columns()) {
+    power_.reserve(spectrum.values.size());
+    for (const std::complex<float>& value : spectrum.values)
+      power_.push_back(std::norm(value));
+  }
+  [[nodiscard]] float at(int u, int v) const {
+    v += v < 0 ? height_ : v >= height_ ? -height_ : 0;
+    // The mirror image of a frequency to the left or right of the half that is kept.
+    if (u < 0 || u >= columns_) {
+      u = u < 0 ? -u : width_ - u;
+      v = v == 0 ? 0 : height_ - v;
+    }
+    return power_[std::size_t(v) * std::size_t(columns_) + std::size_t(u)];
+  }
+
+private:
+  int width_;
+  int height_;
+  int columns_;
+  std::vector<float> power_;
+};
+
+/// Whether a power is above the multiple of the median around it: if most of the powers there are
+/// that much smaller.
+bool isLine(const PowerPlane& power, int u, int v) {
+  const float most = power.at(u, v) / kLineOverMedian;
+  int below = 0;
+  for (int dv = -kReach; dv <= kReach; ++dv)
+    for (int du = -kReach; du <= kReach; ++du)
+      below += power.at(u + du, v + dv) < most ? 1 : 0;
+  return 2 * below > kNeighbours;
+}
+
+} // namespace
+
+double latticeShare(const HalfSpectrum& spectrum) {
+  if (std::min(spectrum.width, spectrum.height) < kSmallestSide)
+    return 0.0;
+  const PowerPlane power(spectrum);
+  std::vector<std::array<double, 2>> rows(std::size_t(spectrum.height)); // in lines, and in all
+  tbb::parallel_for(0, spectrum.height, [&](int v) {
+    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    auto& [lines, all] = rows[std::size_t(v)];
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      if (u == 0 && v == 0)
+        continue;
+      const double weighted = spectrum.multiplicity(u) * double(power.at(u, v));
+      all += weighted;
+      if (u * u + signedV * signedV >= kLowestCycles * kLowestCycles && isLine(power, u, v))
+        lines += weighted;
+    }
+  });
+  double lines = 0.0, all = 0.0;
+  for (const auto& row : rows) {
+    lines += row[0];
+    all += row[1];
+  }
+  return all > 0.0 ? lines / all : 0.0;
+}
+
+} // namespace lichen::suitability

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// One map -> whether it can be baked.
+#include "map_ranges.h"
+
+#include "color_space.h"
+#include "value_encoding.h"
+
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+
+namespace lichen::tiling {
+namespace {
+
+std::string shortest(float value) {
+  std::array<char, 16> digits{}; // enough for the shortest text that gives any float back
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+/// A value that is beyond what tables hold, or that stands for such a one.
+std::optional<float> valueOutOfRange(const MapExemplar& map) {
+  // From here on, rounding to half gives infinity: half a step, 2^4, above the largest.
+  constexpr float kBeyondHalf = kHalfMax + 16.0f;
+  const auto fits = [](float v) { return v > -kBeyondHalf && v < kBeyondHalf; };
+  for (const float value : map.values)
+    if (!fits(value))
+      return value;
+  // Decoding is monotonic.
+  const auto [least, most] = std::minmax_element(map.values.begin(), map.values.end());
+  for (const float value : {*least, *most})
+    if (!fits(decoded(value, map.encoding)))
+      return value;
+  return std::nullopt;
+}
+
+} // namespace
+
+Result<void> checkRanges(const MapExemplar& map) {
+  const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
+  if (map.width < 1 || map.height < 1 || map.width > kMaxImageSide || map.height > kMaxImageSide)
+    return usage("a map of " + std::to_string(map.width) + " x " + std::to_string(map.height) +
+                 " pixels: sides from 1 to " + std::to_string(kMaxImageSide) + " are accepted");
+  if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
+    return usage("a map of " + std::to_string(map.channels.size()) +
+                 " channels: 1 to 3 are accepted");
+  if (map.values.size() != std::size_t(map.width) * std::size_t(map.height) * map.channels.size())
+    return usage("a map with " + std::to_string(map.values.size()) +
+                 " values: width x height x channels are needed");
+  if (const std::optional<float> value = valueOutOfRange(map))
+    return usage("a map with the value " + shortest(*value) + ", which stands for " +
+                 shortest(decoded(*value, map.encoding)) + ": both from " + shortest(-kHalfMax) +
+                 " to " + shortest(kHalfMax) + " are accepted");
+  if (!(map.quantum > 0.0) || !(map.quantum <= 1.0))
+    return usage("a quantum of " + std::to_string(map.quantum) +
+                 ": above 0 and at most 1 is accepted");
+  return {};
+}
+
+} // namespace lichen::tiling
