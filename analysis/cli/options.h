@@ -3,7 +3,7 @@
 // not of the parser's types.
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_writer.h>
 
 #include <CLI/App.hpp>
 
@@ -41,16 +41,6 @@ struct Accepted {
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
 /// "16,0,256,128" -> {16, 0, 256, 128}: a corner from 0 and a size from 1 to `largest`.
 [[nodiscard]] Accepted<std::array<int, 4>> pixelRectangle(int largest);
-
-/// The same for an option whose absence means something.
-template <class Value>
-[[nodiscard]] Accepted<std::optional<Value>> optional(Accepted<Value> accepted) {
-  const auto read = [read = accepted.read](const std::string& text) {
-    const std::optional<Value> value = read(text);
-    return value ? std::make_optional(value) : std::nullopt;
-  };
-  return {accepted.placeholder, accepted.sentence, read};
-}
 
 /// The same for an option whose absence means something.
 template <class Value>
@@ -111,6 +101,9 @@ CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value
 /// As above, for an argument that may be given again and again.
 CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                       const std::string& placeholder, const std::string& help);
+
+/// --preview of the verbs that write a scene.
+void addPreviewShape(CLI::App& verb, PreviewShape& shape);
 
 /// Help with placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();
