@@ -170,11 +170,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "How near to optimal colours are matched");
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
-  const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
-                                     {"plane", PreviewShape::plane},
-                                     {"none", PreviewShape::none}};
-  addValue(verb, "--preview", arguments->preview, oneOf(shapes), "sphere",
-           "The scene around the material");
+  addPreviewShape(verb, arguments->preview);
   return [arguments] { return run(*arguments); };
 }
 
