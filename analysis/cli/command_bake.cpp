@@ -2,6 +2,7 @@
 // lichen bake: a photograph to a glTF with the noise and a scene to look at it.
 #include "bake_report.h"
 #include "command.h"
+#include "html_report.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
@@ -14,7 +15,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -35,6 +35,7 @@ struct Arguments {
   std::optional<std::array<int, 4>> crop;
   TilingOptions tiling;
   PreviewShape preview{};
+  std::string report;
 };
 
 Result<MaterialSet> readInputs(const Arguments& arguments) {
@@ -85,8 +86,10 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
 }
 
 Result<int> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  StepTimes times;
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked.error();
+  if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   Result<MaterialSet> set = readInputs(arguments);
   if (!set)
@@ -98,6 +101,7 @@ Result<int> run(const Arguments& arguments) {
   };
   printNotes(0); // before the work: the user may rather have another photograph
   const std::size_t printed = notes.size();
+  times.end("Reading the images");
 
   ProgressLine progress("bake", arguments.shared);
   TilingOptions options = arguments.tiling;
@@ -109,6 +113,7 @@ Result<int> run(const Arguments& arguments) {
   Result<TilingBake> bake = bakeTiling(name, set.value().maps, options);
   if (!bake)
     return bake.error();
+  times.end("Baking the noise");
   const bool periodic = bake.value().exemplarWasPeriodic;
   for (const TransportBound& bound : bake.value().transportBounds)
     notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
@@ -122,9 +127,16 @@ Result<int> run(const Arguments& arguments) {
     return written.error();
   progress.erase();
   printNotes(printed);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  times.end("Preview and bundle");
+  if (Result<void> written =
+          writeHtmlReport(arguments.report,
+                          {arguments.inputs, arguments.output, file.value().bundle,
+                           set.value().maps, periodic, notes, times.steps()},
+                          arguments.shared);
+      !written)
+    return written.error();
   reportBake(arguments.shared,
-             {arguments.output, file.value().bundle, periodic, notes, seconds.count()});
+             {arguments.output, file.value().bundle, periodic, notes, times.sum()});
   return kDone;
 }
 
@@ -171,6 +183,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
   addPreviewShape(verb, arguments->preview);
+  addText(verb, "--report", arguments->report, "OUT.html",
+          "A page with pictures, measures and charts of the noise");
   return [arguments] { return run(*arguments); };
 }
 

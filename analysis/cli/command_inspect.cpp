@@ -54,18 +54,21 @@ FormatName formatName(TexelFormat format) {
   return {"RGBA32F", 32};
 }
 
-/// Texture fetches of shaders_glsl/noise/tiling.glsl for one map and one plane: three taps, and the
-/// two slabs of the inverse table around the lost variance. The GPU reads one slab where nothing
-/// is lost.
-int fetchesPerPixel(const NoiseMap& map) {
-  constexpr int kTaps = 3, kSlabs = 2;
-  return kTaps + (map.inverseTable ? kSlabs : 0);
+/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
+/// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
+/// table is filtered by the one fetch.
+int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
+  constexpr int kTaps = 3;
+  if (!map.inverseTable)
+    return kTaps;
+  const bool isVolume = tables[*map.inverseTable].depth > 0;
+  return kTaps + (isVolume ? 2 : 1);
 }
 
-int fetchesPerPixel(const Noise& noise) {
+int fetchesPerPixel(const Noise& noise, const std::vector<Table>& tables) {
   int sum = 0;
   for (const NoiseMap& map : noise.maps)
-    sum += fetchesPerPixel(map);
+    sum += fetchesPerPixel(map, tables);
   return sum;
 }
 
@@ -123,7 +126,7 @@ Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
           {"gaussian", map.gaussian},
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
           {"levels", map.levels.size()},
-          {"fetchesPerPixel", fetchesPerPixel(map)}};
+          {"fetchesPerPixel", fetchesPerPixel(map, tables)}};
 }
 
 Json describe(const Bundle& bundle, std::size_t index) {
@@ -139,7 +142,7 @@ Json describe(const Bundle& bundle, std::size_t index) {
           {"method", noise.method},
           {"revision", noise.revision},
           {"tileSize", noise.tileSizeMetres},
-          {"fetchesPerPixel", fetchesPerPixel(noise)},
+          {"fetchesPerPixel", fetchesPerPixel(noise, bundle.tables)},
           {"maps", maps},
           {"materials", materials}};
 }
@@ -201,9 +204,9 @@ void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<
     deviations.push_back(std::sqrt(map.covariance[c * (map.channels.size() + 1)]));
   }
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared,
-      fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", gaussian.width, gaussian.height,
-                  formatName(gaussian.format).bits, nameOf(map.encoding), fetchesPerPixel(map)));
+  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", gaussian.width,
+                          gaussian.height, formatName(gaussian.format).bits, nameOf(map.encoding),
+                          fetchesPerPixel(map, tables)));
   say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
                           fmt::join(deviations, ", ")));
   const std::string inverse = map.inverseTable ? fmt::format("inverse table {} of {} levels",
@@ -218,7 +221,7 @@ void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t ind
   say(shared, "noise " + noise.name);
   say(shared,
       fmt::format("  {}, revision {}, {:g} m wide, {} fetches a pixel and plane", noise.method,
-                  noise.revision, noise.tileSizeMetres, fetchesPerPixel(noise)));
+                  noise.revision, noise.tileSizeMetres, fetchesPerPixel(noise, bundle.tables)));
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, map, bundle.tables);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)

@@ -64,6 +64,7 @@ TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk
       inspected(bake(workplace, input, "moss.gltf", {"--preview", "none"}));
   const nlohmann::json& tables = report.at("tables");
   REQUIRE(tables.size() == 2);
+  CHECK(report.at("noises")[0].at("fetchesPerPixel") == 4); // no volume
   CHECK(tables[0].at("bytes") == 24 * 24 + 12 * 12 + 6 * 6 + 3 * 3 + 1);
   CHECK(tables[0].at("mipLevels") == 5);
   std::size_t sum = 0;
