@@ -21,23 +21,27 @@ LinearImage decodedImage(const MapExemplar& exemplar) {
   return image;
 }
 
-/// Of the pictures' channels that show one of the map's.
-std::vector<MapLook::Channel> channelsOf(const MapExemplar& exemplar) {
+std::vector<std::string> channelNamesOf(const MapExemplar& exemplar) {
   if (exemplar.target == MapTarget::normal)
-    return {{0, "normal x"}, {1, "normal y"}, {2, "normal z"}};
-  std::vector<MapLook::Channel> channels;
-  const bool isPacked = exemplar.target == MapTarget::occlusionRoughnessMetallic;
-  for (const MapChannel channel : exemplar.channels) {
-    const int index = isPacked ? int(channel) - int(MapChannel::occlusion) : int(channels.size());
-    channels.push_back({index, std::string(nameOf(channel))});
-  }
-  return channels;
+    return {"normal x", "normal y", "normal z"};
+  std::vector<std::string> names;
+  for (const MapChannel channel : exemplar.channels)
+    names.emplace_back(nameOf(channel));
+  return names;
+}
+
+/// Two channels as red and green.
+LinearImage asRgb(const LinearImage& two) {
+  LinearImage rgb(two.width, two.height, 3);
+  for (std::size_t i = 0; i < two.pixelCount(); ++i)
+    std::copy_n(&two.values[2 * i], 2, &rgb.values[3 * i]);
+  return rgb;
 }
 
 } // namespace
 
 MapLook::MapLook(const MapExemplar& exemplar, ValueEncoding encoding)
-    : channels_(channelsOf(exemplar)) {
+    : channelNames_(channelNamesOf(exemplar)) {
   map_.target = exemplar.target;
   map_.channels = exemplar.channels;
   map_.encoding = encoding;
@@ -53,7 +57,9 @@ SrgbImage MapLook::picture(const MapExemplar& exemplar) const {
 }
 
 SrgbImage MapLook::picture(LinearImage decoded) const {
-  LinearImage texture = coreTexture(map_, std::move(decoded));
+  LinearImage texture = map_.target == MapTarget::normal ? coreTexture(map_, std::move(decoded))
+                        : decoded.channels == 2          ? asRgb(decoded)
+                                                         : std::move(decoded);
   SrgbImage picture;
   picture.width = texture.width;
   picture.height = texture.height;

@@ -49,20 +49,21 @@ SrgbImage reduced(const SrgbImage& image, int width, int height) {
 
 Json histogramsOf(const NoiseComparison& comparison) {
   constexpr std::size_t kBins = 64;
-  const auto countsOf = [](const SrgbImage& image, int channel) {
+  const auto countsOf = [](const SrgbImage& image, std::size_t channel) {
     std::array<double, kBins> counts{};
-    for (auto i = std::size_t(channel); i < image.values.size(); i += std::size_t(image.channels)) {
+    for (std::size_t i = channel; i < image.values.size(); i += std::size_t(image.channels)) {
       const float place = std::clamp(image.values[i], 0.0f, 1.0f) * float(kBins);
       counts[std::min(std::size_t(place), kBins - 1)] += 1.0 / double(image.pixelCount());
     }
     return counts;
   };
   Json histograms = Json::array();
-  for (const auto& [index, name] : comparison.look.channels())
-    histograms.push_back({{"channel", name},
+  const std::vector<std::string>& names = comparison.look.channelNames();
+  for (std::size_t c = 0; c < names.size(); ++c)
+    histograms.push_back({{"channel", names[c]},
                           {"largest", comparison.look.largest()},
-                          {"exemplar", countsOf(comparison.exemplar, index)},
-                          {"result", countsOf(comparison.result, index)}});
+                          {"exemplar", countsOf(comparison.exemplar, c)},
+                          {"result", countsOf(comparison.result, c)}});
   return histograms;
 }
 

@@ -33,6 +33,8 @@ class Viewer {
     this.root = root;
     this.exemplar = exemplar;
     this.result = result;
+    const aspect = Math.min(2, Math.max(0.75, result.width / result.height));
+    root.style.setProperty('--aspect', aspect);
     this.canvases = [...root.querySelectorAll('canvas')];
     for (const canvas of this.canvases)
       this.listen(canvas);
@@ -253,6 +255,7 @@ async function showTable(figure, table) {
   const tallest = Math.max(1, Math.round(24 / height)); // a table of one row is shown as a band
   canvas.width = width * columns;
   canvas.height = height * rows * tallest;
+  figure.classList.toggle('flat', table.slices === 1);
   slider.max = table.levels.length - 1;
   const draw = () => {
     const level = Number(slider.value);
@@ -272,7 +275,9 @@ async function showTable(figure, table) {
 
 function measureRow(measure) {
   const row = document.createElement('tr');
-  const name = element('th', measure.name);
+  const name = element('th', '');
+  for (const word of measure.name.split(/(?<=_)/))
+    name.append(word, document.createElement('wbr'));
   name.scope = 'row';
   name.append(element('span', measure.meaning + (measure.remark ? '; ' + measure.remark : ''),
                       'detail'));
@@ -282,7 +287,7 @@ function measureRow(measure) {
     : measure.missed ? ['\u2717 missed', 'bad'] : ['\u2713 met', 'good'];
   row.append(name,
              element('td', hasValue ? shown(measure.value, measure.unit) : '', 'number'),
-             element('td', hasTarget ? shown(measure.target, measure.unit) : '', 'number'),
+             element('td', hasTarget ? shown(measure.target, measure.unit) : '', 'number target'),
              element('td', verdict[0], 'verdict ' + verdict[1]));
   return row;
 }
@@ -303,6 +308,7 @@ function addFacts(list, facts) {
     list.append(element('dt', name), element('dd', value));
 }
 
+/// What the page comes to: measures over their targets, and risks.
 function sayVerdict() {
   const measures = report.maps.flatMap((map) => map.measures);
   const judged = measures.filter((measure) => measure.value !== null && measure.target !== null);
@@ -312,6 +318,10 @@ function sayVerdict() {
     ? `\u2713 All ${judged.length} measures meet their targets.`
     : `\u2717 ${missed} of ${judged.length} measures miss their target.`;
   verdict.className = missed === 0 ? 'good' : 'bad';
+  const risks = report.maps.flatMap((map) => map.risks.map((risk) => ({...risk, map: map.target})))
+    .filter((risk) => risk.level !== 'none');
+  document.getElementById('warning').textContent = risks.length === 0 ? ''
+    : '\u26a0 Risks: ' + risks.map((r) => `${r.level} ${r.name} of ${r.map}`).join(', ') + '.';
 }
 
 async function addMap(map) {
