@@ -14,6 +14,12 @@ namespace {
 /// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
 constexpr int kTilesPerPreview = 2;
 
+LinearImage white() {
+  LinearImage image(1, 1, 1);
+  image.values.front() = 1.0f;
+  return image;
+}
+
 /// RGB of `color`, white where that is empty, with `opacity` for alpha.
 LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
   LinearImage result(opacity.width, opacity.height, 4);
@@ -30,6 +36,8 @@ LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
 Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std::uint32_t seed) {
   std::map<MapTarget, LinearImage> textures;
   for (const NoiseMap& map : bundle.noises[noise].maps) {
+    if (map.target == MapTarget::height)
+      continue; // core materials have none
     Result<LinearImage> values =
         synthesizePreview(bundle, noise, map.target, seed, kTilesPerPreview);
     if (!values)
@@ -38,6 +46,10 @@ Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std
   }
   if (const auto opacity = textures.find(MapTarget::opacity); opacity != textures.end())
     textures[MapTarget::baseColor] = withAlpha(textures[MapTarget::baseColor], opacity->second);
+  // White uses the scene's texture coordinates, which the noise needs and the Khronos validator
+  // would find unused.
+  if (textures.empty())
+    textures[MapTarget::baseColor] = white();
 
   PreviewImages images;
   images.tilesPerImage = kTilesPerPreview;

@@ -18,9 +18,11 @@ struct Level {
   std::vector<float> light;    ///< 3 a pixel, of what is covered
   std::vector<float> coverage; ///< 1 a pixel, [0, 1]: how far the light is to be trusted
 
+  /// Goes on at the opposite border: an exemplar that tiles must do so afterwards, and one that
+  /// does not gets colours of its own too.
   [[nodiscard]] std::size_t at(int x, int y) const {
-    return std::size_t(std::clamp(y, 0, height - 1)) * std::size_t(width) +
-           std::size_t(std::clamp(x, 0, width - 1));
+    return std::size_t((y + height) % height) * std::size_t(width) +
+           std::size_t((x + width) % width);
   }
 };
 

@@ -2,6 +2,8 @@
 // Folders and files -> one file for each map, or why that cannot be told.
 #include "set_files.h"
 
+#include <lichen/files.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -25,15 +27,11 @@ bool hasImageExtension(const fs::path& path) {
 
 /// The images of a folder whose names do not begin with a dot, as hidden files' do.
 Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
-  std::error_code failure;
-  std::vector<fs::path> images;
-  for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
-       at.increment(failure))
-    if (hasImageExtension(at->path()) && !at->path().filename().string().starts_with('.'))
-      images.push_back(at->path());
-  if (failure)
-    return Error{ErrorKind::badInput, folder.string() + ": cannot be read: " + failure.message()};
-  std::sort(images.begin(), images.end());
+  Result<std::vector<fs::path>> images = listFolder(folder);
+  if (images)
+    std::erase_if(images.value(), [](const fs::path& path) {
+      return !hasImageExtension(path) || path.filename().string().starts_with('.');
+    });
   return images;
 }
 
@@ -98,7 +96,7 @@ Result<void> checkSlots(const std::vector<SetFile>& files) {
 /// The folder's name, "." and "folder/" too.
 std::string folderName(const fs::path& folder) {
   std::error_code ignored;
-  fs::path whole = fs::weakly_canonical(folder, ignored);
+  fs::path whole = (fs::current_path(ignored) / folder).lexically_normal();
   if (!whole.has_filename())
     whole = whole.parent_path();
   return whole.filename().string();

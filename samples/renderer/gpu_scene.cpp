@@ -125,8 +125,8 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   const auto slots = slotsOf(material);
   for (int k = 0; k < 4; ++k)
     data.texCoords[k] = slots[std::size_t(k)]->texCoord;
-  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque, 0,
-                int(noise.texCoord)};
+  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque,
+                noise.map[NOISE_OPACITY], int(noise.texCoord)};
   data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
   data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {

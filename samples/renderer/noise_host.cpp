@@ -6,16 +6,28 @@
 #include "printable.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace lichen::renderer {
 namespace {
 
-// Roles are the first targets; height and opacity are none.
-static_assert(NOISE_BASE_COLOR == int(LICHEN_TARGET_BASE_COLOR) &&
-              NOISE_NORMAL == int(LICHEN_TARGET_NORMAL) &&
-              NOISE_ORM == int(LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC) &&
-              NOISE_EMISSIVE == int(LICHEN_TARGET_EMISSIVE) &&
-              NOISE_ROLES == int(LICHEN_TARGET_HEIGHT));
+/// The role of a map in the shaders; nothing for the height, which is not drawn.
+std::optional<std::size_t> roleOf(std::uint32_t target) {
+  switch (target) {
+  case LICHEN_TARGET_BASE_COLOR:
+    return NOISE_BASE_COLOR;
+  case LICHEN_TARGET_NORMAL:
+    return NOISE_NORMAL;
+  case LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC:
+    return NOISE_ORM;
+  case LICHEN_TARGET_EMISSIVE:
+    return NOISE_EMISSIVE;
+  case LICHEN_TARGET_OPACITY:
+    return NOISE_OPACITY;
+  default:
+    return std::nullopt;
+  }
+}
 
 template <class T>
 T initialized(LichenStructureType type) {
@@ -120,12 +132,10 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
-    if (map.target < NOISE_ROLES)
-      roles.map[map.target] = int(m);
+    if (const std::optional<std::size_t> role = roleOf(map.target))
+      roles.map[*role] = int(m);
     else
-      notes_.insert("the " +
-                    std::string(map.target == LICHEN_TARGET_HEIGHT ? "height" : "opacity") +
-                    " of the noise " + printable(properties.name) + " is not drawn");
+      notes_.insert("the height of the noise " + printable(properties.name) + " is not drawn");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&

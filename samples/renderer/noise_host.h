@@ -19,7 +19,7 @@ namespace lichen::renderer {
 
 /// What the shaders must know of a material's noise beside the uniform block.
 struct NoiseRoles {
-  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1}; ///< of each role; -1 for none
+  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1, -1}; ///< of each role; -1 for none
   /// Which component of the ORM map's value is occlusion, roughness, metallic; -1 for none.
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;

@@ -6,6 +6,7 @@
 #include <lichen/image_io.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -128,6 +129,39 @@ TEST_CASE("the holes of a mask are where the shadow has them, with a noise as wi
   scene.addGround(ground, 10.0f, -1.0f);
   materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
   CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
+}
+
+TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode makes what glTF says") {
+  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
+  const auto withoutOpacity = ballOf(encodeGlb(syntheticBundle(std::vector{kBaseColor})).value());
+  NoiseMap& map = file.bundle.noises[0].maps[1];
+  map.target = MapTarget::opacity;
+  map.channels = {MapChannel::opacity};
+  map.mean.resize(1);
+  map.covariance.resize(1);
+  file.bundle.materials[0]->contrast = 0.0; // one value everywhere: the table's middle
+  GltfScene scene = ballOf(encodeGlb(file).value());
+  GltfScene plain = withoutOpacity;
+  materialOf(plain)["extensions"]["LICHEN_materials_exemplar_noise"]["contrast"] = 0.0;
+  const auto drawn = [](GltfScene shown, const char* mode, double alpha) {
+    materialOf(shown)["alphaMode"] = mode;
+    materialOf(shown)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
+    return picture(shown);
+  };
+  // Of synthetic_noise.cpp's table at (1/2, 1/2, 1/2): 1/2 + sin(3 * 0.65) / 4.
+  const double middle = 0.5 + 0.25 * std::sin(3.0 * 0.65);
+  const LinearImage wanted = drawn(plain, "BLEND", middle);
+  const LinearImage found = drawn(scene, "BLEND", 1.0);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < wanted.values.size(); ++i)
+    largest = std::max(largest, std::abs(double(found.values[i]) - double(wanted.values[i])));
+  // The table's half floats below 1 have steps of 2^-11, pictures a few of light.
+  CHECK(largest < 4.0 * 0x1p-11);
+  CHECK(drawn(scene, "OPAQUE", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
+  // The cutoff is 1/2.
+  CHECK(drawn(scene, "MASK", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
+  CHECK(drawn(scene, "MASK", 0.6).values == drawn(plain, "MASK", 0.4).values);
+  CHECK(drawn(scene, "MASK", 0.6).values != drawn(plain, "OPAQUE", 1.0).values);
 }
 
 TEST_CASE("a material whose noise is of a later revision is drawn as without it, with a note") {

@@ -5,6 +5,7 @@
 
 #include <lichen/bundle_writer.h>
 #include <lichen/image_io.h>
+#include <lichen/material_set.h>
 #include <lichen/quality.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
@@ -101,6 +102,26 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   options.transport = TransportEffort::fast;
   CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
+}
+
+TEST_CASE("reading a set that runs out of memory says so, whichever allocation fails") {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, const SrgbImage& image) {
+    REQUIRE(writeImage(folder / name, image));
+  };
+  write("a_material_with_a_long_name_diff.png", SrgbImage(6, 5, 4));
+  write("a_material_with_a_long_name_nor_gl.png", SrgbImage(6, 5, 3));
+  write("a_material_with_a_long_name_rough.png", SrgbImage(6, 5, 1));
+  write("a_material_with_a_long_name_ao.png", SrgbImage(3, 5, 1));
+  write("nothing_that_is_known.png", SrgbImage(1, 1, 1));
+  MaterialSetOptions options;
+  options.alpha = AlphaUse::opacity;
+  options.crop = PixelRectangle{1, 0, 4, 5};
+  options.size = {7, 3};
+  const std::filesystem::path inputs[] = {folder.path()};
+  CHECK(exhaustMemory(First::each, [&] { return readMaterialSet(inputs, options); }) > 50);
+  options.crop->width = 7;
+  CHECK(exhaustRefusal([&] { return readMaterialSet(inputs, options); }) > 50);
 }
 
 TEST_CASE("an evaluation that runs out of memory says so, whichever allocation fails") {

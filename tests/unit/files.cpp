@@ -172,3 +172,18 @@ TEST_CASE("a process that is killed while it writes leaves the old file whole an
   CHECK(readFile(folder / "file").value() == patternOf(100));
   CHECK(folder.entryCount() == 1);
 }
+
+TEST_CASE("a folder is listed in order, and what is no folder is refused") {
+  const TemporaryFolder folder;
+  CHECK(listFolder(folder.path()).value().empty());
+  for (const char* name : {"b", "a", ".c"})
+    REQUIRE(replaceFile(folder / name, patternOf(1)));
+  CHECK(listFolder(folder.path()).value() ==
+        std::vector{folder / ".c", folder / "a", folder / "b"});
+  for (const auto& path : {folder / "a", folder / "absent"}) {
+    const auto refused = listFolder(path);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().kind == ErrorKind::badInput);
+    CHECK(refused.error().message.starts_with(path.string() + ": cannot be listed: "));
+  }
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out, so that an interrupted run leaves the old file whole and no partial one.
+// Whole files in and out, so that an interrupted run leaves the old file whole and no partial one,
+// and what a folder holds.
 #pragma once
 
 #include <lichen/result.h>
@@ -27,5 +28,10 @@ namespace lichen {
 /// may stay. Thread-safe; of several calls for one path at the same time one wins, whole.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
+
+/// The paths of a folder's entries, without "." and "..", sorted. Errors: badInput when it is
+/// absent, no folder or unreadable; resources when memory does not suffice. Thread-safe.
+[[nodiscard]] Result<std::vector<std::filesystem::path>>
+listFolder(const std::filesystem::path& folder);
 
 } // namespace lichen

@@ -36,7 +36,8 @@
 #define NOISE_NORMAL 1
 #define NOISE_ORM 2
 #define NOISE_EMISSIVE 3
-#define NOISE_ROLES 4
+#define NOISE_OPACITY 4
+#define NOISE_ROLES 5
 
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
@@ -87,8 +88,9 @@ struct MaterialData {
   vec4 factors;                             // metallic, roughness, normal scale, occlusion strength
   ivec4 texCoords;                          // of textures 0 to 3
   ivec4 flags;                              // x texCoord of texture 4, y 1 when alpha is used,
-                                            // z unused, w texCoord of the noise
-  ivec4 noiseMaps;                          // map of each role, -1 for none
+                                            // z map of the noise's opacity, -1 for none,
+                                            // w texCoord of the noise
+  ivec4 noiseMaps;                          // map of each other role, -1 for none
   ivec4 ormComponents;                      // of the noise's value: occlusion, roughness, metallic;
                                             // -1 for none
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)

@@ -35,6 +35,7 @@ NOISE_SAMPLERS(NOISE_BASE_COLOR, baseColor);
 NOISE_SAMPLERS(NOISE_NORMAL, normal);
 NOISE_SAMPLERS(NOISE_ORM, orm);
 NOISE_SAMPLERS(NOISE_EMISSIVE, emissive);
+NOISE_SAMPLERS(NOISE_OPACITY, opacity);
 
 // Whether this pipeline's materials have a noise, and a normal texture.
 layout(constant_id = 0) const bool kHasNoise = false;
@@ -72,20 +73,27 @@ LichenTaps noiseTaps(Footprint f) {
                             second ? f.dy.zw : f.dy.xy, noiseData.noise);
 }
 
+int noiseMap(int role) {
+  return role == NOISE_OPACITY ? material.flags.z : material.noiseMaps[role];
+}
+
 #define NOISE_VALUE(role, name, taps)                                                              \
-  lichenTiling(name##Gaussian, name##Table, taps, noiseData.noise,                                 \
-               noiseData.maps[material.noiseMaps[role]])
+  lichenTiling(name##Gaussian, name##Table, taps, noiseData.noise, noiseData.maps[noiseMap(role)])
 
-bool noiseHas(int role) { return kHasNoise && material.noiseMaps[role] >= 0; }
+bool noiseHas(int role) { return kHasNoise && noiseMap(role) >= 0; }
 
-/// Without the factor. Alpha is the texture's, as in depth.frag: base colour of a noise has none.
+/// Without the factor. Alpha is the noise's opacity or, as always in depth.frag, the texture's.
 vec4 baseColorAt(Footprint f, LichenTaps taps) {
   bool fromNoise = noiseHas(NOISE_BASE_COLOR);
+  bool alphaIsUsed = material.flags.y != 0;
+  bool opacityFromNoise = alphaIsUsed && noiseHas(NOISE_OPACITY);
   vec4 color = vec4(1.0);
-  if (!fromNoise || material.flags.y != 0)
+  if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
     color = materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
   if (fromNoise)
     color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
+  if (opacityFromNoise)
+    color.a = NOISE_VALUE(NOISE_OPACITY, opacity, taps).r;
   return color;
 }
 

@@ -1,12 +1,43 @@
 // SPDX-License-Identifier: MIT
 // write_validator_samples FOLDER: bundles of every kind of map, in every preview shape and both
-// file forms.
+// file forms, and images of material sets to bake.
 #include "bundle_example.h"
+
+#include <lichen/image_io.h>
 
 #include <cstdio>
 
+namespace {
+
+using namespace lichen;
+
+/// Ramps, different in every channel, that begin anew every 8 pixels.
+SrgbImage ramps(int channels) {
+  SrgbImage image(16, 16, channels);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < channels; ++c)
+        image.pixel(x, y)[c] = float((x * (c + 1) + y) % 8) / 7.0f;
+  return image;
+}
+
+Result<void> writeSets(const std::filesystem::path& folder) {
+  for (const char* name : {"every_map", "height_only"})
+    std::filesystem::create_directories(folder / name);
+  for (const auto& [name, channels] : {std::pair{"every_map/color.png", 4},
+                                       {"every_map/normal.png", 3},
+                                       {"every_map/orm.png", 3},
+                                       {"every_map/emissive.png", 3},
+                                       {"every_map/height.png", 1},
+                                       {"height_only/height.png", 1}})
+    if (Result<void> written = writeImage(folder / name, ramps(channels)); !written)
+      return written;
+  return {};
+}
+
+} // namespace
+
 int main(int argumentCount, char** arguments) {
-  using namespace lichen;
   if (argumentCount != 2) {
     std::fprintf(stderr, "usage: write_validator_samples FOLDER\n");
     return 2;
@@ -28,6 +59,10 @@ int main(int argumentCount, char** arguments) {
       std::fprintf(stderr, "%s\n", written.error().message.c_str());
       return 1;
     }
+  }
+  if (const Result<void> written = writeSets(arguments[1]); !written) {
+    std::fprintf(stderr, "%s\n", written.error().message.c_str());
+    return 1;
   }
   return 0;
 }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// What --crop, --size and --alpha do to the pixels before they are baked.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kUsage = int(ErrorKind::usage);
+constexpr int kBadInput = int(ErrorKind::badInput);
+
+/// The bundle of a bake of `inputs`; the report in `report`, if that is wanted.
+std::string bundleOf(const Workplace& workplace, Arguments inputs, const Arguments& more,
+                     json* report = nullptr) {
+  inputs.insert(inputs.begin(), "bake");
+  inputs.insert(inputs.end(), {"-o", workplace.path("out.glb"), "--name", "x", "--json"});
+  inputs.insert(inputs.end(), more.begin(), more.end());
+  const Ended ended = runLichen(inputs);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  if (report != nullptr)
+    *report = json::parse(ended.output);
+  return workplace.read("out.glb");
+}
+
+SrgbImage part(const SrgbImage& image, int x0, int y0, int width, int height) {
+  SrgbImage result(width, height, image.channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      std::copy_n(image.pixel(x0 + x, y0 + y), image.channels, result.pixel(x, y));
+  return result;
+}
+
+/// Half of it opaque and greenish, in blobs; the rest, and all its codes of red, invisible.
+SrgbImage leaves(int side) {
+  const SrgbImage blobs = smoothGrey(side);
+  SrgbImage image(side, side, 4);
+  for (std::size_t i = 0; i < blobs.values.size(); ++i) {
+    const float alpha = std::clamp(0.5f + 6.0f * (blobs.values[i] - 0.5f), 0.0f, 1.0f);
+    const bool visible = alpha > 0.0f;
+    float* pixel = &image.values[4 * i];
+    pixel[0] = visible ? 0.0f : 1.0f;
+    pixel[1] = visible ? 0.3f + 0.4f * blobs.values[i] : 0.0f;
+    pixel[2] = visible ? 0.1f : 1.0f;
+    pixel[3] = alpha;
+  }
+  return image;
+}
+
+double meanAlpha(const SrgbImage& image) { return meanOf(image)[3]; }
+
+} // namespace
+
+TEST_CASE("--crop bakes as a file with only that part would") {
+  const Workplace workplace;
+  const SrgbImage image = speckled(40, 30, 3);
+  const std::string whole = workplace.write("whole.png", image);
+  const std::string cut = workplace.write("cut.png", part(image, 7, 5, 19, 16));
+  CHECK((bundleOf(workplace, {whole}, {"--crop", "7,5,19,16"}) == bundleOf(workplace, {cut}, {})));
+}
+
+TEST_CASE("--crop cuts the same part out of smaller maps of a set") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("whole"));
+  std::filesystem::create_directory(workplace.path("cut"));
+  const SrgbImage color = speckled(32, 32, 3), rough = speckled(16, 16, 1);
+  workplace.write("whole/diff.png", color);
+  workplace.write("whole/rough.png", rough);
+  workplace.write("cut/diff.png", part(color, 8, 4, 16, 20));
+  workplace.write("cut/rough.png", part(rough, 4, 2, 8, 10));
+  CHECK((bundleOf(workplace, {workplace.path("whole")}, {"--crop", "8,4,16,20"}) ==
+         bundleOf(workplace, {workplace.path("cut")}, {})));
+}
+
+TEST_CASE("--size resamples every map, and says where it enlarges") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("set"));
+  workplace.write("set/diff.png", speckled(48, 32, 3));
+  workplace.write("set/rough.png", speckled(12, 12, 1));
+  json report;
+  bundleOf(workplace, {workplace.path("set")}, {"--size", "24x16"}, &report);
+  for (const json& map : report.at("maps")) {
+    CHECK(map.at("width") == 24);
+    CHECK(map.at("height") == 16);
+  }
+  const std::string notes = report.at("notes").dump();
+  CHECK_THAT(notes, Catch::Contains("rough.png is enlarged from 12 x 12"));
+  CHECK_THAT(notes, !Catch::Contains("diff.png is enlarged"));
+  bundleOf(workplace, {workplace.path("set")}, {"--size", "10", "--crop", "0,0,24,24"}, &report);
+  CHECK(report.at("width") == 10);
+  CHECK(report.at("height") == 10);
+}
+
+TEST_CASE("--size averages light, and of normals the slopes") {
+  const Workplace workplace;
+  SrgbImage squares(32, 32, 1), bumps(32, 32, 3);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const bool first = (x + y) % 2 == 0;
+      *squares.pixel(x, y) = first ? 0.0f : 1.0f;
+      // Slopes of 0 and 1.5 along x.
+      const float length = std::sqrt(1.0f + 1.5f * 1.5f);
+      bumps.pixel(x, y)[0] = first ? 0.5f : 0.5f - 0.5f * 1.5f / length;
+      bumps.pixel(x, y)[1] = 0.5f;
+      bumps.pixel(x, y)[2] = first ? 1.0f : 0.5f + 0.5f / length;
+    }
+  std::filesystem::create_directory(workplace.path("set"));
+  workplace.write("set/diff.png", squares);
+  workplace.write("set/normal.png", encodePng(bumps, 16).value());
+  bundleOf(workplace, {workplace.path("set")}, {"--size", "8"});
+  const std::string bundle = workplace.path("out.glb");
+  // The cubic leaves less than a hundredth of the squares, whose frequency is four times that of
+  // the result.
+  constexpr double kLeft = 0.01;
+  const SrgbImage color = synth(workplace, bundle, {"--size", "8"});
+  for (const float value : color.values)
+    CHECK(double(srgbToLinear(value)) == Approx(0.5).margin(kLeft));
+  REQUIRE(
+      runLichen({"synth", bundle, "-o", workplace.path("n.exr"), "--map", "normal", "--size", "8"})
+          .code == 0);
+  const auto slopes = std::get<LinearImage>(readImage(workplace.path("n.exr")).value().pixels);
+  for (std::size_t i = 0; i < slopes.pixelCount(); ++i)
+    CHECK(slopes.values[3 * i] == Approx(0.75).margin(1.5 * kLeft));
+}
+
+TEST_CASE("--alpha opacity makes a map of alpha, whose mean holds at every distance") {
+  const Workplace workplace;
+  const SrgbImage image = leaves(32);
+  const std::string input = workplace.write("leaves.png", encodePng(image, 8).value());
+  json report;
+  bundleOf(workplace, {input}, {}, &report);
+  CHECK(report.at("maps").size() == 1);
+  bundleOf(workplace, {input}, {"--alpha", "opacity"}, &report);
+  REQUIRE(report.at("maps").size() == 2);
+  CHECK(report.at("maps")[1].at("target") == "opacity");
+  for (const int texels : {32, 16, 8, 4, 2, 1}) {
+    INFO(texels << " texels a tile");
+    const SrgbImage opacity =
+        synth(workplace, workplace.path("out.glb"),
+              {"--map", "opacity", "--size", "256", "--texels-per-tile", std::to_string(texels)});
+    // 64 tiles at the nearest, of blobs of a third of a tile and a deviation of 0.45: 0.45 /
+    // sqrt(64 * 9) = 0.019. Two of them, and half a code of 8 bits.
+    CHECK(meanOf(opacity)[0] == Approx(meanAlpha(image)).margin(0.04));
+  }
+}
+
+TEST_CASE("colours that nobody has seen do not come to light") {
+  const Workplace workplace;
+  const SrgbImage image = leaves(32);
+  const auto mostRed = [&](const Arguments& inputs, const Arguments& more) {
+    bundleOf(workplace, inputs, more);
+    const SrgbImage color = synth(workplace, workplace.path("out.glb"), {"--size", "128"});
+    float most = 0.0f;
+    for (std::size_t i = 0; i < color.values.size(); i += 3)
+      most = std::max(most, color.values[i]);
+    return most;
+  };
+  const std::string input = workplace.write("leaves_diff.png", encodePng(image, 8).value());
+  CHECK(mostRed({input}, {}) > 0.5f);
+  CHECK(mostRed({input}, {"--alpha", "opacity"}) < 0.02f);
+  // Opacity of a file of its own does the same.
+  SrgbImage alpha(32, 32, 1);
+  for (std::size_t i = 0; i < alpha.values.size(); ++i)
+    alpha.values[i] = image.values[4 * i + 3];
+  const std::string opacity = workplace.write("leaves_opacity.png", alpha);
+  CHECK(mostRed({input, opacity}, {}) < 0.02f);
+  checkRefusal({"bake", input, opacity, "-o", workplace.path("new.glb"), "--alpha", "opacity"},
+               kBadInput, {"leaves_diff.png", "leaves_opacity.png", "opacity"});
+}
+
+TEST_CASE("--alpha opacity of an opaque image is noted, and changes nothing") {
+  const Workplace workplace;
+  const std::string input = workplace.write("opaque.png", speckled(16, 16, 3));
+  json report;
+  const std::string bundle = bundleOf(workplace, {input}, {"--alpha", "opacity"}, &report);
+  CHECK_THAT(report.at("notes").dump(), Catch::Contains("opaque everywhere"));
+  CHECK((bundle == bundleOf(workplace, {input}, {})));
+}
+
+TEST_CASE("parts and sizes that cannot be are refused with what can") {
+  const Workplace workplace;
+  const std::string input = workplace.write("small.png", speckled(16, 12, 3));
+  const auto refuses = [&](const Arguments& more, const std::vector<std::string>& words) {
+    Arguments all{"bake", input, "-o", workplace.path("new.glb")};
+    all.insert(all.end(), more.begin(), more.end());
+    checkRefusal(all, kUsage, words);
+  };
+  refuses({"--crop", "8,0,9,4"}, {"crop 8,0,9,4", "inside the 16 x 12 pixels"});
+  refuses({"--crop", "0,12,1,1"}, {"crop 0,12,1,1"});
+  for (const std::string text : {"0,0,0,4", "-1,0,4,4", "0,0,4", "0,0,4,4,4", "a,0,4,4", "0;0;4;4"})
+    refuses({"--crop", text}, {"--crop " + text + ": X,Y,W,H with whole numbers"});
+  for (const std::string text : {"0", "16385", "4x", "x4", "4x0"})
+    refuses({"--size", text}, {"--size " + text + ": a size from 1x1 to 16384x16384"});
+  refuses({"--normal", "up"}, {"--normal up: gl or dx is accepted"});
+  refuses({"--alpha", "yes"}, {"--alpha yes: ignore or opacity is accepted"});
+}

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+// `lichen bake` of material sets: which file is which map, what each map holds, and what is
+// refused. Maps of one value come back exactly, so most sets here are made of those.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <span>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kBadInput = int(ErrorKind::badInput);
+
+using Pixel = std::vector<float>;
+
+SrgbImage flat(const Pixel& value, int width = 4, int height = 4) {
+  SrgbImage image(width, height, int(value.size()));
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = value[i % value.size()];
+  return image;
+}
+
+// Codes of 8 bits, so that files hold them exactly.
+float code(int value) { return float(value) / 255.0f; }
+const Pixel kColor{code(200), code(100), code(50)};
+/// A unit normal that leans to the left and down the image, to a code of 8 bits; its slopes are
+/// positive, as our reader of EXR wants values. Then its mirror image.
+const Pixel kNormal{code(66), code(82), code(230)};
+const Pixel kNormalDown{code(66), code(173), code(230)};
+
+void makeFolder(const Workplace& workplace, const std::string& name) {
+  std::filesystem::create_directory(workplace.path(name));
+}
+
+/// Bakes and returns what --json says.
+json baked(const Workplace& workplace, Arguments inputs, const Arguments& more = {}) {
+  inputs.insert(inputs.begin(), "bake");
+  inputs.insert(inputs.end(), {"-o", workplace.path("set.glb"), "--json"});
+  inputs.insert(inputs.end(), more.begin(), more.end());
+  const Ended ended = runLichen(inputs);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK(runLichen({"check", workplace.path("set.glb")}).code == 0);
+  return json::parse(ended.output);
+}
+
+/// Target -> channels of a report.
+std::map<std::string, std::vector<std::string>> mapsOf(const json& report) {
+  std::map<std::string, std::vector<std::string>> maps;
+  for (const json& map : report.at("maps"))
+    maps[map.at("target")] = map.at("channels").get<std::vector<std::string>>();
+  return maps;
+}
+
+/// The mean of a map of set.glb, as `lichen synth` writes it in PNG.
+std::vector<double> meanOfMap(const Workplace& workplace, const std::string& map) {
+  return meanOf(synth(workplace, workplace.path("set.glb"), {"--map", map, "--size", "64"}));
+}
+
+void checkValue(const Workplace& workplace, const std::string& map, const Pixel& wanted) {
+  INFO(map);
+  const std::vector<double> found = meanOfMap(workplace, map);
+  REQUIRE(found.size() == wanted.size());
+  for (std::size_t c = 0; c < wanted.size(); ++c)
+    CHECK(found[c] ==
+          Approx(double(wanted[c])).margin(1.5 / 255.0)); // a table's rounding and PNG's
+}
+
+bool hasNote(const json& report, const std::string& words) {
+  for (const json& note : report.at("notes"))
+    if (note.get<std::string>().find(words) != std::string::npos)
+      return true;
+  return false;
+}
+
+/// What a viewer without our extension sees of a GLB.
+struct CoreMaterial {
+  json material;
+  std::vector<SrgbImage> images; ///< of texture i, which has image i
+  bool hasTangents = false;      ///< some primitive has them
+};
+
+CoreMaterial coreMaterialOf(const std::string& glb) {
+  // A header of 12 bytes, then two chunks with headers of 8: the JSON and the buffer.
+  const auto wordAt = [&](std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &glb[at], sizeof word);
+    return word;
+  };
+  const std::size_t textBytes = wordAt(12);
+  const json gltf = json::parse(glb.substr(20, textBytes));
+  const auto* buffer = reinterpret_cast<const std::byte*>(&glb[20 + textBytes + 8]);
+  CoreMaterial core{gltf.at("materials").at(0), {}, false};
+  for (const json& texture : gltf.at("textures")) {
+    const json& image = gltf.at("images").at(texture.at("source").get<std::size_t>());
+    const json& view = gltf.at("bufferViews").at(image.at("bufferView").get<std::size_t>());
+    const std::span file(buffer + view.at("byteOffset").get<std::size_t>(),
+                         view.at("byteLength").get<std::size_t>());
+    core.images.push_back(std::get<SrgbImage>(decodeImage(file, "preview").value().pixels));
+  }
+  for (const json& mesh : gltf.at("meshes"))
+    for (const json& primitive : mesh.at("primitives"))
+      core.hasTangents = core.hasTangents || primitive.at("attributes").contains("TANGENT");
+  return core;
+}
+
+/// The texture that `info` refers to is `wanted` everywhere.
+void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wanted) {
+  const SrgbImage& image = core.images.at(info.at("index").get<std::size_t>());
+  REQUIRE(std::size_t(image.channels) == wanted.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    largest =
+        std::max(largest, std::abs(double(image.values[i]) - double(wanted[i % wanted.size()])));
+  CHECK(largest < 1.5 / 255.0); // a table's rounding and PNG's
+}
+
+const std::map<std::string, std::vector<std::string>> kEveryMap{
+    {"baseColor", {"red", "green", "blue"}},
+    {"normal", {"slopeX", "slopeY"}},
+    {"occlusionRoughnessMetallic", {"occlusion", "roughness", "metallic"}},
+    {"emissive", {"red", "green", "blue"}},
+    {"height", {"height"}},
+    {"opacity", {"opacity"}}};
+
+} // namespace
+
+TEST_CASE("the maps of a folder are told by name in every scheme, and keep their values") {
+  const Workplace workplace;
+  const std::map<std::string, std::vector<std::string>> schemes{
+      {"poly_haven",
+       {"old_wall_02_diff_2k.png", "old_wall_02_nor_gl_2k.png", "old_wall_02_ao_2k.png",
+        "old_wall_02_rough_2k.png", "old_wall_02_metal_2k.png", "old_wall_02_emissive_2k.png",
+        "old_wall_02_disp_2k.png", "old_wall_02_opacity_2k.png"}},
+      {"ambientCG",
+       {"Metal009_2K-PNG_Color.png", "Metal009_2K-PNG_NormalGL.png",
+        "Metal009_2K-PNG_AmbientOcclusion.png", "Metal009_2K-PNG_Roughness.png",
+        "Metal009_2K-PNG_Metalness.png", "Metal009_2K-PNG_Emission.png",
+        "Metal009_2K-PNG_Displacement.png", "Metal009_2K-PNG_Opacity.png"}},
+      {"plain",
+       {"base_color.png", "normal.png", "occlusion.png", "roughness.png", "METALLIC.PNG",
+        "emissive.png", "height.png", "opacity.png"}}};
+  const std::vector<Pixel> values{kColor,      kNormal,     {code(51)},
+                                  {code(102)}, {code(153)}, {code(40), code(80), code(10)},
+                                  {code(204)}, {code(140)}};
+  for (const auto& [scheme, names] : schemes) {
+    INFO(scheme);
+    makeFolder(workplace, scheme);
+    for (std::size_t f = 0; f < names.size(); ++f)
+      workplace.write(scheme + "/" + names[f], encodePng(flat(values[f]), 8).value());
+    workplace.write(scheme + "/readme_rough.txt", "not an image");
+    const json report = baked(workplace, {workplace.path(scheme)});
+    CHECK(report.at("name") == scheme);
+    CHECK(mapsOf(report) == kEveryMap);
+    checkValue(workplace, "baseColor", kColor);
+    checkValue(workplace, "normal", kNormal);
+    checkValue(workplace, "occlusionRoughnessMetallic", {code(51), code(102), code(153)});
+    checkValue(workplace, "emissive", values[5]);
+    checkValue(workplace, "height", values[6]);
+    checkValue(workplace, "opacity", values[7]);
+  }
+}
+
+TEST_CASE("the core material of a set has every map in its slot") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  const Pixel glow{code(40), code(80), code(10)};
+  workplace.write("set/diff.png", flat(kColor));
+  workplace.write("set/opacity.png", flat({code(140)}));
+  workplace.write("set/nor_gl.png", flat(kNormal));
+  workplace.write("set/emissive.png", flat(glow));
+  workplace.write("set/rough.png", flat({code(102)}));
+  baked(workplace, {workplace.path("set")});
+  const CoreMaterial core = coreMaterialOf(workplace.read("set.glb"));
+  CHECK(core.material.at("alphaMode") == "BLEND");
+  const json& pbr = core.material.at("pbrMetallicRoughness");
+  CHECK(pbr.at("metallicFactor") == 0.0); // there is no such map
+  CHECK(pbr.at("roughnessFactor") == 1.0);
+  CHECK(core.material.at("emissiveFactor") == json({1.0, 1.0, 1.0}));
+  CHECK_FALSE(core.material.contains("occlusionTexture"));
+  Pixel colorAndOpacity = kColor;
+  colorAndOpacity.push_back(code(140));
+  checkPreview(core, pbr.at("baseColorTexture"), colorAndOpacity);
+  checkPreview(core, core.material.at("normalTexture"), kNormal);
+  checkPreview(core, pbr.at("metallicRoughnessTexture"), {1.0f, code(102), 1.0f});
+  checkPreview(core, core.material.at("emissiveTexture"), glow);
+  CHECK(core.hasTangents);
+
+  baked(workplace, {workplace.path("set/opacity.png"), workplace.path("set/rough.png")});
+  const CoreMaterial rest = coreMaterialOf(workplace.read("set.glb"));
+  CHECK_FALSE(rest.hasTangents);
+  checkPreview(rest, rest.material.at("pbrMetallicRoughness").at("baseColorTexture"),
+               {1.0f, 1.0f, 1.0f, code(140)});
+}
+
+TEST_CASE("an EXR of a map has its values: slopes in red and green, data as it is") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  workplace.write("set/normal.png", flat(kNormal));
+  workplace.write("set/rough.png", flat({code(102)}));
+  baked(workplace, {workplace.path("set")});
+  const auto valueOf = [&](const std::string& map) {
+    REQUIRE(runLichen({"synth", workplace.path("set.glb"), "-o", workplace.path("v.exr"), "--map",
+                       map, "--size", "4"})
+                .code == 0);
+    return std::get<LinearImage>(readImage(workplace.path("v.exr")).value().pixels).values;
+  };
+  const std::vector<float> slopes = valueOf("normal");
+  const float z = 2.0f * kNormal[2] - 1.0f;
+  // Half floats have steps of 2^-11 of the value.
+  CHECK(slopes[0] == Approx(-(2.0f * kNormal[0] - 1.0f) / z).epsilon(0x1p-10));
+  CHECK(slopes[1] == Approx(-(2.0f * kNormal[1] - 1.0f) / z).epsilon(0x1p-10));
+  const std::vector<float> orm = valueOf("occlusionRoughnessMetallic");
+  CHECK(orm[0] == 1.0f); // absent
+  CHECK(orm[1] == Approx(code(102)).margin(0.5 / 255.0));
+  CHECK(orm[2] == 1.0f);
+}
+
+TEST_CASE("occlusion, roughness and metallic of their own files and packed ones bake to one map") {
+  const Workplace workplace;
+  const SrgbImage packed = speckled(24, 16, 3);
+  const std::vector<std::string> names{"ao", "rough", "metal"};
+  for (const char* folder : {"apart", "packed", "two", "gltf"})
+    makeFolder(workplace, folder);
+  for (int c = 0; c < 3; ++c) {
+    SrgbImage one(24, 16, 1);
+    for (std::size_t i = 0; i < one.values.size(); ++i)
+      one.values[i] = packed.values[3 * i + std::size_t(c)];
+    workplace.write("apart/" + names[std::size_t(c)] + ".png", one);
+    if (c > 0)
+      workplace.write("two/" + names[std::size_t(c)] + ".png", one);
+  }
+  workplace.write("packed/stone_arm_1k.png", packed);
+  workplace.write("gltf/stone_metallicRoughness.png", packed);
+  const auto bundle = [&](const std::string& folder) {
+    baked(workplace, {workplace.path(folder)}, {"--name", "x"});
+    return workplace.read("set.glb");
+  };
+  CHECK((bundle("apart") == bundle("packed")));
+  CHECK((bundle("two") == bundle("gltf")));
+  CHECK((bundle("two") != bundle("packed")));
+}
+
+TEST_CASE("green of normals points as the name says, else as --normal does") {
+  const Workplace workplace;
+  const auto bundle = [&](const std::string& name, const Pixel& value, const Arguments& more) {
+    const std::string folder = "f" + std::to_string(workplace.names().size());
+    makeFolder(workplace, folder);
+    workplace.write(folder + "/" + name, flat(value));
+    baked(workplace, {workplace.path(folder)}, more);
+    return meanOfMap(workplace, "normal");
+  };
+  const std::vector<double> up = bundle("nor_gl.png", kNormal, {});
+  CHECK(bundle("nor_dx.png", kNormalDown, {}) == up);
+  CHECK(bundle("RockNormalDX.png", kNormalDown, {"--normal", "gl"}) == up);
+  CHECK(bundle("nor_gl.png", kNormal, {"--normal", "dx"}) == up);
+  CHECK(bundle("normal.png", kNormal, {}) == up);
+  CHECK(bundle("normal.png", kNormalDown, {"--normal", "dx"}) == up);
+  CHECK(bundle("normal.png", kNormalDown, {}) != up);
+}
+
+TEST_CASE("of normals in both conventions those of OpenGL are taken, with a note") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  workplace.write("set/Rock_NormalDX.png", flat({code(128), code(128), code(255)}));
+  workplace.write("set/Rock_NormalGL.png", flat(kNormal));
+  const json report = baked(workplace, {workplace.path("set")});
+  CHECK(hasNote(report, "Rock_NormalDX.png is not used: Rock_NormalGL.png"));
+  checkValue(workplace, "normal", kNormal);
+}
+
+TEST_CASE("any part of a set is one, and images whose names say nothing are noted") {
+  const Workplace workplace;
+  for (const auto& [name, target] : {std::pair{"height.png", "height"},
+                                     {"opacity.png", "opacity"},
+                                     {"emissive.png", "emissive"},
+                                     {"rough.png", "occlusionRoughnessMetallic"},
+                                     {"nor_gl.png", "normal"}}) {
+    const std::string folder = std::string("only_") + target;
+    makeFolder(workplace, folder);
+    workplace.write(folder + "/" + name, speckled(12, 12, 3));
+    workplace.write(folder + "/sphere.png", flat({0.5f}));
+    const json report = baked(workplace, {workplace.path(folder)});
+    REQUIRE(report.at("maps").size() == 1);
+    CHECK(report.at("maps")[0].at("target") == target);
+    CHECK(hasNote(report, "sphere.png is not used: its name does not say which map it is"));
+    const SrgbImage image =
+        synth(workplace, workplace.path("set.glb"), {"--map", target, "--size", "8"});
+    CHECK(image.width == 8);
+  }
+}
+
+TEST_CASE("several files are a set, one alone is the base colour whatever its name") {
+  const Workplace workplace;
+  const std::string color = workplace.write("oak_bark_diff_1k.png", flat(kColor));
+  const std::string rough = workplace.write("oak_bark_rough_1k.png", flat({code(102)}));
+  const json both = baked(workplace, {color, rough});
+  CHECK(both.at("name") == "oak_bark");
+  CHECK(mapsOf(both).count("baseColor") == 1);
+  CHECK(mapsOf(both).at("occlusionRoughnessMetallic") == std::vector<std::string>{"roughness"});
+  const json alone = baked(workplace, {rough});
+  CHECK(alone.at("name") == "oak_bark_rough_1k");
+  CHECK(mapsOf(alone).count("baseColor") == 1);
+}
+
+TEST_CASE("images of every kind and size work inside a set") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  LinearImage bright = toLinear(speckled(13, 7, 3));
+  for (float& value : bright.values)
+    value *= 8.0f;
+  workplace.write("set/color.png", encodePng(speckled(17, 11, 2), 16).value()); // grey and alpha
+  workplace.write("set/emissive.exr", bright);
+  workplace.write("set/normal.png", encodePng(speckled(16, 16, 4), 8).value());
+  workplace.write("set/ao.png", flat({code(51)}, 1, 1));
+  workplace.write("set/rough.png", speckled(1, 23, 1));
+  workplace.write("set/metal.png", speckled(23, 1, 3));
+  workplace.write("set/height.png", encodePng(speckled(5, 31, 1), 16).value());
+  workplace.write("set/opacity.png", speckled(32, 8, 4));
+  const json report = baked(workplace, {workplace.path("set")});
+  CHECK(mapsOf(report) == kEveryMap);
+  CHECK(hasNote(report, "color.png has an alpha channel that is not all opaque; it is ignored"));
+  CHECK(hasNote(report, "emissive.exr has values above 1"));
+  CHECK(hasNote(report, "ao.png, metal.png, rough.png differ in size"));
+  for (const auto& [target, channels] : kEveryMap) {
+    INFO(target);
+    CHECK(meanOfMap(workplace, target).size() == (channels.size() == 1 ? 1 : 3));
+  }
+}
+
+TEST_CASE("a folder without a map and two files for one map are refused by their names") {
+  const Workplace workplace;
+  const std::string out = workplace.path("new.glb");
+  const auto refuses = [&](const std::vector<std::string>& files,
+                           const std::vector<std::string>& words) {
+    const std::string folder = "f" + std::to_string(workplace.names().size());
+    makeFolder(workplace, folder);
+    for (const std::string& file : files)
+      workplace.write(folder + "/" + file, encodePng(flat({0.5f, 0.5f, 0.9f}), 8).value());
+    checkRefusal({"bake", workplace.path(folder), "-o", out}, kBadInput, words);
+  };
+  refuses({}, {"a folder without a map"});
+  refuses({"sphere.png"}, {"a folder without a map", "diff, nor_gl"});
+  refuses({"a_diff.png", "a_albedo.jpg"}, {"a_albedo.jpg", "a_diff.png", "base colour"});
+  refuses({"rock_arm.png", "rock_rough.png"}, {"rock_rough.png", "rock_arm.png", "roughness"});
+  refuses({"nor_gl.png", "normal.png"}, {"normal.png", "nor_gl.png", "normals"});
+  const std::string nameless = workplace.write("sphere.png", flat(kColor));
+  const std::string color = workplace.write("diff.png", flat(kColor));
+  checkRefusal({"bake", color, nameless, "-o", out}, kBadInput,
+               {"sphere.png: its name does not say which map it is", "rough"});
+  const std::string grey = workplace.write("orm.png", flat({0.5f}));
+  checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
+  CHECK(!std::filesystem::exists(out));
+}

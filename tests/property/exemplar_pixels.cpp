@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Reading an exemplar's pixels: what resampling keeps and takes away, colours under transparency,
+// channels joined, and names.
+#include "example_exemplar.h"
+
+#include <lichen/image.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exemplar/file_roles.h>
+#include <exemplar/invisible_color.h>
+#include <exemplar/joined_channels.h>
+#include <exemplar/resample.h>
+#include <numbers>
+#include <numeric>
+
+using namespace lichen;
+using namespace lichen::exemplar;
+
+namespace {
+
+template <class Function>
+MapExemplar heightMap(int width, int height, Function value) {
+  MapExemplar map;
+  map.target = MapTarget::height;
+  map.channels = {MapChannel::height};
+  map.encoding = ValueEncoding::linear;
+  map.width = width;
+  map.height = height;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      map.values.push_back(float(value(x, y)));
+  return map;
+}
+
+double mean(const MapExemplar& map) {
+  return std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
+}
+
+/// Each pixel moved right and down, around the borders.
+MapExemplar rolled(const MapExemplar& map, int right, int down) {
+  MapExemplar result = map;
+  const std::size_t channels = map.channels.size();
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const auto at = [&](int column, int row) {
+        return (std::size_t(row) * std::size_t(map.width) + std::size_t(column)) * channels;
+      };
+      std::copy_n(&map.values[at(x, y)], channels,
+                  &result.values[at((x + right) % map.width, (y + down) % map.height)]);
+    }
+  return result;
+}
+
+double largestDifference(const MapExemplar& a, const MapExemplar& b) {
+  REQUIRE(a.values.size() == b.values.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.values[i]) - double(b.values[i])));
+  return largest;
+}
+
+constexpr double kRounding = 1e-6; // of sums of floats below 1
+
+} // namespace
+
+TEST_CASE("a resampled map has its size, and its mean when the ratio is whole") {
+  const MapExemplar map = test::threeMaterials(48, 36, 3);
+  MapExemplar linear = map;
+  linear.encoding = ValueEncoding::linear; // else it is the mean of light that stays
+  const MapExemplar half = resampled(linear, 24, 12, true);
+  CHECK(half.width == 24);
+  CHECK(half.height == 12);
+  CHECK(mean(half) == Approx(mean(linear)).margin(kRounding));
+  CHECK(largestDifference(resampled(map, 48, 36, true), map) == 0.0);
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 1}, {1, 90}, {97, 53}}) {
+    const MapExemplar other = resampled(map, width, height, false);
+    CHECK(other.values.size() == std::size_t(3 * width * height));
+    const auto [least, most] = std::minmax_element(map.values.begin(), map.values.end());
+    CHECK(*std::min_element(other.values.begin(), other.values.end()) >= *least - 1e-6f);
+    CHECK(*std::max_element(other.values.begin(), other.values.end()) <= *most + 1e-6f);
+  }
+}
+
+TEST_CASE("resampling keeps slow waves and takes those away that the size cannot carry") {
+  const auto wave = [](int cycles) {
+    return heightMap(64, 4, [=](int x, int) {
+      return 0.5 + 0.4 * std::cos(2.0 * std::numbers::pi * cycles * (x + 0.5) / 64.0);
+    });
+  };
+  const auto amplitude = [&](int cycles) {
+    const MapExemplar small = resampled(wave(cycles), 16, 1, true);
+    double most = 0.0;
+    for (const float value : small.values)
+      most = std::max(most, std::abs(double(value) - 0.5) / 0.4);
+    return most;
+  };
+  // The Fourier transform of the cubic by quadrature, at f cycles a pixel of the result: 0.9913 at
+  // 1/16, 0.8450 at 1/4, 0 at 1 and 2, 0.0047 at 3/2. The largest sample of a wave is half a pixel
+  // from its crest.
+  const auto crest = [](double f) { return std::cos(std::numbers::pi * f); };
+  CHECK(amplitude(1) == Approx(0.9913 * crest(1.0 / 16.0)).margin(0.002));
+  CHECK(amplitude(4) == Approx(0.8450 * crest(1.0 / 4.0)).margin(0.002));
+  CHECK(amplitude(16) < 0.002);
+  CHECK(amplitude(24) < 0.007);
+  CHECK(amplitude(32) < 0.002);
+}
+
+TEST_CASE("enlarging draws a straight line between pixels") {
+  // [MN88]: where B + 2 C = 1, straight lines are reproduced.
+  const MapExemplar ramp = heightMap(16, 1, [](int x, int) { return x / 16.0; });
+  const MapExemplar large = resampled(ramp, 48, 1, false);
+  for (int i = 9; i < 39; ++i) // farther from the ends than the cubic reaches
+    CHECK(double(large.values[std::size_t(i)]) ==
+          Approx(((i + 0.5) / 3.0 - 0.5) / 16.0).margin(kRounding));
+}
+
+TEST_CASE("over borders that fit, resampling goes on as inside") {
+  const MapExemplar map = test::threeMaterials(32, 32, 9);
+  const MapExemplar direct = resampled(map, 16, 8, true);
+  const MapExemplar turned = resampled(rolled(map, 6, 12), 16, 8, true);
+  CHECK(largestDifference(turned, rolled(direct, 3, 3)) < kRounding);
+  CHECK(largestDifference(resampled(rolled(map, 6, 12), 16, 8, false), rolled(direct, 3, 3)) >
+        0.01);
+}
+
+TEST_CASE("a transparent pixel takes its colour from the covered ones around it") {
+  MapExemplar color = test::threeMaterials(33, 20, 4);
+  const MapExemplar original = color;
+  const auto opacityOf = [&](auto value) {
+    MapExemplar map = heightMap(color.width, color.height, value);
+    map.target = MapTarget::opacity;
+    map.channels = {MapChannel::opacity};
+    return map;
+  };
+  SECTION("where opacity is the same everywhere, and where there is none, nothing changes") {
+    for (const double alpha : {1.0, 0.5, 0.0}) {
+      fillInvisible(color, opacityOf([=](int, int) { return alpha; }));
+      CHECK(color.values == original.values);
+    }
+  }
+  SECTION("one covered pixel gives its colour to all") {
+    fillInvisible(color, opacityOf([](int x, int y) { return x == 20 && y == 7 ? 1.0 : 0.0; }));
+    const std::size_t covered = 3 * (7 * 33 + 20);
+    for (std::size_t i = 0; i < color.values.size(); ++i)
+      CHECK(color.values[i] == Approx(original.values[covered + i % 3]).margin(1e-5));
+  }
+  SECTION("covered pixels keep theirs, and hidden colours reach nobody") {
+    const MapExemplar opacity = opacityOf([](int x, int) { return x % 11 < 5 ? 1.0 : 0.0; });
+    for (std::size_t i = 0; i < color.values.size(); ++i)
+      if (opacity.values[i / 3] == 0.0f)
+        color.values[i] = 1.0f;
+    MapExemplar other = original;
+    fillInvisible(color, opacity);
+    fillInvisible(other, opacity);
+    CHECK(color.values == other.values); // whatever was hidden
+    for (std::size_t i = 0; i < color.values.size(); ++i)
+      if (opacity.values[i / 3] == 1.0f)
+        REQUIRE(color.values[i] == original.values[i]);
+  }
+}
+
+TEST_CASE("joined channels stand in the format's order, at the size of the largest") {
+  using enum MapChannel;
+  const auto part = [](MapChannel channel, int side, double value, double quantum) {
+    MapExemplar map = heightMap(side, side, [=](int, int) { return value; });
+    map.target = MapTarget::occlusionRoughnessMetallic;
+    map.channels = {channel};
+    map.quantum = quantum;
+    return map;
+  };
+  const std::vector<MapExemplar> parts{part(metallic, 4, 0.75, 1.0 / 255.0),
+                                       part(occlusion, 8, 0.25, 1.0 / 65535.0),
+                                       part(roughness, 2, 0.5, 1.0 / 255.0)};
+  const MapExemplar map = joined(parts, true);
+  CHECK(map.channels == std::vector{occlusion, roughness, metallic});
+  CHECK(map.width == 8);
+  CHECK(map.quantum == 1.0 / 65535.0);
+  REQUIRE(map.values.size() == 3 * 64);
+  for (std::size_t i = 0; i < map.values.size(); i += 3) {
+    CHECK(map.values[i] == Approx(0.25f));
+    CHECK(map.values[i + 1] == Approx(0.5f));
+    CHECK(map.values[i + 2] == Approx(0.75f));
+  }
+}
+
+TEST_CASE("the last words of a name that mean a map decide") {
+  using enum FileRole;
+  const std::pair<const char*, FileRole> cases[] = {
+      {"rough_plaster_diff_4k", baseColor},
+      {"rusty_metal_02_nor_gl_1k", normalGl},
+      {"metal_plate_nor_dx_1k", normalDx},
+      {"rock_nor_1k", normal},
+      {"metal_plate_rough_1k", roughness},
+      {"wood_ao_1k-jpg", occlusion},
+      {"wood_arm_1k", occlusionRoughnessMetallic},
+      {"ao-rough-metal", occlusionRoughnessMetallic},
+      {"Helmet_occlusionRoughnessMetallic", occlusionRoughnessMetallic},
+      {"Helmet_metallicRoughness", roughnessMetallic},
+      {"Rock036_2K-PNG_NormalDX", normalDx},
+      {"Rock036_2K-PNG_AmbientOcclusion", occlusion},
+      {"Metal009_1K-JPG_Metalness", metallic},
+      {"RockBaseColor", baseColor},
+      {"rock base colour", baseColor},
+      {"ROCK_EMISSIVE_COLOR", emissive},
+      {"RockAORoughness", roughness},
+      {"Fence003_Opacity", opacity},
+      {"Rock_Displacement_16bit", height}};
+  for (const auto& [name, role] : cases) {
+    INFO(name);
+    CHECK(fileRole(name) == role);
+  }
+  for (const char* name : {"Metal009", "preview", "roughen", "2K-PNG", "", "___", "\xff\xfe"}) {
+    INFO(name);
+    CHECK(fileRole(name) == std::nullopt);
+  }
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Whether the maps of a set belong together in the noise as they do in the exemplar.
+#include <lichen/image.h>
+#include <lichen/synthesize.h>
+#include <lichen/tiling.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace lichen;
+
+namespace {
+
+constexpr int kSide = 64;
+constexpr int kResultSide = 256;
+constexpr std::uint32_t kSeeds = 8;
+constexpr std::uint32_t kSeedsOfControl = 3; // what it finds is far from the limit
+
+MapExemplar mapLike(const MapExemplar& sizes, MapTarget target, std::vector<MapChannel> channels,
+                    ValueEncoding encoding) {
+  MapExemplar map;
+  map.target = target;
+  map.channels = std::move(channels);
+  map.encoding = encoding;
+  map.width = sizes.width;
+  map.height = sizes.height;
+  return map;
+}
+
+/// Smooth Gaussian noise of variance 1 that continues over the borders: white noise averaged over
+/// windows of 3 x 3 pixels, four times.
+std::vector<double> smoothField(std::uint32_t seed) {
+  constexpr std::size_t kPixels = std::size_t(kSide) * kSide;
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> field(kPixels), blurred(kPixels);
+  std::generate(field.begin(), field.end(), [&] { return normal(generator); });
+  for (int pass = 0; pass < 4; ++pass) {
+    for (int i = 0; i < int(kPixels); ++i) {
+      double sum = 0.0;
+      for (int k = 0; k < 9; ++k) {
+        const int x = (i % kSide + k % 3 + kSide - 1) % kSide;
+        const int y = (i / kSide + k / 3 + kSide - 1) % kSide;
+        sum += field[std::size_t(y * kSide + x)];
+      }
+      blurred[std::size_t(i)] = sum / 9.0;
+    }
+    field.swap(blurred);
+  }
+  double variance = 0.0;
+  for (const double value : field)
+    variance += value * value / double(kPixels);
+  for (double& value : field)
+    value /= std::sqrt(variance);
+  return field;
+}
+
+/// A relief with its slopes; a colour that follows height, stains of its own and the light from one
+/// side; roughness that follows height and grain of its own; occlusion. Every relation is bent, so
+/// that no map is Gaussian. Maps whose relation jumps, as between patches of several materials,
+/// keep their covariances less well: each is Gaussianized by itself.
+std::vector<MapExemplar> materialSet() {
+  using enum MapChannel;
+  const std::vector<double> relief = smoothField(1), stain = smoothField(2), grain = smoothField(3);
+  MapExemplar color;
+  color.channels = {red, green, blue};
+  color.width = color.height = kSide;
+  MapExemplar normal = mapLike(color, MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope);
+  MapExemplar orm = mapLike(color, MapTarget::occlusionRoughnessMetallic, {occlusion, roughness},
+                            ValueEncoding::linear);
+  MapExemplar heights = mapLike(color, MapTarget::height, {height}, ValueEncoding::linear);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const auto at = [&](const std::vector<double>& field, int column, int row) {
+        return field[std::size_t((row % kSide) * kSide + column % kSide)];
+      };
+      const double h = at(relief, x, y), s = at(stain, x, y);
+      const double slopeRight = at(relief, x + 1, y) - h, slopeUp = h - at(relief, x, y + 1);
+      const double shade = h + 0.7 * slopeRight + 0.5 * s;
+      for (const double value : {0.5 + 0.2 * std::tanh(shade), 0.4 + 0.2 * std::tanh(shade - s),
+                                 0.3 + 0.1 * std::tanh(0.5 * shade + s)})
+        color.values.push_back(float(value));
+      normal.values.insert(normal.values.end(),
+                           {float(std::sinh(slopeRight)), float(std::sinh(slopeUp))});
+      orm.values.insert(orm.values.end(), {float(0.7 + 0.2 * std::tanh(2.0 * h)),
+                                           float(0.5 - 0.1 * h + 0.1 * at(grain, x, y))});
+      heights.values.push_back(float(1.0 / (1.0 + std::exp(-h))));
+    }
+  return {color, normal, orm, heights};
+}
+
+Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
+  TilingOptions options;
+  options.periodic = Periodic::yes;
+  Result<TilingBake> bake = bakeTiling("set", maps, options);
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  bundle.materials = {MaterialNoise{}};
+  bundle.materialNames = {"set"};
+  return bundle;
+}
+
+/// Covariances between every two channels of different maps; all images of one size.
+std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
+  std::vector<std::vector<double>> channels; // values less their mean
+  std::vector<std::size_t> mapOf;
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    for (int c = 0; c < maps[m].channels; ++c) {
+      std::vector<double> values;
+      double mean = 0.0;
+      for (std::size_t i = 0; i < maps[m].pixelCount(); ++i) {
+        values.push_back(
+            double(maps[m].values[i * std::size_t(maps[m].channels) + std::size_t(c)]));
+        mean += values.back() / double(maps[m].pixelCount());
+      }
+      for (double& value : values)
+        value -= mean;
+      channels.push_back(std::move(values));
+      mapOf.push_back(m);
+    }
+  std::vector<double> covariances;
+  for (std::size_t a = 0; a < channels.size(); ++a)
+    for (std::size_t b = a + 1; b < channels.size(); ++b) {
+      if (mapOf[a] == mapOf[b])
+        continue;
+      double sum = 0.0;
+      for (std::size_t i = 0; i < channels[a].size(); ++i)
+        sum += channels[a][i] * channels[b][i];
+      covariances.push_back(sum / double(channels[a].size()));
+    }
+  return covariances;
+}
+
+/// The exemplar's maps as `synthesize` gives maps: light, slopes, data.
+std::vector<LinearImage> decodedMaps(const std::vector<MapExemplar>& maps) {
+  std::vector<LinearImage> images;
+  for (const MapExemplar& map : maps) {
+    LinearImage image(map.width, map.height, int(map.channels.size()));
+    image.values = map.values;
+    if (map.encoding == ValueEncoding::srgb)
+      for (float& value : image.values)
+        value = srgbToLinear(value);
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+/// Map m of a result in the pattern of `seed`, or of seed + m where patterns are to differ.
+std::vector<LinearImage> resultMaps(const Bundle& bundle, std::uint32_t seed, bool onePattern) {
+  std::vector<LinearImage> images;
+  const std::vector<NoiseMap>& maps = bundle.noises[0].maps;
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    SynthesisOptions options;
+    options.width = options.height = kResultSide;
+    options.map = maps[m].target;
+    options.seed = onePattern ? seed : seed + std::uint32_t(100 * m);
+    Result<LinearImage> image = synthesize(bundle, options);
+    REQUIRE(image);
+    images.push_back(std::move(image).value());
+  }
+  return images;
+}
+
+double norm(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value * value;
+  return std::sqrt(sum);
+}
+
+/// How far the mean over seeds is from what is wanted, and how far chance alone takes it: the norm
+/// of the standard errors. Both as shares of the norm wanted.
+struct Deviation {
+  double error = 0.0;
+  double standardError = 0.0;
+};
+
+Deviation deviationOf(const Bundle& bundle, const std::vector<double>& wanted, std::uint32_t seeds,
+                      bool onePattern) {
+  std::vector<double> sum(wanted.size(), 0.0), squares(wanted.size(), 0.0);
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    const std::vector<double> found = crossCovariances(resultMaps(bundle, seed, onePattern));
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      sum[k] += found[k] / seeds;
+      squares[k] += found[k] * found[k] / seeds;
+    }
+  }
+  std::vector<double> error, standardErrors;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    error.push_back(sum[k] - wanted[k]);
+    const double variance = squares[k] - sum[k] * sum[k];
+    standardErrors.push_back(std::sqrt(std::max(0.0, variance) / (seeds - 1)));
+  }
+  return {norm(error) / norm(wanted), norm(standardErrors) / norm(wanted)};
+}
+
+} // namespace
+
+TEST_CASE("covariances between the maps of a set are those of the exemplar") {
+  const std::vector<MapExemplar> maps = materialSet();
+  const Bundle bundle = bakedBundle(maps);
+  const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
+  // The target of the result (3 %), and chance: the covariances err together, so that their norm is
+  // about as a single normal value, 3 standard errors of which are exceeded once in 370 times.
+  constexpr double kTarget = 0.03;
+  const auto limit = [](const Deviation& d) { return kTarget + 3.0 * d.standardError; };
+  const Deviation together = deviationOf(bundle, wanted, kSeeds, true);
+  INFO("error " << together.error << ", standard error " << together.standardError);
+  CHECK(together.standardError < kTarget); // or the test would say nothing
+  CHECK(together.error < limit(together));
+  // The measure sees what it is for: maps in patterns of their own have nothing to do with one
+  // another.
+  const Deviation apart = deviationOf(bundle, wanted, kSeedsOfControl, false);
+  INFO("apart: error " << apart.error << ", standard error " << apart.standardError);
+  CHECK(apart.error > 1.0 - 3.0 * apart.standardError);
+  CHECK(apart.error > limit(apart));
+}
