@@ -44,6 +44,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                       {"maps", maps},
                                       {"periodic", outcome.exemplarWasPeriodic},
                                       {"tableBytes", tableBytes},
+                                      {"risks", risksAsJson(outcome.risks)},
                                       {"notes", outcome.notes},
                                       {"seconds", outcome.seconds}};
     printLine(toText(json));

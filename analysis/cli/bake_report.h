@@ -2,6 +2,7 @@
 // What `lichen bake` says when it is done.
 #pragma once
 
+#include "bake_risks.h"
 #include "command.h"
 
 #include <lichen/bundle.h>
@@ -17,6 +18,7 @@ struct BakeOutcome {
   const Bundle& bundle; ///< of one noise
   bool exemplarWasPeriodic = true;
   std::vector<std::string> notes;
+  std::vector<MapRisk> risks;
   double seconds = 0.0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen bake: a photograph to a glTF with the noise and a scene to look at it.
 #include "bake_report.h"
+#include "bake_risks.h"
 #include "command.h"
 #include "html_report.h"
 #include "options.h"
@@ -33,6 +34,7 @@ struct Arguments {
   double tileMetres = 0.0;
   MaterialSetOptions set;
   std::optional<std::array<int, 4>> crop;
+  Flattening flattening;
   TilingOptions tiling;
   PreviewShape preview{};
   std::string report;
@@ -94,14 +96,23 @@ Result<int> run(const Arguments& arguments) {
   Result<MaterialSet> set = readInputs(arguments);
   if (!set)
     return set.error();
+  std::vector<MapExemplar>& maps = set.value().maps;
   std::vector<std::string> notes = set.value().notes;
+  const Periodic borders = arguments.tiling.periodic;
+  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, notes); !done)
+    return done.error();
+  const Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
+  if (!risks)
+    return risks.error();
+  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
+    notes.push_back(std::move(line));
   const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
     for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
       note(arguments.shared, notes[n]);
   };
   printNotes(0); // before the work: the user may rather have another photograph
   const std::size_t printed = notes.size();
-  times.end("Reading the images");
+  times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
   TilingOptions options = arguments.tiling;
@@ -110,7 +121,7 @@ Result<int> run(const Arguments& arguments) {
     return true;
   };
   const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  Result<TilingBake> bake = bakeTiling(name, set.value().maps, options);
+  Result<TilingBake> bake = bakeTiling(name, maps, options);
   if (!bake)
     return bake.error();
   times.end("Baking the noise");
@@ -118,7 +129,7 @@ Result<int> run(const Arguments& arguments) {
   for (const TransportBound& bound : bake.value().transportBounds)
     notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
                                 100.0 * bound.excess()));
-  if (!periodic && arguments.tiling.periodic == Periodic::detect)
+  if (!periodic && borders == Periodic::detect)
     notes.push_back("the exemplar's borders do not fit together; they were blended");
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
   if (!file)
@@ -130,13 +141,13 @@ Result<int> run(const Arguments& arguments) {
   times.end("Preview and bundle");
   if (Result<void> written =
           writeHtmlReport(arguments.report,
-                          {arguments.inputs, arguments.output, file.value().bundle,
-                           set.value().maps, periodic, notes, times.steps()},
+                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
+                           notes, times.steps()},
                           arguments.shared);
       !written)
     return written.error();
   reportBake(arguments.shared,
-             {arguments.output, file.value().bundle, periodic, notes, times.sum()});
+             {arguments.output, file.value().bundle, periodic, notes, risks.value(), times.sum()});
   return kDone;
 }
 
@@ -153,6 +164,8 @@ void addInputOptions(CLI::App& verb, Arguments& arguments) {
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
   addValue(verb, "--alpha", arguments.set.alpha, oneOf(uses), "ignore",
            "What the alpha of the base colour is");
+  addValue(verb, "--flatten", arguments.flattening, flattening(), "none",
+           "Remove variation slower than PERIOD pixels, or what clouds the noise");
 }
 
 } // namespace

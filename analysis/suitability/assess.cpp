@@ -21,24 +21,30 @@ using namespace suitability;
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-Risk risk(std::string_view name, double score, std::string sentence, std::string remedy) {
-  const auto level = score < kMildScore     ? Risk::Level::none
-                     : score < kSevereScore ? Risk::Level::mild
-                                            : Risk::Level::severe;
-  return {name, score, level, std::move(sentence),
-          level == Risk::Level::none ? std::string() : std::move(remedy)};
+/// What is measured is said of every exemplar, what comes of it where it is a risk.
+Risk risk(std::string_view name, double score, std::string measured, const std::string& consequence,
+          std::string remedy) {
+  if (score < kMildScore)
+    return {name, score, Risk::Level::none, std::move(measured), {}};
+  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
+          measured + ", " + consequence, std::move(remedy)};
 }
 
-Risk cloudinessRisk(const HalfSpectrum& spectrum) {
+/// --flatten auto goes by the base colour; a period can be given for every map.
+std::string flattenOption(const MapExemplar& map) {
+  return map.target == MapTarget::baseColor ? "--flatten auto" : "--flatten PERIOD";
+}
+
+Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum) {
   const double measured = cloudiness(spectrum);
   // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
   const int side = std::max(spectrum.width, spectrum.height);
   const bool flattens = cloudinessAbove(spectrum, kShortestAutoPeriod * side) < kCloudiness.mild;
   const std::string photograph = "a photograph that varies less over large distances";
   return risk("cloudiness", scoreOf(measured, kCloudiness),
-              "the contrast varies by " + percent(measured) +
-                  " from place to place, by the chance of what is blended",
-              flattens ? "--flatten auto, or " + photograph : photograph);
+              "the contrast will vary by " + percent(measured) + " from place to place",
+              "with what is blended there by chance",
+              flattens ? flattenOption(map) + ", or " + photograph : photograph);
 }
 
 Risk structureRisk(const HalfSpectrum& spectrum) {
@@ -46,18 +52,15 @@ Risk structureRisk(const HalfSpectrum& spectrum) {
   const double coherence = phaseCoherence(spectrum);
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
+  const std::string consequence = "which random blending breaks into pieces";
   const std::string remedy =
-      "a photograph of the material without joints, letters or a regular pattern; as it is, it "
-      "looks better repeated than blended";
+      "a photograph without joints, letters or a regular pattern, or repeating this one";
   if (latticeScore > coherenceScore)
     return risk("structure", latticeScore,
-                percent(lattice) +
-                    " of the variation repeats at even steps, which random blending breaks",
-                remedy);
+                percent(lattice) + " of the variation repeats at even steps", consequence, remedy);
   return risk("structure", coherenceScore,
-              "outlines hold together by " + percent(coherence) +
-                  ", which random blending breaks into pieces",
-              remedy);
+              "outlines, as joints and letters have, are coherent to " + percent(coherence),
+              consequence, remedy);
 }
 
 Risk lowFrequencyRisk(const MapExemplar& map) {
@@ -65,26 +68,32 @@ Risk lowFrequencyRisk(const MapExemplar& map) {
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
   return risk("low-frequency", scoreOf(measured, kSlowVariation),
-              "one part of the image differs from another by " + percent(difference) +
-                  " of the full range on the whole, which will show as patches",
-              "--flatten auto, even light, or a crop without the one large object");
+              "one side or part of the image differs from the rest by " + percent(difference) +
+                  " of the full range",
+              "which will show as patches",
+              flattenOption(map) + ", even light, or a crop without the one large object");
 }
 
 Risk clippingRisk(const MapExemplar& map) {
   const ClippedShare clipped = clippedShare(map);
   return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
               percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
-                  " black, without detail",
+                  " black",
+              "without detail",
               clipped.white > clipped.black ? "a photograph with less exposure"
                                             : "a photograph with more exposure");
 }
 
 std::vector<Risk> risksOf(const MapExemplar& map, bool periodic) {
-  HalfSpectrum spectrum{1, 1, {0.0f}}; // of a map that does not vary
-  if (const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic))
-    spectrum = forwardFft(plane->values, plane->width, plane->height);
-  return {cloudinessRisk(spectrum), structureRisk(spectrum), lowFrequencyRisk(map),
-          clippingRisk(map)};
+  const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic);
+  const HalfSpectrum spectrum =
+      plane ? forwardFft(plane->values, plane->width, plane->height) : HalfSpectrum{1, 1, {0.0f}};
+  std::vector<Risk> risks{cloudinessRisk(map, spectrum), structureRisk(spectrum),
+                          lowFrequencyRisk(map)};
+  // One colour may well be white.
+  risks.push_back(plane ? clippingRisk(map)
+                        : risk("clipping", 0.0, "the image has one colour", {}, {}));
+  return risks;
 }
 
 } // namespace

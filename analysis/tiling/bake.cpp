@@ -151,9 +151,7 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
   try {
     TilingBake bake;
     bake.noise.name = name;
-    bake.exemplarWasPeriodic =
-        options.periodic == Periodic::yes ||
-        (options.periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+    bake.exemplarWasPeriodic = bordersFit(maps, options.periodic);
     const auto workOfMap = [&](const MapExemplar& map) {
       return workOf(map, bake.exemplarWasPeriodic, options.transport).whole();
     };
@@ -179,6 +177,11 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
 }
 
 } // namespace
+
+bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic) {
+  return periodic == Periodic::yes ||
+         (periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+}
 
 Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                               const TilingOptions& options) {

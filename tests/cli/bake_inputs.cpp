@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -55,6 +56,12 @@ std::vector<nlohmann::json> notesOf(const Workplace& workplace, const std::strin
   const Ended ended = runLichen({"bake", input, "-o", workplace.path("noted.glb"), "--json"});
   REQUIRE(ended.code == 0);
   return nlohmann::json::parse(ended.output).at("notes");
+}
+
+/// Whether a note tells of what blending does to the exemplar: "cloudiness (mild): ...".
+bool isRisk(const nlohmann::json& note) {
+  const auto text = note.get<std::string>();
+  return text.find(" (mild") != std::string::npos || text.find(" (severe") != std::string::npos;
 }
 
 } // namespace
@@ -220,7 +227,8 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
   SrgbImage grey(100, 100, 3);
   grey.values.assign(grey.values.size(), 0.4f);
   const auto only = [&](const std::string& name, const SrgbImage& image) {
-    const auto notes = notesOf(workplace, workplace.write(name, image));
+    auto notes = notesOf(workplace, workplace.write(name, image));
+    notes.erase(std::remove_if(notes.begin(), notes.end(), isRisk), notes.end());
     return notes.size() == 1 ? notes[0].get<std::string>() : std::to_string(notes.size());
   };
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));

@@ -4,9 +4,11 @@
 #include "example_exemplar.h"
 
 #include <lichen/bundle_writer.h>
+#include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
 #include <lichen/quality.h>
+#include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_evaluate.h>
@@ -124,6 +126,17 @@ TEST_CASE("reading a set that runs out of memory says so, whichever allocation f
   CHECK(exhaustRefusal([&] { return readMaterialSet(inputs, options); }) > 50);
 }
 
+TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
+  CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
+}
+
+TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
+  MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
+  CHECK(exhaustMemory(First::each, [&] { return flatteningPeriod(map, false); }) > 10);
+  CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
+}
+
 TEST_CASE("an evaluation that runs out of memory says so, whichever allocation fails") {
   const Bundle bundle = bakedBundle(oneChannel(test::threeMaterials(64, 64, 1, 1)));
   CHECK(exhaustMemory(First::each, [&] { return TilingEvaluator::create(bundle, 0); }) > 2);
@@ -182,6 +195,12 @@ TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails
   const MapExemplar map = oneChannel(test::threeMaterials(64, 64, 1, 1));
   CHECK(exhaustRefusal([&] { return bakeTiling("x", {&map, 1}, bits); }) > 0);
   CHECK(exhaustRefusal([&] { return bakeTiling("x", {}, {}); }) > 0);
+
+  MapExemplar odd = map;
+  CHECK(exhaustRefusal([&] { return flatten({}, 8.0, true); }) > 0);
+  CHECK(exhaustRefusal([&] { return flatten({&odd, 1}, 1.0, true); }) > 0);
+  odd.values.pop_back();
+  CHECK(exhaustRefusal([&] { return assessSuitability(odd, true); }) > 0);
 
   const Bundle bundle = bakedBundle(map);
   SynthesisOptions options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The risks of exemplars, against closed forms, exhaustive sums and pictures that work or fail.
 #include "example_exemplar.h"
+#include "measured_cloudiness.h"
 #include "unsuitable_exemplars.h"
 
 #include <lichen/lattice.h>
@@ -21,22 +22,15 @@
 #include <suitability/lattice_share.h>
 #include <suitability/phase_coherence.h>
 #include <suitability/slow_variation.h>
-#include <tiling/map_fit.h>
-#include <tiling/table_lookup.h>
 
 using namespace lichen;
 using namespace lichen::suitability;
+using lichen::test::baseColor;
+using lichen::test::mean;
+using lichen::test::measuredCloudiness;
+using lichen::test::variance;
 
 namespace {
-
-MapExemplar baseColor(const SrgbImage& image) {
-  MapExemplar map;
-  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  map.width = image.width;
-  map.height = image.height;
-  map.values = image.values;
-  return map;
-}
 
 MapExemplar grey(int width, int height, std::vector<float> values) {
   MapExemplar map;
@@ -47,6 +41,12 @@ MapExemplar grey(int width, int height, std::vector<float> values) {
   map.height = height;
   map.values = std::move(values);
   return map;
+}
+
+SrgbImage constant(int width, int height, float level) {
+  SrgbImage image(width, height, 3);
+  image.values.assign(image.values.size(), level);
+  return image;
 }
 
 std::vector<Risk> risksOf(const MapExemplar& map, bool periodic = true) {
@@ -82,60 +82,6 @@ std::vector<float> standardized(int width, int height, const ValueAt& valueAt) {
   for (float& value : values)
     value = float((double(value) - mean) / std::sqrt(squares / count - mean * mean));
   return values;
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += value;
-  return sum / double(values.size());
-}
-
-double variance(const std::vector<double>& values) {
-  const double about = mean(values);
-  double sum = 0.0;
-  for (const double value : values)
-    sum += (value - about) * (value - about);
-  return sum / double(values.size());
-}
-
-/// Relative standard deviation, over random offsets of three equally weighted taps, of the
-/// variance of the blended, decoded luminance: what an eye sees of cloudiness, by the real tables.
-double measuredCloudiness(const MapExemplar& map, int samples) {
-  const tiling::MapFit fit = tiling::fitMap(map, tiling::colorSpaceOf(map),
-                                            {.transport = TransportEffort::fast, .share = 0.1f});
-  REQUIRE(fit.table.dimensions == 3);
-  tiling::InverseTable codes = fit.table;
-  for (float& value : codes.values)
-    value = linearToSrgb(value);
-  const tiling::TableLookup<3> lookup(codes);
-  const auto tap = [&](int sample, int k, int x, int y) {
-    const auto offset = pcg3d({std::uint32_t(sample), std::uint32_t(k), 7u});
-    const auto column = (std::size_t(x) + offset[0]) % std::size_t(map.width);
-    const auto row = (std::size_t(y) + offset[1]) % std::size_t(map.height);
-    return fit.gaussian.image[row * std::size_t(map.width) + column];
-  };
-  std::vector<double> variances;
-  for (int sample = 0; sample < samples; ++sample) {
-    std::vector<double> luminance;
-    for (int y = 0; y < map.height; y += 2) // every second pixel: the slow variation counts
-      for (int x = 0; x < map.width; x += 2) {
-        std::array<float, 3> sum{};
-        for (int k = 0; k < 3; ++k) {
-          const Point g = tap(sample, k, x, y);
-          sum[0] += g.x - 0.5f;
-          sum[1] += g.y - 0.5f;
-          sum[2] += g.z - 0.5f;
-        }
-        const float norm = 1.0f / std::sqrt(3.0f);
-        const auto code =
-            lookup({0.5f + norm * sum[0], 0.5f + norm * sum[1], 0.5f + norm * sum[2]});
-        luminance.push_back(0.2126 * double(code[0]) + 0.7152 * double(code[1]) +
-                            0.0722 * double(code[2]));
-      }
-    variances.push_back(variance(luminance));
-  }
-  return std::sqrt(variance(variances)) / mean(variances);
 }
 
 double predictedCloudiness(const MapExemplar& map) {
@@ -301,8 +247,9 @@ TEST_CASE("Maps of any size and content have all risks, in order, with scores in
 }
 
 TEST_CASE("A map that does not vary has no risk") {
-  for (const Risk& risk : risksOf(grey(64, 64, std::vector<float>(4096, 0.5f))))
-    CHECK(risk.score < 1e-6);
+  for (const float level : {0.0f, 0.5f, 1.0f})
+    for (const Risk& risk : risksOf(baseColor(constant(64, 64, level))))
+      CHECK(risk.score < 1e-6);
 }
 
 TEST_CASE("A map out of range is refused by what is wrong with it") {

@@ -37,6 +37,10 @@ enum class Periodic {
   no
 };
 
+/// Whether a bake of these maps keeps their borders: as the option says, or as all of them do.
+/// Each map within the ranges above.
+[[nodiscard]] bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic);
+
 struct TilingOptions {
   Periodic periodic = Periodic::detect;
   int bits = 8; ///< 8 or 16 per channel of the tables

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What a bake says of its exemplar's risks, and what --flatten does.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+/// Grain on light from one side: a pixel's hash, and a ramp.
+SrgbImage slope() {
+  constexpr int kSide = 64;
+  SrgbImage image(kSide, kSide, 1);
+  std::uint32_t state = 1;
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    state = state * 1664525u + 1013904223u; // Numerical Recipes, section 7.1
+    const float grain = float(state >> 8u) * 0x1p-24f;
+    image.values[i] = 0.3f + 0.4f * float(i % kSide) / float(kSide) + 0.2f * grain;
+  }
+  return image;
+}
+
+nlohmann::json jsonOf(const Workplace& workplace, const Arguments& arguments) {
+  Arguments all{"bake", "-o", workplace.path("noise.glb"), "--json", "--transport", "fast"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const Ended ended = runLichen(all);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  return nlohmann::json::parse(ended.output);
+}
+
+} // namespace
+
+TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
+  const Workplace workplace;
+  const std::string input = workplace.write("slope.png", slope());
+  const Ended ended = runLichen({"bake", input, "-o", workplace.path("noise.glb")});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("note: low-frequency (severe): ") &&
+                               Catch::Contains("; what helps: --flatten auto"));
+  const nlohmann::json risks = jsonOf(workplace, {input}).at("risks");
+  REQUIRE(risks.size() == 4);
+  for (const nlohmann::json& risk : risks) {
+    CHECK(risk.at("map") == "baseColor");
+    CHECK(risk.at("score").is_number());
+    CHECK(risk.at("sentence").get<std::string>().size() > 10);
+    CHECK((risk.at("level") == "none") == (risk.at("remedy") == ""));
+  }
+  CHECK(risks[2].at("name") == "low-frequency");
+  CHECK(risks[2].at("level") == "severe");
+  CHECK(risks[3].at("name") == "clipping");
+  CHECK(risks[3].at("level") == "none");
+}
+
+TEST_CASE("of a set, each risk is of the map that it is worst of") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", speckled(64, 64, 3));
+  const std::string height = workplace.write("stone_disp.png", slope());
+  const Ended ended = runLichen({"bake", color, height, "-o", workplace.path("noise.glb")});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("low-frequency (severe, height): ") &&
+                               Catch::Contains("--flatten PERIOD"));
+  CHECK(jsonOf(workplace, {color, height}).at("risks")[2].at("map") == "height");
+}
+
+TEST_CASE("--flatten removes the risk, by itself or by a period, and says so") {
+  const Workplace workplace;
+  const std::string input = workplace.write("slope.png", slope());
+  for (const char* period : {"auto", "24"}) {
+    INFO(period);
+    const nlohmann::json json = jsonOf(workplace, {input, "--flatten", period});
+    CHECK(json.at("risks")[2].at("level") == "none");
+    CHECK_THAT(json.at("notes").dump(), Catch::Contains("pixels is removed"));
+  }
+  const nlohmann::json untouched = jsonOf(workplace, {input, "--flatten", "none"});
+  CHECK(untouched.at("notes").dump().find("is removed") == std::string::npos);
+}
+
+TEST_CASE("--flatten takes none, auto or a period in range") {
+  for (const char* value : {"3", "16385", "some", "-8", "nan"})
+    checkRefusal({"bake", "a.png", "-o", "a.glb", "--flatten", value}, 2,
+                 {std::string("--flatten ") + value, "none, auto or a number from 4 to 16384"});
+}
