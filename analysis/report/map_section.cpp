@@ -16,17 +16,15 @@
 namespace lichen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kShownExemplars = 2; // of the result, a side
 
 /// {"png": data URI}, or the encoder's refusal.
 template <class AnyImage>
-Result<Json> picture(const AnyImage& image) {
+Result<JsonTree> picture(const AnyImage& image) {
   Result<std::string> uri = pngDataUri(image);
   if (!uri)
     return uri.error();
-  return Json{{"png", std::move(uri).value()}};
+  return JsonTree{{"png", std::move(uri).value()}};
 }
 
 /// The mean of the block of pixels under each pixel of a smaller image.
@@ -47,7 +45,7 @@ SrgbImage reduced(const SrgbImage& image, int width, int height) {
   return small;
 }
 
-Json histogramsOf(const NoiseComparison& comparison) {
+JsonTree histogramsOf(const NoiseComparison& comparison) {
   constexpr std::size_t kBins = 64;
   const auto countsOf = [](const SrgbImage& image, std::size_t channel) {
     std::array<double, kBins> counts{};
@@ -57,7 +55,7 @@ Json histogramsOf(const NoiseComparison& comparison) {
     }
     return counts;
   };
-  Json histograms = Json::array();
+  JsonTree histograms = JsonTree::array();
   const std::vector<std::string>& names = comparison.look.channelNames();
   for (std::size_t c = 0; c < names.size(); ++c)
     histograms.push_back({{"channel", names[c]},
@@ -68,7 +66,7 @@ Json histogramsOf(const NoiseComparison& comparison) {
 }
 
 /// In decibels by cycles per crop; null where the exemplar is too small for spectrum_distance_db.
-Json spectrumOf(const NoiseComparison& comparison) {
+JsonTree spectrumOf(const NoiseComparison& comparison) {
   const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
   const int crop =
       comparedCropSide(std::min(shorter(comparison.exemplar), shorter(comparison.result)));
@@ -87,21 +85,29 @@ Json spectrumOf(const NoiseComparison& comparison) {
           {"result", decibels(comparison.result)}};
 }
 
-Json measuresOf(const std::vector<Measure>& measures) {
-  Json list = Json::array();
+std::string_view verdictOn(const Measure& measure) {
+  if (!measure.value)
+    return "not measured";
+  if (!measure.target)
+    return "no target";
+  return measure.isMissed() ? "missed" : "met";
+}
+
+JsonTree measuresOf(const std::vector<Measure>& measures) {
+  JsonTree list = JsonTree::array();
   for (const Measure& measure : measures)
     list.push_back({{"name", measure.name},
                     {"meaning", measure.meaning},
                     {"unit", measure.unit},
-                    {"value", measure.value ? Json(*measure.value) : Json()},
-                    {"target", measure.target ? Json(*measure.target) : Json()},
-                    {"missed", measure.isMissed()},
+                    {"value", measure.value ? JsonTree(*measure.value) : JsonTree()},
+                    {"target", measure.target ? JsonTree(*measure.target) : JsonTree()},
+                    {"verdict", verdictOn(measure)},
                     {"remark", measure.remark}});
   return list;
 }
 
-Json risksOf(const std::vector<Risk>& risks) {
-  Json list = Json::array();
+JsonTree risksOf(const std::vector<Risk>& risks) {
+  JsonTree list = JsonTree::array();
   for (const Risk& risk : risks)
     list.push_back({{"name", risk.name},
                     {"score", risk.score},
@@ -112,7 +118,7 @@ Json risksOf(const std::vector<Risk>& risks) {
 }
 
 /// The finest level of the Gaussian image that is no larger than asked for.
-Result<Json> gaussianPicture(const Table& table, int side) {
+Result<JsonTree> gaussianPicture(const Table& table, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
   };
@@ -130,7 +136,7 @@ Result<Json> gaussianPicture(const Table& table, int side) {
 }
 
 /// All slabs: one below the other, their slices side by side.
-Result<Json> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
+Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
   const std::size_t channels = map.channels.size(), levels = map.levels.size();
@@ -143,10 +149,11 @@ Result<Json> tablePicture(const Table& table, const NoiseMap& map, const MapLook
       for (std::size_t x = 0; x < width; ++x)
         std::copy_n(&texels[((z * rows + y) * width + x) * stored], std::min(channels, stored),
                     image.pixel(int(z % slices * width + x), int(z / slices * rows + y)));
-  Result<Json> shown = picture(look.picture(image));
+  Result<JsonTree> shown = picture(look.picture(image));
   if (!shown)
     return shown.error();
-  return Json{{"picture", std::move(shown).value()}, {"slices", slices}, {"levels", map.levels}};
+  return JsonTree{
+      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", map.levels}};
 }
 
 std::string summaryOf(const MapExemplar& exemplar) {
@@ -165,7 +172,7 @@ std::array<int, 2> pictureSize(const MapExemplar& exemplar, int side) {
 }
 
 /// Adds pictures of exemplar and result at one scale.
-Result<void> addPictures(Json& section, const Bundle& bundle, std::uint32_t seed,
+Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
                          const MapExemplar& exemplar, const NoiseComparison& comparison,
                          int exemplarSide) {
   const auto [width, height] = pictureSize(exemplar, exemplarSide);
@@ -178,9 +185,9 @@ Result<void> addPictures(Json& section, const Bundle& bundle, std::uint32_t seed
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<Json> shownExemplar = picture(reduced(comparison.exemplar, width, height));
-  Result<Json> shownResult = picture(comparison.look.picture(result.value()));
-  for (const Result<Json>* shown : {&shownExemplar, &shownResult})
+  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, width, height));
+  Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
+  for (const Result<JsonTree>* shown : {&shownExemplar, &shownResult})
     if (!*shown)
       return shown->error();
   section["exemplar"] = std::move(shownExemplar).value();
@@ -190,8 +197,8 @@ Result<void> addPictures(Json& section, const Bundle& bundle, std::uint32_t seed
 
 } // namespace
 
-Result<Json> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
-                         bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
+Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
+                             bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
   const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
   if (!comparison)
     return comparison.error();
@@ -202,23 +209,23 @@ Result<Json> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExem
   const NoiseMap& map = *std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
     return candidate.target == exemplar.target;
   });
-  Json section{{"target", nameOf(exemplar.target)},
-               {"summary", summaryOf(exemplar)},
-               {"measures", measuresOf(comparison.value().measures)},
-               {"risks", risksOf(risks.value())},
-               {"histograms", histogramsOf(comparison.value())},
-               {"spectrum", spectrumOf(comparison.value())}};
+  JsonTree section{{"target", nameOf(exemplar.target)},
+                   {"summary", summaryOf(exemplar)},
+                   {"measures", measuresOf(comparison.value().measures)},
+                   {"risks", risksOf(risks.value())},
+                   {"histograms", histogramsOf(comparison.value())},
+                   {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
           addPictures(section, bundle, seed, exemplar, comparison.value(), exemplarSide);
       !added)
     return added.error();
-  Result<Json> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);
+  Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);
   if (!gaussian)
     return gaussian.error();
   section["gaussian"] = std::move(gaussian).value();
-  section["table"] = nullptr;
+  section["table"] = JsonTree();
   if (map.inverseTable) {
-    Result<Json> table =
+    Result<JsonTree> table =
         tablePicture(bundle.tables[*map.inverseTable], map, comparison.value().look);
     if (!table)
       return table.error();

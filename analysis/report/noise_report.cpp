@@ -3,6 +3,7 @@
 #include "map_section.h"
 #include "report_page.h"
 
+#include <lichen/escaped.h>
 #include <lichen/noise_report.h>
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Pixels of a map's pictures per pixel of its exemplar's: itself, the Gaussian image and a result
 /// of two by two.
@@ -26,12 +25,24 @@ int exemplarSide(std::size_t maps) {
   return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
 }
 
+/// JSON consists of UTF-8: what is not becomes U+FFFD.
+std::string utf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t whole = characterBytes(text);
+    const bool isControl = static_cast<unsigned char>(text[0]) < ' ';
+    valid += whole > 0 || isControl ? text.substr(0, std::max<std::size_t>(whole, 1))
+                                    : std::string_view("\xEF\xBF\xBD");
+    text.remove_prefix(std::max<std::size_t>(whole, 1));
+  }
+  return valid;
+}
+
 /// Inside a script element nothing may look like its end: "<" is written as an escape.
-std::string scriptSafe(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string scriptSafe(const std::string& json) {
   std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text)
+  safe.reserve(json.size());
+  for (const char c : json)
     if (c == '<')
       safe += "\\u003c";
     else
@@ -39,17 +50,19 @@ std::string scriptSafe(const Json& json) {
   return safe;
 }
 
-Json describe(const BakeRecord& record, Json maps) {
-  Json facts = Json::array(), timings = Json::array();
+JsonTree describe(const BakeRecord& record, JsonTree maps) {
+  JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
   for (const auto& [name, value] : record.facts)
-    facts.push_back({name, value});
+    facts.push_back({utf8(name), utf8(value)});
   for (const auto& [name, seconds] : record.timings)
-    timings.push_back({{"name", name}, {"seconds", seconds}});
-  return {{"name", record.bundle.noises.front().name},
-          {"command", record.command},
+    timings.push_back({{"name", utf8(name)}, {"seconds", seconds}});
+  for (const std::string& note : record.notes)
+    notes.push_back(utf8(note));
+  return {{"name", utf8(record.bundle.noises.front().name)},
+          {"command", utf8(record.command)},
           {"facts", facts},
           {"timings", timings},
-          {"notes", record.notes},
+          {"notes", notes},
           {"maps", std::move(maps)}};
 }
 
@@ -70,19 +83,19 @@ Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                       [&]() -> Result<std::vector<std::byte>> {
                         const std::size_t count = record.exemplars.size();
                         const std::uint32_t seed = record.bundle.materials.front()->seed;
-                        Json maps = Json::array();
+                        JsonTree maps = JsonTree::array();
                         for (std::size_t m = 0; m < count; ++m) {
                           const Progress part = [&](double fraction) {
                             return !progress || progress((double(m) + fraction) / double(count));
                           };
-                          Result<Json> map =
+                          Result<JsonTree> map =
                               describeMap(record.bundle, seed, record.exemplars[m],
                                           record.exemplarWasPeriodic, exemplarSide(count), part);
                           if (!map)
                             return map.error();
                           maps.push_back(std::move(map).value());
                         }
-                        return pageWith(scriptSafe(describe(record, std::move(maps))));
+                        return pageWith(scriptSafe(describe(record, std::move(maps)).compact()));
                       });
 }
 

@@ -281,14 +281,13 @@ function measureRow(measure) {
   name.scope = 'row';
   name.append(element('span', measure.meaning + (measure.remark ? '; ' + measure.remark : ''),
                       'detail'));
-  const hasValue = measure.value !== null;
-  const hasTarget = measure.target !== null;
-  const verdict = !hasValue ? ['not measured', ''] : !hasTarget ? ['no target', '']
-    : measure.missed ? ['\u2717 missed', 'bad'] : ['\u2713 met', 'good'];
+  const number = (value) => value === null ? '' : shown(value, measure.unit);
+  const mark = {met: '\u2713 ', missed: '\u2717 '}[measure.verdict] ?? '';
+  const look = {met: 'good', missed: 'bad'}[measure.verdict] ?? '';
   row.append(name,
-             element('td', hasValue ? shown(measure.value, measure.unit) : '', 'number'),
-             element('td', hasTarget ? shown(measure.target, measure.unit) : '', 'number target'),
-             element('td', verdict[0], 'verdict ' + verdict[1]));
+             element('td', number(measure.value), 'number'),
+             element('td', number(measure.target), 'number target'),
+             element('td', mark + measure.verdict, 'verdict ' + look));
   return row;
 }
 
@@ -311,8 +310,8 @@ function addFacts(list, facts) {
 /// What the page comes to: measures over their targets, and risks.
 function sayVerdict() {
   const measures = report.maps.flatMap((map) => map.measures);
-  const judged = measures.filter((measure) => measure.value !== null && measure.target !== null);
-  const missed = judged.filter((measure) => measure.missed).length;
+  const judged = measures.filter((measure) => ['met', 'missed'].includes(measure.verdict));
+  const missed = judged.filter((measure) => measure.verdict === 'missed').length;
   const verdict = document.getElementById('verdict');
   verdict.textContent = missed === 0
     ? `\u2713 All ${judged.length} measures meet their targets.`
