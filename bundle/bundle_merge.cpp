@@ -26,7 +26,7 @@ bool isSameImage(const Table& a, const Table& b) {
 /// Gathers bundles one after the other.
 class Merger {
 public:
-  Result<void> add(NamedBundle input);
+  Result<void> add(const NamedBundle& input);
   [[nodiscard]] MergedBundle finish() && { return std::move(merged_); }
 
 private:
@@ -94,7 +94,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   bundle.materialNames.push_back(uniqueName(materialName, materialNames_));
 }
 
-Result<void> Merger::add(NamedBundle input) {
+Result<void> Merger::add(const NamedBundle& input) {
   if (!input.bundle.ignoredNoises.empty()) {
     const IgnoredNoise& ignored = input.bundle.ignoredNoises.front();
     return Error{ErrorKind::badInput, input.file + ": noise '" + ignored.name +
@@ -113,12 +113,12 @@ Result<void> Merger::add(NamedBundle input) {
 
 } // namespace
 
-Result<MergedBundle> mergeBundles(std::vector<NamedBundle> inputs) {
+Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs) {
   return withinMemory([] { return "not enough memory to merge the bundles"; },
                       [&]() -> Result<MergedBundle> {
                         Merger merger;
-                        for (NamedBundle& input : inputs)
-                          if (Result<void> added = merger.add(std::move(input)); !added)
+                        for (const NamedBundle& input : inputs)
+                          if (Result<void> added = merger.add(input); !added)
                             return added.error();
                         return std::move(merger).finish();
                       });

@@ -34,7 +34,7 @@ Result<MergedBundle> readAndMerge(const std::vector<std::string>& paths) {
       return bundle.error();
     inputs.push_back({path, std::move(bundle).value()});
   }
-  return mergeBundles(std::move(inputs));
+  return mergeBundles(inputs);
 }
 
 /// Whether the preview's meshes have the texture coordinates that the materials use.

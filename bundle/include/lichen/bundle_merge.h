@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,6 @@ struct MergedBundle {
 /// so does a material's. Texels stay as they are; tables that are equal become one.
 /// Errors: badInput, naming the file, for a bundle without noises or with one of a revision that
 /// this version cannot carry over; resources when memory does not suffice.
-[[nodiscard]] Result<MergedBundle> mergeBundles(std::vector<NamedBundle> inputs);
+[[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);
 
 } // namespace lichen
