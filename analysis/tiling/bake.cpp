@@ -9,7 +9,6 @@
 #include "mip_chain.h"
 #include "prefilter.h"
 #include "slab_means.h"
-#include "transport/lower_bound.h"
 #include "value_encoding.h"
 
 #include <lichen/tiling.h>
@@ -58,10 +57,9 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
 /// More than one trial of a share is not foreseen: most photographs need none.
 struct MapWork {
   double fit = 0.0;
-  double certificate = 0.0;
   double slabs = 0.0;
 
-  [[nodiscard]] double whole() const { return fit + certificate + slabs; }
+  [[nodiscard]] double whole() const { return fit + slabs; }
 };
 
 MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
@@ -70,30 +68,19 @@ MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
   constexpr double kSlabs = 0.4 * 65536.0;
   // By the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
   constexpr double kFast = 0.5;
-  constexpr double kExact = 9.0;
-  // 104 s of rust's 65,536 pixels (docs/benchmarks.md), which the default effort takes 0.38 s for.
-  constexpr double kCertificate = 104.0 / 0.38;
+  // A photograph's certificate, 4 s, over its default transport, 0.38 s.
+  constexpr double kExact = 12.0;
   const double pixels = double(map.width) * double(map.height);
   const double transport = (periodic ? 1.0 : 2.0) * pixels;
   switch (effort) {
   case TransportEffort::fast:
-    return {kTable + kFast * transport, 0.0, kSlabs};
+    return {kTable + kFast * transport, kSlabs};
   case TransportEffort::standard:
     break;
   case TransportEffort::exact:
-    return {kTable + kExact * transport, kCertificate * pixels, kSlabs};
+    return {kTable + kExact * transport, kSlabs};
   }
-  return {kTable + transport, 0.0, kSlabs};
-}
-
-/// A bound half a step below the optimum leaves room for an excess of 0.03 %.
-constexpr double kCertificateStep = 2e-4;
-
-TransportBound certificate(const std::vector<Point>& points, const std::vector<Point>& matched,
-                           ProgressPart progress) {
-  std::vector<std::uint32_t> itself(points.size());
-  std::iota(itself.begin(), itself.end(), 0u);
-  return transport::boundTransportCost(points, matched, itself, kCertificateStep, progress);
+  return {kTable + transport, kSlabs};
 }
 
 /// Bakes one map and appends its two tables. The first map that chooses a share of the surroundings
@@ -102,7 +89,6 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
              ProgressPart progress, TilingBake& bake) {
   const MapWork work = workOf(map, fitting.periodic, fitting.transport);
   const double fitted = work.fit / work.whole();
-  const double certified = (work.fit + work.certificate) / work.whole();
   const ColorSpace space = colorSpaceOf(map);
   MapFit fit;
   if (space.dimensions() == 0) {
@@ -112,9 +98,8 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
     fit = fitMap(map, space, fitting);
     if (space.dimensions() > 1)
       fitting.share = fit.share;
-    if (fitting.transport == TransportEffort::exact)
-      bake.transportBounds.push_back(
-          certificate(fit.points, fit.gaussian.matched, progress.part(fitted, certified)));
+    for (const TransportBound& bound : fit.gaussian.bounds)
+      bake.transportBounds.push_back(bound);
   }
   Table image = gaussianTable(fit.gaussian, bits);
   const std::vector<ChannelMatrix> lost = lostVariance(image);

@@ -3,13 +3,22 @@
 #include "gaussianize.h"
 
 #include "borders.h"
+#include "transport/lower_bound.h"
 
 namespace lichen::tiling {
 
 using transport::TransportOptions;
 
+namespace {
+
+/// Where a certificate follows: half a second of several.
+constexpr double kAssignmentOfProgress = 0.1;
+
+} // namespace
+
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
-                         bool periodic, Precision precision, const TransportOptions& options) {
+                         bool periodic, Precision precision, const TransportOptions& options,
+                         double certificateStep) {
   Gaussianized result;
   result.width = map.width;
   result.height = map.height;
@@ -17,8 +26,13 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
   const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
   const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
     TransportOptions part = options;
-    part.progress = options.progress.part(begin, end);
-    const std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
+    const bool certified = certificateStep > 0.0;
+    const double middle = certified ? begin + kAssignmentOfProgress * (end - begin) : end;
+    part.progress = options.progress.part(begin, middle);
+    std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
+    if (certified)
+      result.bounds.push_back(transport::improveByAuction(
+          sources, stratified, assignment, certificateStep, options.progress.part(middle, end)));
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
       matched[i] = stratified[assignment[i]];

@@ -23,12 +23,16 @@ struct Gaussianized {
   /// The Gaussian point matched to each pixel of the exemplar itself, before any blending of
   /// borders: the pairs from which the inverse table is fitted.
   std::vector<Point> matched;
+  /// With a certificate, of each transport: how near the optimum it is.
+  std::vector<TransportBound> bounds{};
 };
 
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
-/// are then cross-faded and the image is matched to the set once more.
+/// are then cross-faded and the image is matched to the set once more. A `certificateStep` above 0,
+/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, Precision precision,
-                                       const transport::TransportOptions& options);
+                                       const transport::TransportOptions& options,
+                                       double certificateStep = 0.0);
 
 } // namespace lichen::tiling

@@ -14,9 +14,9 @@
 namespace lichen::transport {
 namespace {
 
-/// What the multiscale matching takes, in units of a round of exchanges: 0.15 s and 0.05 s for 65,536
-/// points (docs/decisions/008-multiscale-transport.md). Of the progress only, to which a round of
-/// exact blocks counts as much.
+/// What the multiscale matching takes, in units of a round of exchanges: 0.15 s and 0.05 s for
+/// 65,536 points (docs/decisions/008-multiscale-transport.md). Of the progress only, to which a
+/// round of exact blocks counts as much.
 constexpr double kMultiscaleWork = 3.0;
 
 /// Salts, so that the two kinds of block draw from different streams.
@@ -59,7 +59,7 @@ TransportOptions optionsFor(TransportEffort effort) {
   case TransportEffort::standard:
     break;
   case TransportEffort::exact:
-    return {.swapRounds = 8, .exactRounds = 60};
+    return {.swapRounds = 8, .exactRounds = 8};
   }
   return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward auction, one bid at a time; N buyers and N sites -> prices.
+// Forward auction, one bid at a time; N buyers and N sites -> prices and a site for most buyers.
 #include "auction.h"
 
 #include <tbb/parallel_for.h>
@@ -53,10 +53,12 @@ Choice choose(const Point& buyer, const PriceTree& sites, const Shortlist& list)
 
 } // namespace
 
-void runAuction(std::span<const Point> buyers, PriceTree& sites, double increment,
-                const ProgressPart& progress) {
+std::vector<std::optional<std::uint32_t>> runAuction(std::span<const Point> buyers,
+                                                     PriceTree& sites, double increment,
+                                                     const ProgressPart& progress) {
+  std::vector<std::optional<std::uint32_t>> siteOf(buyers.size());
   if (buyers.size() < 2)
-    return;
+    return siteOf;
   std::vector<Shortlist> lists(buyers.size());
   tbb::parallel_for(std::size_t(0), buyers.size(),
                     [&](std::size_t i) { lists[i] = sites.cheapest(buyers[i]); });
@@ -80,6 +82,10 @@ void runAuction(std::span<const Point> buyers, PriceTree& sites, double incremen
       waiting.push_back(*owner[choice.place]);
     owner[choice.place] = buyer;
   }
+  for (std::uint32_t place = 0; place < owner.size(); ++place)
+    if (owner[place])
+      siteOf[*owner[place]] = sites.siteAt(place);
+  return siteOf;
 }
 
 } // namespace lichen::transport

@@ -37,6 +37,18 @@ SrgbImage crop(const SrgbImage& image) {
   return result;
 }
 
+/// What ../shared/exemplars holds, if it is there.
+std::vector<std::filesystem::path> photographs() {
+  const std::filesystem::path folder =
+      std::filesystem::path(LICHEN_SOURCE_DIR) / "../shared/exemplars";
+  std::error_code none;
+  std::vector<std::filesystem::path> entries;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+    entries.push_back(entry.path());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
 void appendPhotograph(std::vector<Exemplar>& exemplars, const std::filesystem::path& path,
                       const std::string& name) {
   const Result<ImageFile> file = readImage(path);
@@ -53,14 +65,8 @@ std::vector<Exemplar> exemplars256() {
   std::vector<Exemplar> result;
   for (const exemplars::Material& material : exemplars::kMaterials)
     result.push_back({material.name, material.generate(kSide)});
-  const std::filesystem::path folder =
-      std::filesystem::path(LICHEN_SOURCE_DIR) / "../shared/exemplars";
   std::error_code none;
-  std::vector<std::filesystem::path> entries;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-    entries.push_back(entry.path());
-  std::sort(entries.begin(), entries.end());
-  for (const std::filesystem::path& entry : entries) {
+  for (const std::filesystem::path& entry : photographs()) {
     const std::string name = "photograph " + entry.stem().string();
     if (entry.extension() == ".png")
       appendPhotograph(result, entry, name);
@@ -99,6 +105,16 @@ std::vector<MapExemplar> materialSet(int sidePixels) {
       orm.values.insert(orm.values.end(), {here, at(x, y)[2], at(x, y)[0]});
     }
   return {baseColorMap(color), normal, orm, height};
+}
+
+std::vector<MaterialSet> photographedSets() {
+  std::vector<MaterialSet> sets;
+  std::error_code none;
+  for (const std::filesystem::path& entry : photographs())
+    if (std::filesystem::is_directory(entry, none))
+      if (Result<MaterialSet> set = readMaterialSet({&entry, 1}, {}); set)
+        sets.push_back(std::move(set).value());
+  return sets;
 }
 
 Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {

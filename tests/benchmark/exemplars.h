@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/image.h>
+#include <lichen/material_set.h>
 #include <lichen/tiling.h>
 
 #include <span>
@@ -26,6 +27,9 @@ struct Exemplar {
 /// A generated material set: base colour (RGB), normal (two slopes), occlusion-roughness-metallic
 /// and height, all of one surface.
 [[nodiscard]] std::vector<MapExemplar> materialSet(int sidePixels);
+
+/// The sets in folders of ../shared/exemplars, if that folder is there.
+[[nodiscard]] std::vector<MaterialSet> photographedSets();
 
 /// The bundle of a baked exemplar, or set, with its material. Ends the program with the bake's
 /// message if it fails: there is nothing to measure then.

@@ -25,16 +25,20 @@ std::vector<float> light(const MapExemplar& map) {
 }
 
 double slowLookup(const InverseTable& table, const std::array<double, 3>& gaussian, int channel) {
+  std::array<std::vector<double>, 3> hats; // of an axis' cells at the place looked up
+  for (std::size_t axis = 0; axis < std::size_t(table.dimensions); ++axis) {
+    const double place =
+        std::clamp(table.side * gaussianCdf(gaussian[axis]) - 0.5, 0.0, table.side - 1.0);
+    for (int cell = 0; cell < table.side; ++cell)
+      hats[axis].push_back(std::max(0.0, 1.0 - std::abs(place - cell)));
+  }
   double sum = 0.0;
   for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
     double weight = 1.0;
     std::size_t rest = cell;
-    for (int axis = 0; axis < table.dimensions; ++axis) {
-      const auto place = double(rest % std::size_t(table.side));
+    for (std::size_t axis = 0; axis < std::size_t(table.dimensions) && weight > 0.0; ++axis) {
+      weight *= hats[axis][rest % std::size_t(table.side)];
       rest /= std::size_t(table.side);
-      const double u = std::clamp(table.side * gaussianCdf(gaussian[std::size_t(axis)]) - 0.5, 0.0,
-                                  table.side - 1.0);
-      weight *= std::max(0.0, 1.0 - std::abs(u - place));
     }
     if (weight > 0.0)
       sum +=

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -204,6 +205,25 @@ TEST_CASE("Maps of any size and content are flattened to finite values in range"
   std::fill(black.values.begin(), black.values.end(), 0.0f);
   CHECK(flattened(black, 4.0).values == black.values);
   CHECK_FALSE(automaticPeriod(black, true).has_value());
+}
+
+TEST_CASE("Data stay within their range, and opacity stays as it is") {
+  MapExemplar map;
+  map.channels = {MapChannel::height};
+  map.target = MapTarget::height;
+  map.encoding = ValueEncoding::linear;
+  map.width = map.height = 64;
+  // A bar of 1 on 0, around which a high-pass undershoots by a quarter.
+  for (int i = 0; i < 64 * 64; ++i)
+    map.values.push_back(i % 64 < 16 ? 1.0f : 0.0f);
+  const MapExemplar flat = flattened(map, 32.0);
+  const auto [least, most] = std::minmax_element(flat.values.begin(), flat.values.end());
+  CHECK(*least == 0.0f);
+  CHECK(*most <= 1.0f);
+  CHECK(flat.values != map.values);
+  map.target = MapTarget::opacity;
+  map.channels = {MapChannel::opacity};
+  CHECK(flattened(map, 32.0).values == map.values);
 }
 
 TEST_CASE("A period or a map out of range is refused by name") {

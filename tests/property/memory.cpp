@@ -108,6 +108,17 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
+TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
+  CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
+}
+
+TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
+  MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
+  CHECK(exhaustMemory(First::each, [&] { return flatteningPeriod(map, false); }) > 10);
+  CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
+}
+
 TEST_CASE("reading a set that runs out of memory says so, whichever allocation fails") {
   const TemporaryFolder folder;
   const auto write = [&](const char* name, const SrgbImage& image) {
@@ -126,17 +137,6 @@ TEST_CASE("reading a set that runs out of memory says so, whichever allocation f
   CHECK(exhaustMemory(First::each, [&] { return readMaterialSet(inputs, options); }) > 50);
   options.crop->width = 7;
   CHECK(exhaustRefusal([&] { return readMaterialSet(inputs, options); }) > 50);
-}
-
-TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
-  const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
-  CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
-}
-
-TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
-  MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
-  CHECK(exhaustMemory(First::each, [&] { return flatteningPeriod(map, false); }) > 10);
-  CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
 }
 
 TEST_CASE("an evaluation that runs out of memory says so, whichever allocation fails") {

@@ -151,6 +151,25 @@ TEST_CASE("The cloudiness foretold is that of the decoded blend") {
   }
 }
 
+TEST_CASE("The plane of an exemplar that does not tile is continuous over its borders") {
+  constexpr int kSide = 64;
+  std::vector<float> ramp;
+  for (int i = 0; i < kSide * kSide; ++i)
+    ramp.push_back(float(i % kSide) / kSide);
+  const auto jump = [&](bool periodic) {
+    const std::optional<GaussianPlane> plane = gaussianPlane(grey(kSide, kSide, ramp), periodic);
+    REQUIRE(plane.has_value());
+    double sum = 0.0;
+    for (int y = 0; y < kSide; ++y) {
+      const float* row = &plane->values[std::size_t(y) * kSide];
+      sum += std::abs(double(row[0]) - double(row[kSide - 1])) / kSide;
+    }
+    return sum;
+  };
+  CHECK(jump(true) > 4.0); // from the lowest to the highest Gaussian, more than two deviations each
+  CHECK(jump(false) < 1.0);
+}
+
 TEST_CASE("A wave's share of the variance is found as a lattice, at any size") {
   for (const auto& [width, height] : {std::array{128, 128}, std::array{97, 64}}) {
     // Noise of variance 1/12 and a wave of variance 1/12: half each.

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <transport/assignment.h>
 #include <transport/lower_bound.h>
+#include <transport/matching_prices.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -100,4 +101,62 @@ TEST_CASE("one thread and two give the same bound") {
     return boundTransportCost(source, target, assignment).lowerBound;
   };
   CHECK(with(1) == with(2));
+}
+
+TEST_CASE("a linear map between two clouds has the prices of its closed form") {
+  // y = A x with A symmetric and positive definite is optimal, and grad price(y) = 2 (A^-1 y - y).
+  constexpr std::size_t kCount = 3000;
+  const double along = 1.5, across = 0.5, depth = 0.9;
+  transport::PointPair pairs;
+  pairs.source = gaussianCloud(kCount, 13);
+  for (const Point& p : pairs.source)
+    pairs.target.push_back({float(along * p.x), float(across * p.y), float(depth * p.z)});
+  const std::vector<double> prices = pricesOfMatching(pairs);
+  const auto closedForm = [&](const Point& y) {
+    return (1.0 / along - 1.0) * y.x * y.x + (1.0 / across - 1.0) * y.y * y.y +
+           (1.0 / depth - 1.0) * y.z * y.z;
+  };
+  double sum = 0.0, squares = 0.0, product = 0.0, ours = 0.0, ourSquares = 0.0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double wanted = closedForm(pairs.target[i]);
+    sum += wanted;
+    squares += wanted * wanted;
+    ours += prices[i];
+    ourSquares += prices[i] * prices[i];
+    product += wanted * prices[i];
+  }
+  const double n = double(kCount);
+  const double variance = squares / n - sum * sum / n / n;
+  const double residual =
+      variance + ourSquares / n - ours * ours / n / n - 2.0 * (product / n - sum * ours / n / n);
+  // The trapezoidal rule is exact for it; what is left is where the solver stops: 1 % of the norm.
+  INFO("residual " << residual / variance);
+  CHECK(residual < 1e-3 * variance);
+}
+
+TEST_CASE("an auction makes any matching nearly optimal, and bounds what is left") {
+  for (const NamedSet& source : everyKindOfSet(300, 14)) {
+    const Points target = gaussianCloud(300, 15);
+    const std::vector<std::uint32_t> exact = exactAssignment(source.points, target);
+    std::vector<std::uint32_t> assignment = unsorted(300);
+    const double start = centredCost(source.points, target, assignment);
+    const TransportBound bound = improveByAuction(source.points, target, assignment, 1e-3);
+    INFO(source.name);
+    CHECK(std::is_permutation(assignment.begin(), assignment.end(), exact.begin()));
+    CHECK(bound.cost == Approx(transportCost(source.points, target, assignment)).epsilon(1e-12));
+    CHECK(bound.lowerBound <= transportCost(source.points, target, exact) * (1.0 + 1e-12));
+    // Two steps of the start's cost: one that the auction may be off, one for its bound.
+    CHECK(bound.cost - bound.lowerBound < 2e-3 * start);
+  }
+}
+
+TEST_CASE("a matching that is optimal already stays") {
+  const Points source = gaussianCloud(300, 16);
+  const Points target = clusters(300, 17);
+  const std::vector<std::uint32_t> exact = exactAssignment(source, target);
+  std::vector<std::uint32_t> assignment = exact;
+  const TransportBound bound = improveByAuction(source, target, assignment, 1e-3);
+  CHECK(transportCost(source, target, assignment) <=
+        transportCost(source, target, exact) * (1.0 + 1e-12));
+  CHECK(bound.centredCost == Approx(centredCost(source, target, exact)).epsilon(1e-6));
 }

@@ -38,7 +38,7 @@ enum class Periodic {
 };
 
 /// Whether a bake of these maps keeps their borders: as the option says, or as all of them do.
-/// Each map within the ranges above.
+/// Each map within the ranges above. Throws std::bad_alloc, as building blocks do.
 [[nodiscard]] bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic);
 
 struct TilingOptions {
@@ -53,7 +53,8 @@ struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, of each map that varies: how near the optimum its matching is.
+  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that
+  /// varies, and one more of each whose borders are blended.
   std::vector<TransportBound> transportBounds;
 };
 

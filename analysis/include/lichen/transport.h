@@ -9,7 +9,7 @@ namespace lichen {
 enum class TransportEffort {
   fast,     ///< 0.4 %; for a first look
   standard, ///< 0.1 %; for production
-  exact,    ///< less, and proves how near; minutes rather than seconds, most of them for the proof
+  exact,    ///< 0.02 %, and proves it; ten times as long or more, most of it for the proof
 };
 
 /// Cost of a matching and a certified lower bound of every matching's. All in squared units of the

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Prices from a matching: N pairs -> N prices, by a sparse least-squares problem.
+#include "matching_prices.h"
+
+#include "price_tree.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace lichen::transport {
+namespace {
+
+/// Neighbours of each target. Sixteen bring the dual value of the prices a tenth nearer, for twice
+/// the memory.
+constexpr std::size_t kNeighbours = 8;
+
+/// What is left are errors within neighbourhoods, which the auction mends: a hundredth of the
+/// tolerance does not shorten it. Prices that are off at a distance have converged by then.
+constexpr double kTolerance = 1e-2;
+constexpr int kMostIterations = 500;
+
+/// Of the mean squared distance of neighbours: coincident targets weigh no more than at this.
+constexpr double kLeastDistance = 1e-3;
+
+struct Neighbour {
+  std::uint32_t site = 0;
+  double squaredDistance = 0.0;
+};
+
+/// Up to kNeighbours for each target, and nothing (the target itself) for those that it lacks.
+std::vector<std::array<Neighbour, kNeighbours>> neighbours(std::span<const Point> targets) {
+  const PriceTree tree(targets, std::vector<double>(targets.size(), 0.0));
+  std::vector<std::array<Neighbour, kNeighbours>> result(targets.size());
+  tbb::parallel_for(std::size_t(0), targets.size(), [&](std::size_t i) {
+    const Shortlist nearest = tree.cheapest(targets[i]);
+    std::size_t count = 0;
+    result[i].fill({std::uint32_t(i), 0.0});
+    for (std::size_t k = 0; k < nearest.count && count < kNeighbours; ++k)
+      if (tree.siteAt(nearest.places[k]) != i)
+        result[i][count++] = {tree.siteAt(nearest.places[k]),
+                              tree.cost(targets[i], nearest.places[k])};
+  });
+  return result;
+}
+
+/// price(b) - price(a) by the trapezoidal rule of grad price(y) = 2 (x - y).
+double priceDifference(const PointPair& pairs, std::size_t a, std::size_t b) {
+  const Point& xa = pairs.source[a];
+  const Point& xb = pairs.source[b];
+  const Point& ya = pairs.target[a];
+  const Point& yb = pairs.target[b];
+  const auto along = [](double x0, double x1, double y0, double y1) {
+    return (x0 - y0 + x1 - y1) * (y1 - y0);
+  };
+  return along(xa.x, xb.x, ya.x, yb.x) + along(xa.y, xb.y, ya.y, yb.y) +
+         along(xa.z, xb.z, ya.z, yb.z);
+}
+
+} // namespace
+
+std::vector<double> pricesOfMatching(const PointPair& pairs) {
+  const std::size_t count = pairs.target.size();
+  const auto near = neighbours(pairs.target);
+  double meanSquare = 0.0;
+  for (const auto& list : near)
+    for (const Neighbour& neighbour : list)
+      meanSquare += neighbour.squaredDistance / double(count * kNeighbours);
+  std::vector<double> prices(count, 0.0);
+  if (!(meanSquare > 0.0))
+    return prices;
+
+  // Normal equations: a graph Laplacian, each edge weighted by the inverse of its squared length.
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(count * (2 * kNeighbours + 1));
+  std::vector<double> diagonal(count, 0.0);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(Eigen::Index(count));
+  for (std::size_t a = 0; a < count; ++a)
+    for (const Neighbour& neighbour : near[a]) {
+      const std::size_t b = neighbour.site;
+      if (a == b)
+        continue;
+      const double weight = 1.0 / std::max(neighbour.squaredDistance, kLeastDistance * meanSquare);
+      const double difference = weight * priceDifference(pairs, a, b);
+      entries.emplace_back(int(a), int(b), -weight);
+      entries.emplace_back(int(b), int(a), -weight);
+      diagonal[a] += weight;
+      diagonal[b] += weight;
+      right[Eigen::Index(a)] -= difference;
+      right[Eigen::Index(b)] += difference;
+    }
+  for (std::size_t a = 0; a < count; ++a)
+    entries.emplace_back(int(a), int(a), diagonal[a]);
+  Eigen::SparseMatrix<double> laplacian{Eigen::Index(count), Eigen::Index(count)};
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  entries = {};
+
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(kTolerance);
+  solver.setMaxIterations(kMostIterations);
+  const Eigen::VectorXd solution = solver.compute(laplacian).solve(right);
+  // The Laplacian of far-apart clusters is singular beyond a constant, which rounding may blow up.
+  if (solution.allFinite())
+    std::copy(solution.begin(), solution.end(), prices.begin());
+  return prices;
+}
+
+} // namespace lichen::transport
