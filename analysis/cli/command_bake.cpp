@@ -3,6 +3,7 @@
 #include "bake_report.h"
 #include "bake_risks.h"
 #include "command.h"
+#include "html_report.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
@@ -16,7 +17,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -38,6 +38,7 @@ struct Arguments {
   Flattening flattening;
   TilingOptions tiling;
   PreviewShape preview{};
+  std::string report;
 };
 
 Result<MaterialSet> readInputs(const Arguments& arguments) {
@@ -88,8 +89,10 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
 }
 
 Result<int> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  StepTimes times;
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked.error();
+  if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   Result<MaterialSet> set = readInputs(arguments);
   if (!set)
@@ -110,6 +113,7 @@ Result<int> run(const Arguments& arguments) {
   };
   printNotes(0); // before the work: the user may rather have another photograph
   const std::size_t printed = notes.size();
+  times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
   TilingOptions options = arguments.tiling;
@@ -121,6 +125,7 @@ Result<int> run(const Arguments& arguments) {
   Result<TilingBake> bake = bakeTiling(name, maps, options);
   if (!bake)
     return bake.error();
+  times.end("Baking the noise");
   const bool periodic = bake.value().exemplarWasPeriodic;
   for (const TransportBound& bound : bake.value().transportBounds)
     notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
@@ -139,9 +144,16 @@ Result<int> run(const Arguments& arguments) {
     return written.error();
   progress.erase();
   printNotes(printed);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  times.end("Preview and bundle");
+  if (Result<void> written =
+          writeHtmlReport(arguments.report,
+                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
+                           notes, times.steps()},
+                          arguments.shared);
+      !written)
+    return written.error();
   reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
-                                notes, risks.value(), seconds.count()});
+                                notes, risks.value(), times.sum()});
   return kDone;
 }
 
@@ -197,11 +209,9 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "Whether the exemplar's values are Gaussian, and need no table");
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
-  const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
-                                     {"plane", PreviewShape::plane},
-                                     {"none", PreviewShape::none}};
-  addValue(verb, "--preview", arguments->preview, oneOf(shapes), "sphere",
-           "The scene around the material");
+  addPreviewShape(verb, arguments->preview);
+  addText(verb, "--report", arguments->report, "OUT.html",
+          "A page with pictures, measures and charts of the noise");
   return [arguments] { return run(*arguments); };
 }
 

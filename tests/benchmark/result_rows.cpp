@@ -3,7 +3,7 @@
 #include "exemplars.h"
 #include "rows.h"
 
-#include <lichen/quality.h>
+#include <lichen/measures.h>
 #include <lichen/synthesize.h>
 
 #include <algorithm>
@@ -18,8 +18,7 @@ constexpr double kExemplarSide = 256.0;
 /// As TARGETS.md measured its prototype: 256 x 256 -> 1024 x 1024.
 constexpr int kExemplarsASide = 4;
 constexpr int kResultSide = 1024;
-/// 16 exemplars a side.
-constexpr int kLatticeSide = 4096;
+constexpr int kLatticeSide = kLatticeExemplars * int(kExemplarSide);
 
 template <class T>
 T require(Result<T> result) {
@@ -123,10 +122,11 @@ std::vector<Row> resultRows() {
     lattice.add(require(latticeVisibility(synthesized(bundle, kLatticeSide), view)), exemplar.name);
   }
   std::vector<Row> rows;
-  color.append(rows, "color_distance, 4 exemplars a side", 0.003, "");
-  lattice.append(rows, "lattice_visibility, 16 exemplars a side", 0.03, "");
-  spectrum.append(rows, "spectrum_distance_db, 4 exemplars a side", 0.6, "dB");
-  seam.append(rows, "seam_visibility, 4 exemplars a side", 1.1, "");
+  color.append(rows, "color_distance, 4 exemplars a side", kColorDistanceTarget, "");
+  lattice.append(rows, "lattice_visibility, 16 exemplars a side", kLatticeVisibilityTarget, "");
+  spectrum.append(rows, "spectrum_distance_db, 4 exemplars a side", kSpectrumDistanceTargetDb,
+                  "dB");
+  seam.append(rows, "seam_visibility, 4 exemplars a side", kSeamVisibilityTarget, "");
   rows.push_back(crossCovarianceRow(materialSet(int(kExemplarSide)), "rust"));
   for (const MaterialSet& set : photographedSets())
     rows.push_back(crossCovarianceRow(set.maps, "photographs " + set.name));
