@@ -74,7 +74,7 @@ std::string whyNotLoaded(std::string report) {
   if (const std::size_t at = report.find(kAbsent); at != std::string::npos) {
     const std::size_t name = at + kAbsent.size();
     return "names the file \"" + printable(report.substr(name, report.find('\n', name) - name)) +
-           "\", which is not there";
+           "\", which is not in the scene's folder";
   }
   while (report.ends_with('\n'))
     report.pop_back();

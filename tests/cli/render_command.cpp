@@ -114,7 +114,8 @@ TEST_CASE("a scene whose buffer's file is absent names that file in one clean li
   INFO(outcome.output);
   CHECK(outcome.exitCode == 3);
   CHECK(outcome.output ==
-        "lichen-render: " + path + ": names the file \"gone .bin\", which is not there\n");
+        "lichen-render: " + path +
+            ": names the file \"gone .bin\", which is not in the scene's folder\n");
 }
 
 TEST_CASE("a fault in a noise is bad input, named by its place") {
