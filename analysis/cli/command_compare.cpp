@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -35,7 +36,9 @@ struct MapMeasures {
 };
 
 bool isBundle(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& letter : extension)
+    letter = char(std::tolower(static_cast<unsigned char>(letter)));
   return extension == ".glb" || extension == ".gltf";
 }
 
@@ -73,6 +76,10 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   const Result<std::vector<MapExemplar>> result = readMaps(arguments.result);
   if (!result)
     return result.error();
+  if (result.value().front().target != MapTarget::baseColor)
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: has no base colour; an image or a folder with one is accepted",
+                             arguments.result)};
   const ValueEncoding encoding = exemplar.encoding == ValueEncoding::log2
                                      ? exemplar.encoding
                                      : result.value().front().encoding;
@@ -126,6 +133,12 @@ nlohmann::ordered_json orNull(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
+/// Nothing where there is no value or no target.
+nlohmann::ordered_json metOrNull(const Measure& measure) {
+  return measure.value && measure.target ? nlohmann::ordered_json(!measure.isMissed())
+                                         : nlohmann::ordered_json();
+}
+
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [map, measures] : maps) {
@@ -137,7 +150,7 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps) {
                       {"value", orNull(measure.value)},
                       {"target", orNull(measure.target)},
                       {"unit", measure.unit},
-                      {"met", !measure.isMissed()},
+                      {"met", metOrNull(measure)},
                       {"remark", measure.remark}});
       say(arguments.shared, (maps.size() > 1 ? "  " : "") + lineOf(measure));
     }

@@ -10,8 +10,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace lichen::cli {
 namespace {
@@ -81,7 +84,7 @@ std::size_t bytesOnGpu(const Bundle& bundle) {
   return sum;
 }
 
-/// The file's size and, of a .gltf, the buffers in files beside it.
+/// The file's size and, of a .gltf, the buffers in files beside it, as far as those are there.
 Result<std::size_t> bytesOnDisk(const std::string& path) {
   const Result<std::vector<std::byte>> file = readFile(path);
   if (!file)
@@ -93,12 +96,14 @@ Result<std::size_t> bytesOnDisk(const std::string& path) {
     return sum;
   for (const nlohmann::json& buffer : container->document["buffers"]) {
     // Buffers without tables were not looked at when the bundle was read.
-    if (!buffer.is_object() || !buffer.contains("uri") || !buffer.contains("byteLength"))
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
       continue;
-    const nlohmann::json &uri = buffer["uri"], &length = buffer["byteLength"];
-    if (uri.is_string() && length.is_number_unsigned() &&
-        !uri.get_ref<const std::string&>().starts_with("data:"))
-      sum += length.get<std::size_t>();
+    const auto& uri = buffer["uri"].get_ref<const std::string&>();
+    std::error_code absent;
+    const std::uintmax_t bytes =
+        std::filesystem::file_size(std::filesystem::path(path).parent_path() / uri, absent);
+    if (!absent)
+      sum += std::size_t(bytes);
   }
   return sum;
 }
@@ -203,7 +208,7 @@ void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<
   std::vector<double> deviations;
   for (std::size_t c = 0; c < map.channels.size(); ++c) {
     channels.push_back(nameOf(map.channels[c]));
-    deviations.push_back(std::sqrt(map.covariance[c * (map.channels.size() + 1)]));
+    deviations.push_back(std::sqrt(std::max(0.0, map.covariance[c * (map.channels.size() + 1)])));
   }
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
   say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", gaussian.width,

@@ -24,6 +24,15 @@ namespace {
 
 using namespace tiling;
 
+/// Whether `covariance` is definite, as the format asks of a map without a table; with room for its
+/// rounding in the file.
+bool spansAll(const ColorSpace& space) {
+  constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
+  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
+  return space.dimensions() == int(space.moments.mean.size()) &&
+         solver.eigenvalues()[0] > kLeastShare * space.moments.covariance.trace();
+}
+
 Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
   if (options.bits != 8 && options.bits != 16)
@@ -33,11 +42,9 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   for (const MapExemplar& map : maps) {
     if (Result<void> checked = checkRanges(map); !checked)
       return checked;
-    const int dimensions = options.gaussian == GaussianOnly::yes ? colorSpaceOf(map).dimensions()
-                                                                 : int(map.channels.size());
-    if (dimensions < int(map.channels.size()))
-      return usage("the values of " + std::string(nameOf(map.target)) + " span " +
-                   std::to_string(dimensions) + " of " + std::to_string(map.channels.size()) +
+    if (options.gaussian == GaussianOnly::yes && !spansAll(colorSpaceOf(map)))
+      return usage("the values of " + std::string(nameOf(map.target)) + " span less than " +
+                   std::to_string(map.channels.size()) +
                    " dimensions: without an inverse table all are needed, so gaussian auto or no "
                    "is accepted");
   }
@@ -169,9 +176,8 @@ MapFit fitJoint(const MapExemplar& map, const ColorSpace& space, MapFitOptions& 
 }
 
 bool isGaussianOnly(const MapExemplar& map, const ColorSpace& space, GaussianOnly wanted) {
-  const bool spansAll = space.dimensions() == int(map.channels.size());
   return wanted == GaussianOnly::yes ||
-         (wanted == GaussianOnly::detect && spansAll && isGaussian(map));
+         (wanted == GaussianOnly::detect && spansAll(space) && isGaussian(map));
 }
 
 /// Bakes one map and appends its tables.
@@ -187,8 +193,10 @@ void bakeMap(const MapExemplar& map, const std::string& name, const TilingOption
   if (isGaussianOnly(map, space, options.gaussian))
     return append(MapTables(gaussianImage(map, space.moments, fitting.periodic, fitting.precision),
                             options.bits));
-  if (options.lut == LookupTable::separable && space.dimensions() > 1 &&
-      map.encoding != ValueEncoding::slope) {
+  // Slopes need their variance, and half floats do not hold what light above 1 is along an axis.
+  const bool mayBeSeparable =
+      map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
+  if (options.lut == LookupTable::separable && space.dimensions() > 1 && mayBeSeparable) {
     const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision,
                                           transport::optionsFor(fitting.transport));
     if (fit.dimensions() > 1)

@@ -53,6 +53,8 @@ SeparableFit fitSeparable(const MapExemplar& map, bool periodic, Precision preci
                           const transport::TransportOptions& options) {
   const MapExemplar light = decodedMap(map);
   const ColorSpace space = principalSpaceOf(light);
+  if (space.dimensions() < 2)
+    return {};
   const std::vector<Point> points = transportPoints(light, space, 0.0f);
   SeparableFit fit{space.basis.transpose(), space.moments.mean, {}, {}};
   std::vector<Point> along(points.size());

@@ -24,9 +24,7 @@ constexpr int kSmallestWindow = 16;
 /// Of noise, in all windows: as many as 1024 x 1024 pixels have.
 constexpr int kSampledTexels = 1 << 20;
 
-int windowSide(const MapExemplar& map) {
-  return comparedCropSide(std::min(map.width, map.height));
-}
+int windowSide(const MapExemplar& map) { return comparedCropSide(std::min(map.width, map.height)); }
 
 using Spectrum = std::vector<double>;
 using Planes = std::vector<std::vector<float>>;

@@ -38,7 +38,7 @@ float lichenRoughness(float roughness, float slopeVariance) {
   // [OB10] section 3, [TK19] eq. 3: a facet's slopes have the variance alpha^2 / 2 along each axis
   // (of GGX, the Beckmann's that it stands for), and variances add.
   float alpha = roughness * roughness;
-  return sqrt(sqrt(min(1.0, alpha * alpha + 2.0 * slopeVariance)));
+  return sqrt(sqrt(min(1.0, alpha * alpha + 2.0 * max(0.0, slopeVariance))));
 }
 
 #endif

@@ -175,9 +175,26 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
   const Result<TilingBake> refused = bakeTiling("grey", {&grey, 1}, options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::usage);
-  CHECK(refused.error().message.find("span 1 of 3") != std::string::npos);
+  CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
   options.gaussian = GaussianOnly::detect;
   CHECK(bakedWith(grey, options).noises[0].maps[0].inverseTable.has_value());
+}
+
+TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table") {
+  // More than rounding, but the format's covariance has not the digits to be definite with it.
+  MapExemplar dithered = gaussianExemplar(64, 1, 0.2, 8);
+  dithered.encoding = ValueEncoding::linear;
+  dithered.quantum = 1.0 / 65535.0;
+  for (std::size_t i = 0; i < dithered.values.size(); i += 3)
+    for (std::size_t c = 1; c < 3; ++c)
+      dithered.values[i + c] =
+          dithered.values[i] + float((int((i / 3) >> c & 1u) * 2 - 1) * dithered.quantum);
+  REQUIRE(colorSpaceOf(dithered).dimensions() == 3);
+  TilingOptions options;
+  options.gaussian = GaussianOnly::yes;
+  const Result<TilingBake> refused = bakeTiling("dithered", {&dithered, 1}, options);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
 }
 
 TEST_CASE("a separable table's slabs are the integrals of each axis, at the middles of its cells") {
@@ -274,7 +291,26 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
   CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
 }
 
-TEST_CASE("maps of one dimension and slopes have a joint table where separable ones are wanted") {
+TEST_CASE(
+    "a colour that hardly varies in light has a joint table where a separable one is wanted") {
+  // Dark red and green vary by a step of their code; beside full blue, of which a step is seventeen
+  // times the light, that is nothing.
+  constexpr int kSide = 64;
+  MapExemplar dark;
+  dark.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
+  dark.width = dark.height = kSide;
+  const auto code = [](int place) { return (place < kSide / 2 ? 21.0f : 20.0f) / 255.0f; };
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      dark.values.insert(dark.values.end(), {code(x), code(y), 1.0f});
+  REQUIRE(colorSpaceOf(dark).dimensions() == 2);
+  TilingOptions options;
+  options.lut = LookupTable::separable;
+  options.gaussian = GaussianOnly::no;
+  CHECK(bakedWith(dark, options).noises[0].maps[0].tableBasis.empty());
+}
+
+TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in any case") {
   MapExemplar grey = test::threeMaterials(48, 48, 2);
   for (std::size_t i = 0; i < grey.values.size(); ++i)
     grey.values[i] = grey.values[i - i % 3];
@@ -283,9 +319,11 @@ TEST_CASE("maps of one dimension and slopes have a joint table where separable o
   slopes.channels = {MapChannel::slopeX, MapChannel::slopeY};
   slopes.encoding = ValueEncoding::slope;
   slopes.values.resize(2 * 48 * 48);
+  MapExemplar bright = test::threeMaterials(48, 48, 2);
+  bright.encoding = ValueEncoding::log2;
   TilingOptions joint, separable;
   separable.lut = LookupTable::separable;
-  for (const MapExemplar& map : {grey, slopes}) {
+  for (const MapExemplar& map : {grey, slopes, bright}) {
     const Bundle bundle = bakedWith(map, separable);
     CHECK(bundle.noises[0].maps[0].tableBasis.empty());
     CHECK(bundle.tables[1].texels == bakedWith(map, joint).tables[1].texels);

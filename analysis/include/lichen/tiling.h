@@ -69,8 +69,8 @@ struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that
-  /// varies, and one more of each whose borders are blended.
+  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that has a
+  /// joint table and varies, and one more of each of those whose borders are blended.
   std::vector<TransportBound> transportBounds;
 };
 

@@ -96,7 +96,7 @@ class Viewer {
       const distance = pointers.size === 2 ? spread() : 0;
       pointers.set(event.pointerId, event);
       if (pointers.size === 2)
-        this.zoom(spread() / distance, 0, 0);
+        this.zoom(distance > 0 ? spread() / distance : 1, 0, 0);
       else
         this.move(event.clientX - before.clientX, event.clientY - before.clientY);
     });

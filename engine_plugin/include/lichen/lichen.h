@@ -42,7 +42,8 @@ extern "C" {
 /* Major (high 16 bits): changes that break a host or the shaders that it has compiled, a new
  * LICHEN_INTERFACE_VERSION among them; a library of another is LICHEN_ERROR_VERSION. Minor:
  * additions. A host may be built with a newer or older minor version than the library's, and is
- * refused only where it asks for what the library does not know. */
+ * refused only where it asks for what the library does not know. Both count from the first release:
+ * until then build host, shaders and library from one revision. */
 #define LICHEN_HEADER_VERSION 0x00010000u
 
 typedef enum LichenResult {

@@ -147,10 +147,11 @@ await check('dark and light look different', async () => {
   assert.notEqual(await shoot(light.page, 'light'), await shoot(dark.page, 'dark'));
   const background = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.notEqual(await background(light.page), await background(dark.page));
+  assert.deepEqual([...light.faults, ...dark.faults], []);
 });
 
 await check('nothing is wider than a phone, and not than the narrowest one either', async () => {
-  const {page} = await open({viewport: kPhone, deviceScaleFactor: 2});
+  const {page, faults} = await open({viewport: kPhone, deviceScaleFactor: 2});
   await shoot(page, 'phone');
   for (const width of [kPhone.width, 320]) {
     await page.setViewportSize({...kPhone, width});
@@ -159,6 +160,7 @@ await check('nothing is wider than a phone, and not than the narrowest one eithe
       ...[...document.querySelectorAll('body *')].map((e) => e.getBoundingClientRect().right)));
     assert.ok(widest <= width, `${widest} pixels`);
   }
+  assert.deepEqual(faults, []);
 });
 
 await browser.close();
