@@ -20,4 +20,23 @@ std::vector<float> inverseFft(const HalfSpectrum& spectrum) {
 #endif
 }
 
+PatchFft::PatchFft(int width, int height, int patchWidth, int patchHeight)
+#ifdef LICHEN_FFT_KISS
+    : transform_(patchKissFft(width, height, patchWidth, patchHeight)){}
+#else
+    : transform_(patchFftw(width, height, patchWidth, patchHeight)) {
+}
+#endif
+      PatchFft::PatchFft(PatchFft &&) noexcept = default;
+PatchFft& PatchFft::operator=(PatchFft&&) noexcept = default;
+PatchFft::~PatchFft() = default;
+
+void PatchFft::forward(std::span<const float> patch, HalfSpectrum& spectrum) {
+  transform_->forward(patch, spectrum);
+}
+
+void PatchFft::inverse(const HalfSpectrum& spectrum, std::span<float> patch) {
+  transform_->inverse(spectrum, patch);
+}
+
 } // namespace lichen

@@ -93,4 +93,71 @@ std::vector<float> inverseFftw(const HalfSpectrum& spectrum) {
   return plane;
 }
 
+namespace {
+
+/// Rows, of which only the patch's are transformed, then columns; the inverse the other way round.
+class FftwPatch final : public PatchTransform {
+public:
+  FftwPatch(int width, int height, int patchWidth, int patchHeight)
+      : width_(width), columns_(width / 2 + 1), patchWidth_(patchWidth), patchHeight_(patchHeight),
+        count_(std::size_t(columns_) * std::size_t(height)),
+        rows_(allocate<float>(std::size_t(width) * std::size_t(patchHeight))),
+        lines_(allocate<fftwf_complex>(count_)), rowsForward_([&] {
+          return fftwf_plan_many_dft_r2c(1, &width_, patchHeight_, rows_.get(), nullptr, 1, width_,
+                                         lines_.get(), nullptr, 1, columns_, FFTW_ESTIMATE);
+        }),
+        rowsInverse_([&] {
+          return fftwf_plan_many_dft_c2r(1, &width_, patchHeight_, lines_.get(), nullptr, 1,
+                                         columns_, rows_.get(), nullptr, 1, width_, FFTW_ESTIMATE);
+        }),
+        columnsForward_([&] { return columnsPlan(height, FFTW_FORWARD); }),
+        columnsInverse_([&] { return columnsPlan(height, FFTW_BACKWARD); }) {}
+
+  void forward(std::span<const float> patch, HalfSpectrum& spectrum) override {
+    std::fill_n(rows_.get(), std::size_t(width_) * std::size_t(patchHeight_), 0.0f);
+    for (int y = 0; y < patchHeight_; ++y)
+      std::copy_n(patch.data() + std::ptrdiff_t(y) * patchWidth_, patchWidth_,
+                  rows_.get() + std::ptrdiff_t(y) * width_);
+    rowsForward_.execute();
+    float* lines = lines_[0];
+    std::fill(lines + 2 * std::size_t(columns_) * std::size_t(patchHeight_), lines + 2 * count_,
+              0.0f);
+    columnsForward_.execute();
+    for (std::size_t i = 0; i < count_; ++i)
+      spectrum.values[i] = {lines_[i][0], lines_[i][1]};
+  }
+
+  void inverse(const HalfSpectrum& spectrum, std::span<float> patch) override {
+    for (std::size_t i = 0; i < count_; ++i) {
+      lines_[i][0] = spectrum.values[i].real();
+      lines_[i][1] = spectrum.values[i].imag();
+    }
+    columnsInverse_.execute();
+    rowsInverse_.execute();
+    const float scale = 1.0f / (float(width_) * float(spectrum.height));
+    for (int y = 0; y < patchHeight_; ++y)
+      for (int x = 0; x < patchWidth_; ++x)
+        patch[std::size_t(y) * std::size_t(patchWidth_) + std::size_t(x)] =
+            rows_[std::size_t(y) * std::size_t(width_) + std::size_t(x)] * scale;
+  }
+
+private:
+  [[nodiscard]] fftwf_plan columnsPlan(int height, int sign) {
+    return fftwf_plan_many_dft(1, &height, columns_, lines_.get(), nullptr, columns_, 1,
+                               lines_.get(), nullptr, columns_, 1, sign, FFTW_ESTIMATE);
+  }
+
+  int width_, columns_, patchWidth_, patchHeight_;
+  std::size_t count_;
+  std::unique_ptr<float[], FftwFree> rows_;
+  std::unique_ptr<fftwf_complex[], FftwFree> lines_;
+  Plan rowsForward_, rowsInverse_, columnsForward_, columnsInverse_;
+};
+
+} // namespace
+
+std::unique_ptr<PatchTransform> patchFftw(int width, int height, int patchWidth, int patchHeight) {
+  return std::make_unique<FftwPatch>(width, height, patchWidth, patchHeight);
+}
+
 } // namespace lichen

@@ -5,6 +5,7 @@
 // transform wants an even width, so the complex one is used: any width, twice the work.
 #include "fft_backend.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <kiss_fftnd.h>
@@ -67,6 +68,40 @@ std::vector<float> inverseKissFft(const HalfSpectrum& spectrum) {
   for (std::size_t i = 0; i < plane.size(); ++i)
     plane[i] = out[i].r * scale;
   return plane;
+}
+
+namespace {
+
+/// By transforms of the whole plane.
+class KissPatch final : public PatchTransform {
+public:
+  KissPatch(int width, int height, int patchWidth, int patchHeight)
+      : width_(width), height_(height), patchWidth_(patchWidth), patchHeight_(patchHeight) {}
+
+  void forward(std::span<const float> patch, HalfSpectrum& spectrum) override {
+    std::vector<float> plane(std::size_t(width_) * std::size_t(height_), 0.0f);
+    for (int y = 0; y < patchHeight_; ++y)
+      std::copy_n(patch.data() + std::ptrdiff_t(y) * patchWidth_, patchWidth_,
+                  plane.data() + std::ptrdiff_t(y) * width_);
+    spectrum = forwardKissFft(plane, width_, height_);
+  }
+
+  void inverse(const HalfSpectrum& spectrum, std::span<float> patch) override {
+    const std::vector<float> plane = inverseKissFft(spectrum);
+    for (int y = 0; y < patchHeight_; ++y)
+      std::copy_n(plane.data() + std::ptrdiff_t(y) * width_, patchWidth_,
+                  patch.data() + std::ptrdiff_t(y) * patchWidth_);
+  }
+
+private:
+  int width_, height_, patchWidth_, patchHeight_;
+};
+
+} // namespace
+
+std::unique_ptr<PatchTransform> patchKissFft(int width, int height, int patchWidth,
+                                             int patchHeight) {
+  return std::make_unique<KissPatch>(width, height, patchWidth, patchHeight);
 }
 
 } // namespace lichen

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,5 +40,27 @@ struct HalfSpectrum {
 /// The inverse, divided by width * height: inverseFft(forwardFft(p)) is p up to rounding. Imaginary
 /// parts of coefficients that are their own mirror are ignored.
 [[nodiscard]] std::vector<float> inverseFft(const HalfSpectrum& spectrum);
+
+/// Many transforms between half spectra of width x height and the same patch of the plane, of which
+/// all the rest is zero (forward) or not asked for (inverse): plans and buffers are made once, and
+/// the rows outside the patch cost nothing. Not thread-safe: one object a thread.
+class PatchFft {
+public:
+  /// The patch is the plane's first patchWidth x patchHeight pixels, at least 1 x 1 and at most
+  /// width x height. Throws std::bad_alloc; the transforms do not.
+  PatchFft(int width, int height, int patchWidth, int patchHeight);
+  PatchFft(PatchFft&&) noexcept;
+  PatchFft& operator=(PatchFft&&) noexcept;
+  ~PatchFft();
+
+  /// forwardFft of the plane, to rounding. `patch` holds patchWidth * patchHeight values row by
+  /// row; `spectrum` has the constructor's width and height.
+  void forward(std::span<const float> patch, HalfSpectrum& spectrum);
+  /// The patch of inverseFft(spectrum), to rounding.
+  void inverse(const HalfSpectrum& spectrum, std::span<float> patch);
+
+private:
+  std::unique_ptr<class PatchTransform> transform_;
+};
 
 } // namespace lichen

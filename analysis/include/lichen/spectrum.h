@@ -18,6 +18,12 @@ namespace lichen {
 /// channels, the grey channel for 1 or 2. Alpha is ignored.
 [[nodiscard]] std::vector<float> luminancePlane(const SrgbImage& image);
 
+/// The plane less a smooth one, so that opposite borders fit together: the periodic component,
+/// whose spectrum has not the cross that the jump between opposite borders makes. Same mean.
+/// Source: [M11].
+[[nodiscard]] std::vector<float> periodicComponent(std::span<const float> plane, int width,
+                                                   int height);
+
 /// Radially averaged power spectrum, averaged over square, Hann-windowed, half-overlapping crops
 /// of `cropSide` pixels [W67]. Element r, r in [0, cropSide / 2], is the mean power of the
 /// frequencies whose radius in cycles per crop rounds to r; white noise of variance s has power s
