@@ -41,15 +41,20 @@ constexpr float kLastRelaxation = 0.5f;
 
 using Spectra = std::vector<HalfSpectrum>;
 
-/// Banded Toeplitz, of the kernel's autocorrelation: positive definite, as b^ > 0.
+/// Banded Toeplitz, of the kernel's autocorrelation, and circulant where the support reaches around
+/// the period: positive definite, as b^ > 0.
 class NormalMatrix {
 public:
-  NormalMatrix(int size, int order) {
+  NormalMatrix(int size, int period, int order) {
     const std::vector<double> b = kernelAutocorrelation(order);
     std::vector<Eigen::Triplet<float>> entries;
-    for (int i = 0; i < size; ++i)
-      for (int j = std::max(0, i - order); j <= std::min(size - 1, i + order); ++j)
-        entries.emplace_back(i, j, float(b[std::size_t(std::abs(i - j))]));
+    for (int i = 0; i < size; ++i) {
+      for (int lag = -order; lag <= order; ++lag) {
+        const int j = ((i + lag) % period + period) % period;
+        if (j < size) // duplicates add up
+          entries.emplace_back(i, j, float(b[std::size_t(std::abs(lag))]));
+      }
+    }
     Eigen::SparseMatrix<float> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     solver_.compute(matrix);
@@ -74,8 +79,8 @@ class Fit {
 public:
   Fit(const GaussianModel& model, int width, int height, int order)
       : model_(model), kernelX_(kernelAmplitudes(order, model.width())),
-        kernelY_(kernelAmplitudes(order, model.height())), normalX_(width, order),
-        normalY_(height, order), work_(model.channels) {
+        kernelY_(kernelAmplitudes(order, model.height())), normalX_(width, model.width(), order),
+        normalY_(height, model.height(), order), work_(model.channels) {
     coefficients_ = {width, height, int(model.channels.size()), {}};
     for (std::size_t c = 0; c < model.channels.size(); ++c)
       transforms_.emplace_back(model.width(), model.height(), width, height);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 using namespace lichen;
@@ -97,6 +98,39 @@ TEST_CASE("autocovariance agrees with the sum over pairs") {
       }
       CHECK(covariance[lag++] == Approx(sum / pairs).margin(1e-7));
     }
+  }
+}
+
+TEST_CASE("the smooth component has the jumps across the borders for its Laplacian, and no mean") {
+  // [M11] eq. 9, which determines it.
+  for (const auto& [width, height] :
+       {std::pair{16, 12}, std::pair{13, 7}, std::pair{1, 9}, std::pair{8, 1}, std::pair{1, 1}}) {
+    const std::vector<float> plane = whiteNoise(width, height, 4);
+    const std::vector<float> periodic = periodicComponent(plane, width, height);
+    const auto at = [columns = width](int x, int y) { return std::size_t(y * columns + x); };
+    const auto smooth = [&](int x, int y) {
+      const std::size_t i = at((x + width) % width, (y + height) % height);
+      return double(plane[i]) - double(periodic[i]);
+    };
+    double sum = 0.0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        double jumps = 0.0;
+        if (x == 0)
+          jumps += double(plane[at(width - 1, y)]) - double(plane[at(0, y)]);
+        if (x == width - 1)
+          jumps += double(plane[at(0, y)]) - double(plane[at(width - 1, y)]);
+        if (y == 0)
+          jumps += double(plane[at(x, height - 1)]) - double(plane[at(x, 0)]);
+        if (y == height - 1)
+          jumps += double(plane[at(x, 0)]) - double(plane[at(x, height - 1)]);
+        const double laplacian = smooth(x - 1, y) + smooth(x + 1, y) + smooth(x, y - 1) +
+                                 smooth(x, y + 1) - 4.0 * smooth(x, y);
+        CHECK(laplacian == Approx(jumps).margin(1e-5));
+        sum += smooth(x, y);
+      }
+    }
+    CHECK(std::abs(sum) < 1e-5);
   }
 }
 
