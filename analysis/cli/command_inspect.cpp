@@ -57,30 +57,28 @@ FormatName formatName(TexelFormat format) {
   return {"RGBA32F", 32};
 }
 
+bool isVolume(const Table& table) { return table.depth > 0; }
+
 /// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
 /// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
 /// table is filtered by the one fetch, of which a separable table takes one an axis.
 int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
-  if (!map.inverseTable)
+  switch (tableKindOf(map)) {
+  case TableKind::none:
     return kTaps;
-  if (!map.tableOffset.empty())
+  case TableKind::separable:
     return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
-  const bool isVolume = tables[*map.inverseTable].depth > 0;
-  return kTaps + (isVolume ? 2 : 1);
+  case TableKind::joint:
+    break;
+  }
+  return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
 }
 
 int fetchesPerPixel(const Noise& noise, const std::vector<Table>& tables) {
   int sum = 0;
   for (const NoiseMap& map : noise.maps)
     sum += fetchesPerPixel(map, tables);
-  return sum;
-}
-
-std::size_t bytesOnGpu(const Bundle& bundle) {
-  std::size_t sum = 0;
-  for (const Table& table : bundle.tables)
-    sum += table.texels.size();
   return sum;
 }
 
@@ -169,7 +167,7 @@ Json describe(const Bundle& bundle, const std::string& file, std::size_t diskByt
                       {"depth", table.depth},
                       {"mipLevels", table.mipLevels},
                       {"bytes", table.texels.size()}});
-  return {{"file", file},     {"bytesOnDisk", diskBytes}, {"bytesOnGpu", bytesOnGpu(bundle)},
+  return {{"file", file},     {"bytesOnDisk", diskBytes}, {"bytesOnGpu", texelBytes(bundle)},
           {"noises", noises}, {"ignoredNoises", ignored}, {"tables", tables}};
 }
 
@@ -270,7 +268,7 @@ Result<int> run(const Arguments& arguments) {
   say(arguments.shared,
       fmt::format("  {} and {}, {} on disk, {} on the GPU", counted(bundle.noises.size(), "noise"),
                   counted(bundle.tables.size(), "table"), size(diskBytes.value()),
-                  size(bytesOnGpu(bundle))));
+                  size(texelBytes(bundle))));
   for (std::size_t n = 0; n < bundle.noises.size(); ++n)
     sayNoise(arguments.shared, bundle, n);
   for (const IgnoredNoise& noise : bundle.ignoredNoises)

@@ -4,9 +4,9 @@
 
 #include "data_uri.h"
 
+#include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 #include <lichen/spectrum.h>
-#include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 
 #include <algorithm>
@@ -85,35 +85,11 @@ JsonTree spectrumOf(const NoiseComparison& comparison) {
           {"result", decibels(comparison.result)}};
 }
 
-std::string_view verdictOn(const Measure& measure) {
-  if (!measure.value)
-    return "not measured";
-  if (!measure.target)
-    return "no target";
-  return measure.isMissed() ? "missed" : "met";
-}
-
-JsonTree measuresOf(const std::vector<Measure>& measures) {
+template <class Judgement>
+JsonTree listOf(const std::vector<Judgement>& judgements) {
   JsonTree list = JsonTree::array();
-  for (const Measure& measure : measures)
-    list.push_back({{"name", measure.name},
-                    {"meaning", measure.meaning},
-                    {"unit", measure.unit},
-                    {"value", measure.value ? JsonTree(*measure.value) : JsonTree()},
-                    {"target", measure.target ? JsonTree(*measure.target) : JsonTree()},
-                    {"verdict", verdictOn(measure)},
-                    {"remark", measure.remark}});
-  return list;
-}
-
-JsonTree risksOf(const std::vector<Risk>& risks) {
-  JsonTree list = JsonTree::array();
-  for (const Risk& risk : risks)
-    list.push_back({{"name", risk.name},
-                    {"score", risk.score},
-                    {"level", nameOf(risk.level)},
-                    {"sentence", risk.sentence},
-                    {"remedy", risk.remedy}});
+  for (const Judgement& judgement : judgements)
+    list.push_back(jsonOf(judgement));
   return list;
 }
 
@@ -128,11 +104,11 @@ Result<JsonTree> gaussianPicture(const Table& table, int side) {
     ++level;
   const std::vector<float> texels = decodeLevel(table, level);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t colours = stored == 1 ? 1 : 3; // two are red and green
+  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth is unused
   LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    std::copy_n(&texels[i * stored], std::min(stored, colours), &image.values[i * colours]);
-  return picture(image);
+    std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
+  return picture(twoAsRedGreen(std::move(image)));
 }
 
 /// All slabs of a separable table, one below the other: a row for each axis, with what its values
@@ -172,8 +148,9 @@ LinearImage slicesPicture(const Table& table, const NoiseMap& map, std::size_t s
 
 Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
   const std::size_t slices = table.depth > 0 ? table.depth / map.levels.size() : 1;
-  Result<JsonTree> shown = picture(look.picture(
-      map.tableOffset.empty() ? slicesPicture(table, map, slices) : axesPicture(table, map)));
+  Result<JsonTree> shown =
+      picture(look.picture(tableKindOf(map) == TableKind::joint ? slicesPicture(table, map, slices)
+                                                                : axesPicture(table, map)));
   if (!shown)
     return shown.error();
   return JsonTree{
@@ -229,14 +206,12 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Map
   const Result<std::vector<Risk>> risks = assessSuitability(exemplar, exemplarWasPeriodic);
   if (!risks)
     return risks.error();
-  const std::vector<NoiseMap>& maps = bundle.noises.front().maps;
-  const NoiseMap& map = *std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
-    return candidate.target == exemplar.target;
-  });
+  const Noise& noise = bundle.noises.front();
+  const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // which was compared
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
-                   {"measures", measuresOf(comparison.value().measures)},
-                   {"risks", risksOf(risks.value())},
+                   {"measures", listOf(comparison.value().measures)},
+                   {"risks", listOf(risks.value())},
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
