@@ -130,6 +130,7 @@ Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
           {"covariance", map.covariance},
           {"gaussian", map.gaussian},
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
+          {"table", nameOf(tableKindOf(map))},
           {"levels", map.levels.size()},
           {"fetchesPerPixel", fetchesPerPixel(map, tables)}};
 }
@@ -200,6 +201,24 @@ std::string parametersOf(const MaterialNoise& use) {
   return text;
 }
 
+/// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
+std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables) {
+  const TableKind kind = tableKindOf(map);
+  if (kind == TableKind::none)
+    return "no inverse table";
+  const Table& table = tables[*map.inverseTable];
+  const std::size_t levels = map.levels.size();
+  std::string cells = std::to_string(table.width);
+  if (kind == TableKind::separable)
+    cells = fmt::format("{} x {}", map.tableBasis.size() / map.tableOffset.size(), cells);
+  else if (isVolume(table))
+    cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
+  else if (table.height > levels)
+    cells += fmt::format(" x {}", table.height / levels);
+  return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
+                     counted(levels, "level"));
+}
+
 void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<Table>& tables) {
   const Table& gaussian = tables[map.gaussian];
   std::vector<std::string_view> channels;
@@ -214,10 +233,8 @@ void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<
                           fetchesPerPixel(map, tables)));
   say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
                           fmt::join(deviations, ", ")));
-  const std::string inverse = map.inverseTable ? fmt::format("inverse table {} of {} levels",
-                                                             *map.inverseTable, map.levels.size())
-                                               : "no inverse table";
-  say(shared, fmt::format("    Gaussian image: table {}; {}", map.gaussian, inverse));
+  say(shared, fmt::format("    Gaussian image: table {}", map.gaussian));
+  say(shared, "    " + inverseTableOf(map, tables));
 }
 
 void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
