@@ -93,14 +93,14 @@ JsonTree listOf(const std::vector<Judgement>& judgements) {
   return list;
 }
 
-/// The finest level of the Gaussian image that is no larger than asked for.
+/// The finest level of the Gaussian image with no more pixels than a square of `side`.
 Result<JsonTree> gaussianPicture(const Table& table, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
   };
   std::uint32_t level = 0;
   while (level + 1 < table.mipLevels &&
-         std::max(shift(table.width, level), shift(table.height, level)) > std::uint32_t(side))
+         double(shift(table.width, level)) * shift(table.height, level) > double(side) * side)
     ++level;
   const std::vector<float> texels = decodeLevel(table, level);
   const auto stored = std::size_t(channelCount(table.format));
@@ -165,32 +165,49 @@ std::string summaryOf(const MapExemplar& exemplar) {
          std::to_string(exemplar.width) + " x " + std::to_string(exemplar.height) + " pixels";
 }
 
-/// Extents of a picture of the exemplar with its proportions.
-std::array<int, 2> pictureSize(const MapExemplar& exemplar, int side) {
-  const double shrink =
-      std::min(1.0, double(side) / double(std::max(exemplar.width, exemplar.height)));
+using Extents = std::array<int, 2>;
+
+/// Of a picture of the exemplar with its proportions, of as many pixels as a square of `side`.
+Extents exemplarExtents(const MapExemplar& exemplar, int side) {
+  const double pixels = double(exemplar.width) * double(exemplar.height);
+  const double shrink = std::min(1.0, side / std::sqrt(pixels));
   return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
+}
+
+/// Of a picture of the result at the same scale: kShownExemplars a side or, of narrow ones, as many
+/// as make it half as wide as long.
+Extents resultExtents(const Extents& exemplar, int side) {
+  Extents extents{kShownExemplars * exemplar[0], kShownExemplars * exemplar[1]};
+  const std::size_t longer = extents[0] < extents[1] ? 1 : 0;
+  int& length = extents[longer];
+  int& breadth = extents[1 - longer];
+  if (length > 2 * breadth) {
+    length = std::min(length, int(std::sqrt(2.0) * kShownExemplars * side)); // as many pixels
+    breadth = std::max(breadth, length / 2);
+  }
+  return extents;
 }
 
 /// Adds pictures of exemplar and result at one scale.
 Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
                          const MapExemplar& exemplar, const NoiseComparison& comparison,
                          int exemplarSide) {
-  const auto [width, height] = pictureSize(exemplar, exemplarSide);
+  const Extents shown = exemplarExtents(exemplar, exemplarSide);
   SynthesisOptions options;
   options.map = exemplar.target;
   options.seed = seed;
-  options.texelsPerTile = width;
-  options.width = kShownExemplars * width;
-  options.height = kShownExemplars * height;
+  options.texelsPerTile = shown[0];
+  const Extents extents = resultExtents(shown, exemplarSide);
+  options.width = extents[0];
+  options.height = extents[1];
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, width, height));
+  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, shown[0], shown[1]));
   Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
-  for (const Result<JsonTree>* shown : {&shownExemplar, &shownResult})
-    if (!*shown)
-      return shown->error();
+  for (const Result<JsonTree>* made : {&shownExemplar, &shownResult})
+    if (!*made)
+      return made->error();
   section["exemplar"] = std::move(shownExemplar).value();
   section["result"] = std::move(shownResult).value();
   return {};
