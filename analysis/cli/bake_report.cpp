@@ -14,13 +14,6 @@ int dimensionsOf(const Table& gaussian) {
   return std::min(3, channelCount(gaussian.format)); // a fourth is unused
 }
 
-/// How the map's Gaussian values become its own.
-const char* tableKind(const NoiseMap& map) {
-  if (!map.inverseTable)
-    return "none";
-  return map.tableOffset.empty() ? "joint" : "separable";
-}
-
 nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
   nlohmann::ordered_json json{
       {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
@@ -34,9 +27,7 @@ nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
   const Table& gaussian = outcome.bundle.tables[noise.maps.front().gaussian];
-  std::size_t tableBytes = 0;
-  for (const Table& table : outcome.bundle.tables)
-    tableBytes += table.texels.size();
+  const std::size_t tableBytes = texelBytes(outcome.bundle);
   if (options.json) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::array();
     for (const NoiseMap& map : noise.maps) {
@@ -58,7 +49,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                       {"dimensions", dimensionsOf(gaussian)},
                                       {"maps", maps},
                                       {"periodic", outcome.exemplarWasPeriodic},
-                                      {"table", tableKind(noise.maps.front())},
+                                      {"table", nameOf(tableKindOf(noise.maps.front()))},
                                       {"tableBytes", tableBytes},
                                       {"precisionLoss", asJson(outcome.precisionLoss)},
                                       {"risks", risksAsJson(outcome.risks)},

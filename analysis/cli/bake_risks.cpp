@@ -2,7 +2,10 @@
 // Maps -> flattened maps, and their risks as notes and JSON.
 #include "bake_risks.h"
 
+#include "command.h"
+
 #include <lichen/flatten.h>
+#include <lichen/judgement_json.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -71,12 +74,7 @@ std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalM
 nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const auto& [map, risk] : risks)
-    json.push_back({{"name", risk.name},
-                    {"map", nameOf(map)},
-                    {"score", risk.score},
-                    {"level", nameOf(risk.level)},
-                    {"sentence", risk.sentence},
-                    {"remedy", risk.remedy}});
+    json.push_back(joined({{"map", nameOf(map)}}, jsonOf(risk)));
   return json;
 }
 

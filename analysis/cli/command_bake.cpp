@@ -69,6 +69,68 @@ Accepted<std::string> nameText() {
           }};
 }
 
+/// What is said of a bake beside its report; in JSON a part of that.
+class Notes {
+public:
+  explicit Notes(const SharedOptions& options) : options_(options) {}
+
+  void add(std::string line) { lines_.push_back(std::move(line)); }
+  /// Says what was added since the last time.
+  void say() {
+    for (; said_ < lines_.size(); ++said_)
+      if (!options_.json)
+        note(options_, lines_[said_]);
+  }
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+
+private:
+  const SharedOptions& options_;
+  std::vector<std::string> lines_;
+  std::size_t said_ = 0;
+};
+
+/// An exemplar as it is baked, and what is known of it before the work.
+struct Judged {
+  std::string name;
+  std::vector<MapExemplar> maps;
+  std::vector<MapRisk> risks;
+};
+
+Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
+  Result<MaterialSet> set = readInputs(arguments);
+  if (!set)
+    return set.error();
+  std::vector<MapExemplar>& maps = set.value().maps;
+  const Periodic borders = arguments.tiling.periodic;
+  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, set.value().notes);
+      !done)
+    return done.error();
+  Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
+  if (!risks)
+    return risks.error();
+  for (std::string& line : set.value().notes)
+    notes.add(std::move(line));
+  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
+    notes.add(std::move(line));
+  const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
+  return Judged{name, std::move(maps), std::move(risks).value()};
+}
+
+Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
+                        ProgressLine& progress) {
+  TilingOptions options = arguments.tiling;
+  options.progress = progress.asProgress();
+  Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
+  if (!baked)
+    return baked;
+  for (const TransportBound& bound : baked.value().transportBounds)
+    notes.add(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
+                          100.0 * bound.excess()));
+  if (!baked.value().exemplarWasPeriodic && options.periodic == Periodic::detect)
+    notes.add("the exemplar's borders do not fit together; they were blended");
+  return baked;
+}
+
 Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   BundleFile file;
   file.shape = arguments.preview;
@@ -94,66 +156,42 @@ Result<int> run(const Arguments& arguments) {
     return checked.error();
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
-  Result<MaterialSet> set = readInputs(arguments);
-  if (!set)
-    return set.error();
-  std::vector<MapExemplar>& maps = set.value().maps;
-  std::vector<std::string> notes = set.value().notes;
-  const Periodic borders = arguments.tiling.periodic;
-  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, notes); !done)
-    return done.error();
-  const Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
-  if (!risks)
-    return risks.error();
-  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
-    notes.push_back(std::move(line));
-  const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
-    for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
-      note(arguments.shared, notes[n]);
-  };
-  printNotes(0); // before the work: the user may rather have another photograph
-  const std::size_t printed = notes.size();
+  Notes notes(arguments.shared);
+  const Result<Judged> exemplar = readAndJudge(arguments, notes);
+  if (!exemplar)
+    return exemplar.error();
+  const std::vector<MapExemplar>& maps = exemplar.value().maps;
+  notes.say(); // before the work: the user may rather have another photograph
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
-  TilingOptions options = arguments.tiling;
-  options.progress = [&](double fraction) {
-    progress.show(fraction);
-    return true;
-  };
-  const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  Result<TilingBake> bake = bakeTiling(name, maps, options);
-  if (!bake)
-    return bake.error();
+  Result<TilingBake> baked = bake(arguments, exemplar.value(), notes, progress);
+  if (!baked)
+    return baked.error();
   times.end("Baking the noise");
-  const bool periodic = bake.value().exemplarWasPeriodic;
-  for (const TransportBound& bound : bake.value().transportBounds)
-    notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
-                                100.0 * bound.excess()));
-  if (!periodic && borders == Periodic::detect)
-    notes.push_back("the exemplar's borders do not fit together; they were blended");
-  const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
+  const bool periodic = baked.value().exemplarWasPeriodic;
+  const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
+  const Bundle& bundle = file.value().bundle;
   Result<PrecisionLoss> loss = PrecisionLoss{};
   if (arguments.shared.json)
-    loss = precisionLoss(file.value().bundle, 0, 0, set.value().maps.front(), periodic);
+    loss = precisionLoss(bundle, 0, 0, maps.front(), periodic);
   if (!loss)
     return loss.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
-  printNotes(printed);
+  notes.say();
   times.end("Preview and bundle");
-  if (Result<void> written =
-          writeHtmlReport(arguments.report,
-                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
-                           notes, times.steps()},
-                          arguments.shared);
+
+  const ReportedBake reported{arguments.inputs, arguments.output, bundle,       maps,
+                              periodic,         notes.lines(),    times.steps()};
+  if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();
-  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
-                                notes, risks.value(), times.sum()});
+  reportBake(arguments.shared, {arguments.output, bundle, periodic, loss.value(), notes.lines(),
+                                exemplar.value().risks, times.sum()});
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include "options.h"
 #include "progress_line.h"
 
+#include <lichen/judgement_json.h>
 #include <lichen/material_set.h>
 #include <lichen/noise_comparison.h>
 
@@ -103,12 +104,11 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments,
   ProgressLine progress("compare", arguments.shared);
   std::vector<MapMeasures> all;
   for (const MapExemplar& exemplar : exemplars) {
-    const Progress show = [&](double fraction) {
-      progress.show((double(all.size()) + fraction) / double(exemplars.size()));
-      return true;
-    };
+    const auto maps = double(exemplars.size());
+    const Progress part =
+        partOf(progress.asProgress(), double(all.size()) / maps, double(all.size() + 1) / maps);
     Result<NoiseComparison> comparison =
-        compareNoise(bundle.value(), noise.value(), seed, exemplar, show);
+        compareNoise(bundle.value(), noise.value(), seed, exemplar, part);
     if (!comparison)
       return Error{comparison.error().kind, arguments.result + ": " + comparison.error().message};
     all.push_back({exemplar.target, std::move(comparison).value().measures});
@@ -129,29 +129,13 @@ std::string lineOf(const Measure& measure) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-nlohmann::ordered_json orNull(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
-/// Nothing where there is no value or no target.
-nlohmann::ordered_json metOrNull(const Measure& measure) {
-  return measure.value && measure.target ? nlohmann::ordered_json(!measure.isMissed())
-                                         : nlohmann::ordered_json();
-}
-
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [map, measures] : maps) {
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
     for (const Measure& measure : measures) {
-      list.push_back({{"map", nameOf(map)},
-                      {"name", measure.name},
-                      {"value", orNull(measure.value)},
-                      {"target", orNull(measure.target)},
-                      {"unit", measure.unit},
-                      {"met", metOrNull(measure)},
-                      {"remark", measure.remark}});
+      list.push_back(joined({{"map", nameOf(map)}}, jsonOf(measure)));
       say(arguments.shared, (maps.size() > 1 ? "  " : "") + lineOf(measure));
     }
   }

@@ -102,6 +102,16 @@ bool isGrey(const Pixels& pixels, double step) {
   return true;
 }
 
+/// Whether an alpha, of those that are stored, is below 1.
+bool isTransparent(const Pixels& pixels) {
+  if (!pixels.hasAlpha())
+    return false;
+  for (std::size_t i = 0; i < pixels.count(); ++i)
+    if (pixels[i][pixels.colors()] < 1.0f)
+      return true;
+  return false;
+}
+
 Error tooFewColors(const NamedImage& image, const char* what) {
   return {
       ErrorKind::badInput,
@@ -133,14 +143,12 @@ MapExemplar colorMap(const NamedImage& image, MapTarget target, std::vector<std:
 std::optional<MapExemplar> alphaMap(const NamedImage& image) {
   constexpr MapChannel kChannels[] = {MapChannel::opacity};
   const Pixels pixels = pixelsOf(image.file);
-  if (!pixels.hasAlpha())
+  if (!isTransparent(pixels))
     return std::nullopt;
   MapExemplar map = emptyMap(image, MapTarget::opacity, ValueEncoding::linear, kChannels);
   for (std::size_t i = 0; i < pixels.count(); ++i)
     map.values.push_back(std::min(1.0f, pixels[i][pixels.colors()]));
-  const bool opaque =
-      std::all_of(map.values.begin(), map.values.end(), [](float a) { return a >= 1.0f; });
-  return opaque ? std::nullopt : std::optional(std::move(map));
+  return map;
 }
 
 Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
@@ -191,7 +199,7 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
 }
 
 void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes) {
-  if (alphaMap(image))
+  if (isTransparent(pixelsOf(image.file)))
     notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored");
 }
 

@@ -10,8 +10,8 @@
 namespace lichen {
 
 /// What the page's script reads for a map: pictures as data URIs, measures, charts' values.
-/// `exemplarSide` is the longer side of the exemplar's picture in pixels, at most. The noise is the
-/// bundle's first. Errors as compareNoise().
+/// The exemplar's picture has as many pixels as a square of `exemplarSide`, at most. The noise is
+/// the bundle's first. Errors as compareNoise().
 [[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed,
                                            const MapExemplar& exemplar, bool exemplarWasPeriodic,
                                            int exemplarSide, const Progress& progress);

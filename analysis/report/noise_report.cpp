@@ -85,12 +85,11 @@ Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                         const std::uint32_t seed = record.bundle.materials.front()->seed;
                         JsonTree maps = JsonTree::array();
                         for (std::size_t m = 0; m < count; ++m) {
-                          const Progress part = [&](double fraction) {
-                            return !progress || progress((double(m) + fraction) / double(count));
-                          };
                           Result<JsonTree> map =
                               describeMap(record.bundle, seed, record.exemplars[m],
-                                          record.exemplarWasPeriodic, exemplarSide(count), part);
+                                          record.exemplarWasPeriodic, exemplarSide(count),
+                                          partOf(progress, double(m) / double(count),
+                                                 double(m + 1) / double(count)));
                           if (!map)
                             return map.error();
                           maps.push_back(std::move(map).value());

@@ -65,7 +65,7 @@ Plane lowPassed(const Plane& plane, const Period& period, bool periodic) {
   }
   HalfSpectrum spectrum = forwardFft(plane.values, plane.width, plane.height);
   for (int v = 0; v < spectrum.height; ++v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    const int signedV = spectrum.signedRow(v);
     for (int u = 0; u < spectrum.columns(); ++u)
       spectrum.at(u, v) *=
           float(lowPassGain(period.x * u / spectrum.width, period.y * signedV / spectrum.height));

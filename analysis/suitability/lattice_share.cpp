@@ -64,7 +64,7 @@ double latticeShare(const HalfSpectrum& spectrum) {
   const PowerPlane power(spectrum);
   std::vector<std::array<double, 2>> rows(std::size_t(spectrum.height)); // in lines, and in all
   tbb::parallel_for(0, spectrum.height, [&](int v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    const int signedV = spectrum.signedRow(v);
     auto& [lines, all] = rows[std::size_t(v)];
     for (int u = 0; u < spectrum.columns(); ++u) {
       if (u == 0 && v == 0)

@@ -64,13 +64,6 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   return {};
 }
 
-std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
-  for (std::size_t m = 0; m < noise.maps.size(); ++m)
-    if (noise.maps[m].target == target)
-      return m;
-  return std::nullopt;
-}
-
 /// The texels of the map's Gaussian image.
 const Table& gaussianOf(const Bundle& bundle, std::size_t noise, std::size_t map) {
   return bundle.tables[bundle.noises[noise].maps[map].gaussian];

@@ -34,6 +34,23 @@ std::string reportOf(const Workplace& workplace, const std::string& input,
   return workplace.read("report.html");
 }
 
+/// Width and height of a picture: bytes 16 to 23 of a PNG, of which the data URI has the base64.
+std::array<unsigned, 2> extentsOf(const nlohmann::json& picture) {
+  const std::string uri = picture.at("png");
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t begin = uri.find(',') + 1;
+  const auto byteAt = [&](std::size_t place) {
+    unsigned bits = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      bits = bits << 6u | unsigned(digits.find(uri[begin + place / 3 * 4 + c]));
+    return bits >> (16u - 8u * unsigned(place % 3)) & 255u;
+  };
+  std::array<unsigned, 2> extents{};
+  for (std::size_t place = 16; place < 24; ++place)
+    extents[place / 20] = extents[place / 20] << 8u | byteAt(place);
+  return extents;
+}
+
 } // namespace
 
 TEST_CASE("a report holds the measures that compare finds, and nothing from elsewhere") {
@@ -111,6 +128,23 @@ TEST_CASE("images of any kind have a report") {
     INFO(input);
     const nlohmann::json data = dataOf(reportOf(workplace, input));
     CHECK(data["maps"][0]["measures"].size() == 5);
+  }
+}
+
+TEST_CASE("a report shows narrow exemplars as they are, beside a result that is not narrow") {
+  struct Shape {
+    int width, height;
+    std::array<unsigned, 2> result;
+  };
+  // Two exemplars long, and half as wide.
+  for (const auto& [width, height, result] :
+       {Shape{300, 2, {600, 300}}, Shape{3, 200, {200, 400}}}) {
+    const Workplace workplace;
+    const std::string input = workplace.write("a.png", speckled(width, height, 3));
+    const nlohmann::json map = dataOf(reportOf(workplace, input))["maps"][0];
+    CHECK(extentsOf(map.at("exemplar")) == std::array{unsigned(width), unsigned(height)});
+    CHECK(extentsOf(map.at("result")) == result);
+    CHECK(extentsOf(map.at("gaussian")) == std::array{unsigned(width), unsigned(height)});
   }
 }
 

@@ -180,7 +180,9 @@ TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode make
   // The table's half floats below 1 have steps of 2^-11, pictures a few of light.
   CHECK(largest < 4.0 * 0x1p-11);
   CHECK(drawn(scene, "OPAQUE", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
-  // The cutoff is 1/2.
+  // The cutoff is 1/2, and the ground has the shadow of what it leaves.
+  for (GltfScene* shown : {&scene, &plain})
+    shown->addGround(shown->addMaterial(json::object()), 10.0f, -1.0f);
   CHECK(drawn(scene, "MASK", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
   CHECK(drawn(scene, "MASK", 0.6).values == drawn(plain, "MASK", 0.4).values);
   CHECK(drawn(scene, "MASK", 0.6).values != drawn(plain, "OPAQUE", 1.0).values);

@@ -273,6 +273,15 @@ async function showTable(figure, table) {
 
 // ---- texts -------------------------------------------------------------------------------------
 
+/// How a measure stands to its target.
+function verdictOn(measure) {
+  if (measure.value === null)
+    return 'not measured';
+  if (measure.target === null)
+    return 'no target';
+  return measure.met ? 'met' : 'missed';
+}
+
 function measureRow(measure) {
   const row = document.createElement('tr');
   const name = element('th', '');
@@ -282,12 +291,13 @@ function measureRow(measure) {
   name.append(element('span', measure.meaning + (measure.remark ? '; ' + measure.remark : ''),
                       'detail'));
   const number = (value) => value === null ? '' : shown(value, measure.unit);
-  const mark = {met: '\u2713 ', missed: '\u2717 '}[measure.verdict] ?? '';
-  const look = {met: 'good', missed: 'bad'}[measure.verdict] ?? '';
+  const verdict = verdictOn(measure);
+  const mark = {met: '\u2713 ', missed: '\u2717 '}[verdict] ?? '';
+  const look = {met: 'good', missed: 'bad'}[verdict] ?? '';
   row.append(name,
              element('td', number(measure.value), 'number'),
              element('td', number(measure.target), 'number target'),
-             element('td', mark + measure.verdict, 'verdict ' + look));
+             element('td', mark + verdict, 'verdict ' + look));
   return row;
 }
 
@@ -310,8 +320,8 @@ function addFacts(list, facts) {
 /// What the page comes to: measures over their targets, and risks.
 function sayVerdict() {
   const measures = report.maps.flatMap((map) => map.measures);
-  const judged = measures.filter((measure) => ['met', 'missed'].includes(measure.verdict));
-  const missed = judged.filter((measure) => measure.verdict === 'missed').length;
+  const judged = measures.filter((measure) => measure.met !== null);
+  const missed = judged.filter((measure) => !measure.met).length;
   const verdict = document.getElementById('verdict');
   verdict.textContent = missed === 0
     ? `\u2713 All ${judged.length} measures meet their targets.`
