@@ -100,12 +100,16 @@ Result<int> run(const Arguments& arguments) {
   std::vector<MapExemplar>& maps = set.value().maps;
   std::vector<std::string> notes = set.value().notes;
   const Periodic borders = arguments.tiling.periodic;
-  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, notes); !done)
+  if (Result<void> done =
+          flattenAsTold(maps, arguments.flattening, borders, arguments.shared, notes);
+      !done)
     return done.error();
-  const Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
-  if (!risks)
-    return risks.error();
-  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
+  const Result<std::vector<std::vector<Risk>>> assessed =
+      assessMaps(maps, bordersFit(maps, borders), arguments.shared);
+  if (!assessed)
+    return assessed.error();
+  const std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
+  for (std::string& line : riskNotes(risks, maps.size() > 1))
     notes.push_back(std::move(line));
   const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
     for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
@@ -147,13 +151,13 @@ Result<int> run(const Arguments& arguments) {
   times.end("Preview and bundle");
   if (Result<void> written =
           writeHtmlReport(arguments.report,
-                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
-                           notes, times.steps()},
+                          {arguments.inputs, arguments.output, file.value().bundle, maps,
+                           assessed.value(), periodic, notes, times.steps()},
                           arguments.shared);
       !written)
     return written.error();
   reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
-                                notes, risks.value(), times.sum()});
+                                notes, risks, times.sum()});
   return kDone;
 }
 

@@ -222,13 +222,11 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t 
 } // namespace
 
 Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
-                             bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
+                             const std::vector<Risk>& risks, int exemplarSide,
+                             const Progress& progress) {
   const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
   if (!comparison)
     return comparison.error();
-  const Result<std::vector<Risk>> risks = assessSuitability(exemplar, exemplarWasPeriodic);
-  if (!risks)
-    return risks.error();
   const std::vector<NoiseMap>& maps = bundle.noises.front().maps;
   const NoiseMap& map = *std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
     return candidate.target == exemplar.target;
@@ -236,7 +234,7 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Map
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
                    {"measures", measuresOf(comparison.value().measures)},
-                   {"risks", risksOf(risks.value())},
+                   {"risks", risksOf(risks)},
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =

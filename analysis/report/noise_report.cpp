@@ -89,8 +89,8 @@ Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                             return !progress || progress((double(m) + fraction) / double(count));
                           };
                           Result<JsonTree> map =
-                              describeMap(record.bundle, seed, record.exemplars[m],
-                                          record.exemplarWasPeriodic, exemplarSide(count), part);
+                              describeMap(record.bundle, seed, record.exemplars[m], record.risks[m],
+                                          exemplarSide(count), part);
                           if (!map)
                             return map.error();
                           maps.push_back(std::move(map).value());
