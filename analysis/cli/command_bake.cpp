@@ -93,7 +93,8 @@ private:
 struct Judged {
   std::string name;
   std::vector<MapExemplar> maps;
-  std::vector<MapRisk> risks;
+  std::vector<std::vector<Risk>> assessed; ///< of each map
+  std::vector<MapRisk> risks;              ///< leadingRisks()
 };
 
 Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
@@ -102,18 +103,21 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
     return set.error();
   std::vector<MapExemplar>& maps = set.value().maps;
   const Periodic borders = arguments.tiling.periodic;
-  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, set.value().notes);
+  if (Result<void> done =
+          flattenAsTold(maps, arguments.flattening, borders, arguments.shared, set.value().notes);
       !done)
     return done.error();
-  Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
-  if (!risks)
-    return risks.error();
+  Result<std::vector<std::vector<Risk>>> assessed =
+      assessMaps(maps, bordersFit(maps, borders), arguments.shared);
+  if (!assessed)
+    return assessed.error();
+  std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
   for (std::string& line : set.value().notes)
     notes.add(std::move(line));
-  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
+  for (std::string& line : riskNotes(risks, maps.size() > 1))
     notes.add(std::move(line));
   const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  return Judged{name, std::move(maps), std::move(risks).value()};
+  return Judged{name, std::move(maps), std::move(assessed).value(), std::move(risks)};
 }
 
 Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
@@ -185,8 +189,9 @@ Result<int> run(const Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedBake reported{arguments.inputs, arguments.output, bundle,       maps,
-                              periodic,         notes.lines(),    times.steps()};
+  const ReportedBake reported{
+      arguments.inputs,          arguments.output, bundle,        maps,
+      exemplar.value().assessed, periodic,         notes.lines(), times.steps()};
   if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();

@@ -5,6 +5,7 @@
 #include "command.h"
 
 #include <lichen/bundle.h>
+#include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
 #include <chrono>
@@ -34,6 +35,7 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< of one noise and one material
   std::span<const MapExemplar> exemplars;
+  std::span<const std::vector<Risk>> risks; ///< of each exemplar
   bool exemplarWasPeriodic = true;
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> timings; ///< of StepTimes

@@ -216,19 +216,17 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t 
 } // namespace
 
 Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
-                             bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
+                             const std::vector<Risk>& risks, int exemplarSide,
+                             const Progress& progress) {
   const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
   if (!comparison)
     return comparison.error();
-  const Result<std::vector<Risk>> risks = assessSuitability(exemplar, exemplarWasPeriodic);
-  if (!risks)
-    return risks.error();
   const Noise& noise = bundle.noises.front();
   const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // which was compared
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
                    {"measures", listOf(comparison.value().measures)},
-                   {"risks", listOf(risks.value())},
+                   {"risks", listOf(risks)},
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =

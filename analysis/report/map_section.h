@@ -5,15 +5,17 @@
 #include <lichen/bundle.h>
 #include <lichen/json_tree.h>
 #include <lichen/progress.h>
+#include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
 namespace lichen {
 
 /// What the page's script reads for a map: pictures as data URIs, measures, charts' values.
-/// The exemplar's picture has as many pixels as a square of `exemplarSide`, at most. The noise is
-/// the bundle's first. Errors as compareNoise().
+/// `risks` are the exemplar's. Its picture has as many pixels as a square of `exemplarSide`, at
+/// most. The noise is the bundle's first. Errors as compareNoise().
 [[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed,
-                                           const MapExemplar& exemplar, bool exemplarWasPeriodic,
-                                           int exemplarSide, const Progress& progress);
+                                           const MapExemplar& exemplar,
+                                           const std::vector<Risk>& risks, int exemplarSide,
+                                           const Progress& progress);
 
 } // namespace lichen

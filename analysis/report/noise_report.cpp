@@ -79,23 +79,22 @@ std::vector<std::byte> pageWith(const std::string& data) {
 
 Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                                                  const Progress& progress) {
-  return withinMemory([] { return "not enough memory for the report"; },
-                      [&]() -> Result<std::vector<std::byte>> {
-                        const std::size_t count = record.exemplars.size();
-                        const std::uint32_t seed = record.bundle.materials.front()->seed;
-                        JsonTree maps = JsonTree::array();
-                        for (std::size_t m = 0; m < count; ++m) {
-                          Result<JsonTree> map =
-                              describeMap(record.bundle, seed, record.exemplars[m],
-                                          record.exemplarWasPeriodic, exemplarSide(count),
-                                          partOf(progress, double(m) / double(count),
-                                                 double(m + 1) / double(count)));
-                          if (!map)
-                            return map.error();
-                          maps.push_back(std::move(map).value());
-                        }
-                        return pageWith(scriptSafe(describe(record, std::move(maps)).compact()));
-                      });
+  return withinMemory(
+      [] { return "not enough memory for the report"; },
+      [&]() -> Result<std::vector<std::byte>> {
+        const std::size_t count = record.exemplars.size();
+        const std::uint32_t seed = record.bundle.materials.front()->seed;
+        JsonTree maps = JsonTree::array();
+        for (std::size_t m = 0; m < count; ++m) {
+          Result<JsonTree> map = describeMap(
+              record.bundle, seed, record.exemplars[m], record.risks[m], exemplarSide(count),
+              partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
+          if (!map)
+            return map.error();
+          maps.push_back(std::move(map).value());
+        }
+        return pageWith(scriptSafe(describe(record, std::move(maps)).compact()));
+      });
 }
 
 } // namespace lichen

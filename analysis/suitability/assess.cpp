@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
+#include "as_seen.h"
 #include "calibration.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
+#include "edge_concentration.h"
 #include "gaussian_plane.h"
 #include "lattice_share.h"
 #include "phase_coherence.h"
+#include "progress_part.h"
 #include "slow_variation.h"
 #include "tiling/map_ranges.h"
 
@@ -19,6 +22,12 @@ namespace {
 
 using namespace suitability;
 
+// Of the progress, by what the steps take of 2048 x 2048 pixels.
+constexpr double kSlopesOfProgress = 0.4;
+constexpr double kPlaneOfProgress = 0.5;
+constexpr double kTransformOfProgress = 0.55;
+constexpr double kLatticeOfProgress = 0.4; // of structureRisk
+
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
 /// What is measured is said of every exemplar, what comes of it where it is a risk.
@@ -30,25 +39,41 @@ Risk risk(std::string_view name, double score, std::string measured, const std::
           measured + ", " + consequence, std::move(remedy)};
 }
 
-/// --flatten auto goes by the base colour; a period can be given for every map.
-std::string flattenOption(const MapExemplar& map) {
-  return map.target == MapTarget::baseColor ? "--flatten auto" : "--flatten PERIOD";
+/// Whether flattening helps against what varies slowly in a map.
+enum class SlowCause {
+  light,  ///< or clouds: it does
+  object, ///< it leaves the outline
+};
+
+/// The option that helps and "or ", if one does. --flatten auto goes by the base colour; a period
+/// can be given for every map.
+std::string flattenOr(const MapExemplar& map, SlowCause cause) {
+  if (cause == SlowCause::object)
+    return {};
+  return map.target == MapTarget::baseColor ? "--flatten auto, or " : "--flatten PERIOD, or ";
 }
 
-Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum) {
+/// The transform of the Gaussian plane; of one value where there is none.
+HalfSpectrum spectrumOf(const std::optional<GaussianPlane>& plane) {
+  return plane ? forwardFft(plane->values, plane->width, plane->height)
+               : HalfSpectrum{1, 1, {0.0f}};
+}
+
+Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCause cause) {
   const double measured = cloudiness(spectrum);
   // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
   const int side = std::max(spectrum.width, spectrum.height);
   const bool flattens = cloudinessAbove(spectrum, kShortestAutoPeriod * side) < kCloudiness.mild;
-  const std::string photograph = "a photograph that varies less over large distances";
   return risk("cloudiness", scoreOf(measured, kCloudiness),
               "the contrast will vary by " + percent(measured) + " from place to place",
               "with what is blended there by chance",
-              flattens ? flattenOption(map) + ", or " + photograph : photograph);
+              (flattens ? flattenOr(map, cause) : "") +
+                  "a photograph that varies less over large distances");
 }
 
-Risk structureRisk(const HalfSpectrum& spectrum) {
+Risk structureRisk(const HalfSpectrum& spectrum, ProgressPart progress) {
   const double lattice = latticeShare(spectrum);
+  progress.reach(kLatticeOfProgress);
   const double coherence = phaseCoherence(spectrum);
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
@@ -63,30 +88,18 @@ Risk structureRisk(const HalfSpectrum& spectrum) {
               consequence, remedy);
 }
 
-/// Of the values that a map has nominally: 8-bit normals have components in [-1, 1], and light
-/// above 1 has no limit but its own.
-double spanOf(const MapExemplar& map) {
-  switch (map.encoding) {
-  case ValueEncoding::srgb:
-  case ValueEncoding::linear:
-    break;
-  case ValueEncoding::slope:
-    return 2.0;
-  case ValueEncoding::log2:
-    return std::max(1.0, double(*std::max_element(map.values.begin(), map.values.end())));
-  }
-  return 1.0;
-}
-
-Risk lowFrequencyRisk(const MapExemplar& map) {
-  const double measured = slowVariation(map) / spanOf(map);
+/// `seen` is the map, or the slopes that show of it.
+Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause cause) {
+  const double measured = slowVariationShare(seen);
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
   return risk("low-frequency", scoreOf(measured, kSlowVariation),
               "one side or part of the image differs from the rest by " + percent(difference) +
                   " of the full range",
               "which will show as patches",
-              flattenOption(map) + ", even light, or a crop without the one large object");
+              cause == SlowCause::object
+                  ? "a photograph that shows many such objects, or a crop without the one"
+                  : flattenOr(map, cause) + "even light");
 }
 
 Risk clippingRisk(const MapExemplar& map) {
@@ -99,12 +112,39 @@ Risk clippingRisk(const MapExemplar& map) {
                                             : "a photograph with more exposure");
 }
 
-std::vector<Risk> risksOf(const MapExemplar& map, bool periodic) {
-  const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic);
-  const HalfSpectrum spectrum =
-      plane ? forwardFft(plane->values, plane->width, plane->height) : HalfSpectrum{1, 1, {0.0f}};
-  std::vector<Risk> risks{cloudinessRisk(map, spectrum), structureRisk(spectrum),
-                          lowFrequencyRisk(map)};
+/// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
+std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
+                            const HalfSpectrum& spectrum, bool periodic) {
+  const bool isCalm =
+      cloudiness(spectrum) < kCloudiness.mild && slowVariationShare(seen) < kSlowVariation.mild;
+  const SlowCause cause = !isCalm && edgeConcentration(map, periodic) > kEdgeConcentration
+                              ? SlowCause::object
+                              : SlowCause::light;
+  return {cloudinessRisk(map, spectrum, cause), lowFrequencyRisk(map, seen, cause)};
+}
+
+/// The same of a height map, as the light on its slopes shows them.
+std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, ProgressPart progress) {
+  const MapExemplar slopes = slopesOfHeight(height, periodic);
+  const std::optional<GaussianPlane> plane = gaussianPlane(slopes, periodic, progress);
+  return slowRisks(height, slopes, spectrumOf(plane), periodic);
+}
+
+std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, ProgressPart progress) {
+  const bool isHeight = map.target == MapTarget::height;
+  const ProgressPart first = isHeight ? progress.part(0.0, kSlopesOfProgress) : ProgressPart();
+  const ProgressPart rest = isHeight ? progress.part(kSlopesOfProgress, 1.0) : progress;
+  std::vector<Risk> risks;
+  if (isHeight)
+    risks = slopeRisks(map, periodic, first);
+  const std::optional<GaussianPlane> plane =
+      gaussianPlane(map, periodic, rest.part(0.0, kPlaneOfProgress));
+  rest.reach(kPlaneOfProgress);
+  const HalfSpectrum spectrum = spectrumOf(plane);
+  rest.reach(kTransformOfProgress);
+  if (!isHeight)
+    risks = slowRisks(map, map, spectrum, periodic);
+  risks.insert(risks.begin() + 1, structureRisk(spectrum, rest.part(kTransformOfProgress, 1.0)));
   // One colour may well be white.
   risks.push_back(plane ? clippingRisk(map)
                         : risk("clipping", 0.0, "the image has one colour", {}, {}));
@@ -125,7 +165,8 @@ std::string_view nameOf(Risk::Level level) {
   return "severe";
 }
 
-Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic) {
+Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
+                                            const Progress& progress) {
   const auto exhausted = [&] {
     return "not enough memory to assess " + std::to_string(map.width) + " x " +
            std::to_string(map.height) + " pixels";
@@ -133,7 +174,9 @@ Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodi
   return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
     if (Result<void> checked = tiling::checkRanges(map); !checked)
       return checked.error();
-    return risksOf(map, periodic);
+    return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
+      return risksOf(map, periodic, ProgressPart(progress));
+    });
   });
 }
 

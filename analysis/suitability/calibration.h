@@ -20,6 +20,10 @@ inline constexpr Calibration kPhaseCoherence{0.15, 0.3};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
 
+/// Above it, slow variation is an object with an outline, which --flatten auto leaves: the
+/// geometric middle of 3.3, the most of light and clouds, and 5.4, the least of objects, in 013.
+inline constexpr double kEdgeConcentration = 4.2;
+
 /// The shortest period that --flatten auto takes, of the exemplar's longer side: what is faster is
 /// the material.
 inline constexpr double kShortestAutoPeriod = 1.0 / 8.0;

@@ -4,6 +4,7 @@
 #include "measured_cloudiness.h"
 
 #include <lichen/flatten.h>
+#include <lichen/lattice.h>
 #include <lichen/spectrum.h>
 #include <lichen/suitability.h>
 
@@ -66,10 +67,14 @@ double scoreOf(const MapExemplar& map, std::string_view name, bool periodic) {
   return 0.0;
 }
 
+FlatteningChoice automatic(MapExemplar map, bool periodic) {
+  Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, periodic);
+  REQUIRE(choice.ok());
+  return std::move(choice).value();
+}
+
 std::optional<double> automaticPeriod(const MapExemplar& map, bool periodic) {
-  const Result<std::optional<double>> period = flatteningPeriod(map, periodic);
-  REQUIRE(period.ok());
-  return period.value();
+  return automatic(map, periodic).periodPixels;
 }
 
 SrgbImage imageOf(const MapExemplar& map) {
@@ -177,7 +182,92 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
 TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::granite(256)), true).has_value());
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::rust(256)), true).has_value());
-  CHECK_FALSE(automaticPeriod(baseColor(exemplars::weave(128)), true).has_value());
+  const FlatteningChoice weave = automatic(baseColor(exemplars::weave(128)), true);
+  CHECK(weave.reason == FlatteningChoice::Reason::stubborn);
+  CHECK_FALSE(weave.periodPixels.has_value());
+}
+
+TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
+  for (const int side : {128, 256}) {
+    const MapExemplar stone = baseColor(exemplars::oneStone(side));
+    MapExemplar map = stone;
+    const Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, true);
+    REQUIRE(choice.ok());
+    CHECK(choice.value().reason == FlatteningChoice::Reason::object);
+    CHECK(choice.value().flattened.empty());
+    CHECK(map.values == stone.values);
+  }
+}
+
+TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly themselves") {
+  std::vector<MapExemplar> maps{baseColor(exemplars::slopingLight(128))};
+  MapExemplar data;
+  data.encoding = ValueEncoding::linear;
+  data.width = data.height = 128;
+  data.target = MapTarget::occlusionRoughnessMetallic;
+  data.channels = {MapChannel::roughness};
+  const auto add = [&](double slope) {
+    data.values.clear();
+    for (int i = 0; i < 128 * 128; ++i)
+      data.values.push_back(
+          float(0.3 + slope * (i % 128) / 128.0 + 0.2 * (pcg(std::uint32_t(i)) * 0x1p-32)));
+    maps.push_back(data);
+  };
+  add(0.0);
+  data.target = MapTarget::height;
+  data.channels = {MapChannel::height};
+  add(0.4); // a tilt, which no light shows
+  data.target = MapTarget::emissive;
+  data.channels = {MapChannel::red};
+  add(0.4);
+  const std::vector<MapExemplar> before = maps;
+  const Result<FlatteningChoice> choice = flattenAutomatically(maps, false);
+  REQUIRE(choice.ok());
+  CHECK(choice.value().reason == FlatteningChoice::Reason::mended);
+  CHECK(choice.value().flattened == std::vector{MapTarget::baseColor, MapTarget::emissive});
+  CHECK(maps[1].values == before[1].values);
+  CHECK(maps[2].values == before[2].values);
+  // The light that is left is what its own period leaves.
+  CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
+}
+
+TEST_CASE("Flattening and assessing tell how far they are, and end where they are stopped") {
+  const MapExemplar cloudy = baseColor(exemplars::carpet(128));
+  const auto check = [](const auto& operation, const std::string& message) {
+    std::vector<double> told;
+    REQUIRE(operation([&](double fraction) {
+              told.push_back(fraction);
+              return true;
+            }).ok());
+    CHECK(told.size() > 2);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.front() >= 0.0);
+    CHECK(told.back() <= 1.0);
+    for (std::size_t last = 1; last <= told.size(); ++last) {
+      std::size_t calls = 0;
+      const auto stopped = operation([&](double) { return ++calls < last; });
+      REQUIRE_FALSE(stopped.ok());
+      CHECK(stopped.error().kind == ErrorKind::environment);
+      CHECK(stopped.error().message == message);
+      CHECK(calls == last);
+    }
+  };
+  check([&](const Progress& progress) { return assessSuitability(cloudy, true, progress); },
+        "the assessment: interrupted");
+  const auto withCopy = [&](const auto& operation) {
+    return [&, operation](const Progress& progress) {
+      MapExemplar map = cloudy;
+      return operation(map, progress);
+    };
+  };
+  check(withCopy([](MapExemplar& map, const Progress& progress) {
+          return flatten({&map, 1}, 32.0, true, progress);
+        }),
+        "flattening: interrupted");
+  check(withCopy([](MapExemplar& map, const Progress& progress) {
+          return flattenAutomatically({&map, 1}, false, progress);
+        }),
+        "flattening: interrupted");
 }
 
 TEST_CASE("The maps of a set lose the same share of their sides") {
@@ -237,5 +327,5 @@ TEST_CASE("A period or a map out of range is refused by name") {
   CHECK_FALSE(flatten({}, 64.0, true).ok());
   maps.front().values.pop_back();
   CHECK_FALSE(flatten(maps, 64.0, true).ok());
-  CHECK_FALSE(flatteningPeriod(maps.front(), true).ok());
+  CHECK_FALSE(flattenAutomatically(maps, true).ok());
 }

@@ -115,7 +115,7 @@ TEST_CASE("an assessment that runs out of memory says so, whichever allocation f
 
 TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
   MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
-  CHECK(exhaustMemory(First::each, [&] { return flatteningPeriod(map, false); }) > 10);
+  CHECK(exhaustMemory(First::each, [&] { return flattenAutomatically({&map, 1}, false); }) > 10);
   CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
 }
 
@@ -189,8 +189,9 @@ TEST_CASE("a report that runs out of memory says so, whichever allocation fails"
   const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
   Bundle bundle = bakedBundle(map);
   bundle.materials = {MaterialNoise{}};
-  const BakeRecord record{bundle,          {&map, 1}, true, "command", {{"name", "value"}},
-                          {{"step", 1.0}}, {"a note"}};
+  const std::vector<Risk> risks = assessSuitability(map, true).value();
+  const BakeRecord record{bundle,    {&map, 1},           {&risks, 1},     true,
+                          "command", {{"name", "value"}}, {{"step", 1.0}}, {"a note"}};
   CHECK(exhaustMemory(First::sampled, [&] { return encodeNoiseReport(record); }) > 50);
 }
 

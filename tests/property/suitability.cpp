@@ -15,8 +15,10 @@
 #include <limits>
 #include <materials.h>
 #include <numbers>
+#include <suitability/as_seen.h>
 #include <suitability/clipped_share.h>
 #include <suitability/cloudiness.h>
+#include <suitability/edge_concentration.h>
 #include <suitability/gaussian_plane.h>
 #include <suitability/lattice_share.h>
 #include <suitability/phase_coherence.h>
@@ -34,8 +36,8 @@ namespace {
 
 MapExemplar grey(int width, int height, std::vector<float> values) {
   MapExemplar map;
-  map.target = MapTarget::height;
-  map.channels = {MapChannel::height};
+  map.target = MapTarget::occlusionRoughnessMetallic;
+  map.channels = {MapChannel::roughness};
   map.encoding = ValueEncoding::linear;
   map.width = width;
   map.height = height;
@@ -286,4 +288,73 @@ TEST_CASE("Risks do not depend on the number of threads") {
   const std::vector<Risk> alone = risksOf(map, false);
   for (std::size_t k = 0; k < many.size(); ++k)
     CHECK(many[k].score == alone[k].score);
+}
+
+TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of itself") {
+  constexpr int kSide = 64;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  // A slow wave that would be a risk of other data, and a fast one of nearly all the slopes.
+  MapExemplar height = grey(kSide, kSide, {});
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.quantum = 1.0 / 65535.0;
+  MapExemplar normal = height;
+  normal.target = MapTarget::normal;
+  normal.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  normal.encoding = ValueEncoding::slope;
+  // Half the difference of neighbours takes a wave of k cycles times sin(2 pi k / side). Slopes are
+  // scaled to deviations of 0.27 in the mean square of both.
+  const double slow = 0.06 * std::sin(kTurn / kSide), fast = 0.1 * std::sin(kTurn * 23 / kSide);
+  const double scale = 0.27 / std::sqrt(0.25 * (slow * slow + fast * fast));
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      height.values.push_back(
+          float(0.5 + 0.06 * std::sin(kTurn * x / kSide) + 0.1 * std::sin(kTurn * 23 * y / kSide)));
+      normal.values.push_back(float(scale * slow * std::cos(kTurn * x / kSide)));
+      normal.values.push_back(float(-scale * fast * std::cos(kTurn * 23 * y / kSide)));
+    }
+  const MapExemplar slopes = slopesOfHeight(height, true);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < slopes.values.size(); ++i)
+    worst = std::max(worst, std::abs(double(slopes.values[i]) - double(normal.values[i])));
+  CHECK(worst < scale * 0x1p-23); // two roundings of heights below 1
+  const std::vector<Risk> seen = risksOf(height), wanted = risksOf(normal);
+  CHECK(named(seen, "low-frequency").score ==
+        Approx(named(wanted, "low-frequency").score).epsilon(1e-4));
+  CHECK(named(seen, "low-frequency").level == Risk::Level::none);
+  MapExemplar data = height;
+  data.target = MapTarget::occlusionRoughnessMetallic;
+  data.channels = {MapChannel::roughness};
+  CHECK(named(risksOf(data), "low-frequency").level != Risk::Level::none);
+}
+
+TEST_CASE("A height that rises evenly has no risk, for its slope is the same everywhere") {
+  MapExemplar ramp = grey(64, 64, {});
+  ramp.target = MapTarget::height;
+  ramp.channels = {MapChannel::height};
+  for (int i = 0; i < 64 * 64; ++i)
+    ramp.values.push_back(float(i % 64) / 64.0f); // exact, and so are the slopes
+  CHECK(named(risksOf(ramp, false), "low-frequency").score < 1e-12);
+  CHECK(named(risksOf(ramp, false), "cloudiness").score == 0.0);
+}
+
+TEST_CASE(
+    "The concentration of slow gradients has the closed forms of waves, and tells an object") {
+  constexpr int kSide = 64;
+  const auto of = [](const auto& valueAt, bool periodic) {
+    std::vector<float> values;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        values.push_back(float(valueAt(x, y)));
+    return edgeConcentration(grey(kSide, kSide, std::move(values)), periodic);
+  };
+  const auto wave = [](int at) { return 0.2 * std::sin(2.0 * std::numbers::pi * at / kSide); };
+  // Means of cos^4 over those of cos^2 squared: 3/8 / 1/4; and of two across each other, 5/4. The
+  // last differences are left out: one 63rd of a period at most.
+  CHECK(of([&](int x, int) { return wave(x); }, true) == Approx(1.5).epsilon(2.0 / 63.0));
+  CHECK(of([&](int x, int y) { return wave(x) + wave(y); }, true) ==
+        Approx(1.25).epsilon(2.0 / 63.0));
+  CHECK(of([](int, int) { return 0.5; }, true) == 0.0);
+  const auto disc = [](int x, int y) { return std::hypot(x - 32, y - 32) < 20 ? 0.8 : 0.2; };
+  CHECK(of(disc, true) > 4.2);
 }

@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/progress.h>
+#include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
 #include <span>
@@ -18,6 +19,8 @@ namespace lichen {
 struct BakeRecord {
   const Bundle& bundle;                   ///< of one noise and one material
   std::span<const MapExemplar> exemplars; ///< of every map that is to be shown
+  /// What assessSuitability() says of each exemplar, in their order.
+  std::span<const std::vector<Risk>> risks;
   bool exemplarWasPeriodic = true;
   std::string command; ///< the line that made it
   /// Name and value, such as {"Version", "0.1.0"}, shown in order.
