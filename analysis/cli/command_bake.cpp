@@ -131,9 +131,9 @@ Result<int> run(const Arguments& arguments) {
     return bake.error();
   times.end("Baking the noise");
   const bool periodic = bake.value().exemplarWasPeriodic;
-  for (const TransportBound& bound : bake.value().transportBounds)
-    notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
-                                100.0 * bound.excess()));
+  const std::vector<MapTransportBound> bounds = std::move(bake.value().transportBounds);
+  for (std::string& line : certificateNotes(bounds))
+    notes.push_back(std::move(line));
   if (!periodic && borders == Periodic::detect)
     notes.push_back("the exemplar's borders do not fit together; they were blended");
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
@@ -157,7 +157,7 @@ Result<int> run(const Arguments& arguments) {
       !written)
     return written.error();
   reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
-                                notes, risks, times.sum()});
+                                notes, risks, bounds, times.sum()});
   return kDone;
 }
 

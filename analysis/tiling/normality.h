@@ -2,6 +2,8 @@
 // Whether an exemplar's stored values are Gaussian already.
 #pragma once
 
+#include "progress_part.h"
+
 #include <lichen/tiling.h>
 
 namespace lichen::tiling {
@@ -10,11 +12,11 @@ namespace lichen::tiling {
 /// same mean and covariance: the root mean square over fixed directions (1, 8, 16 for 1, 2, 3
 /// channels). Of one direction, sum over ranks i of (x_i - mean - deviation q((i + 1/2) / N))^2 /
 /// N.
-[[nodiscard]] double distanceToGaussian(const MapExemplar& map);
+[[nodiscard]] double distanceToGaussian(const MapExemplar& map, ProgressPart progress = {});
 
 /// Whether the map may do without an inverse table (docs/decisions/011-gaussian-only.md): the
 /// distance is below half a step of 8 bits, or it is below one step and no larger than chance
 /// makes it in Gaussian images of the same spectrum and size, at a level of 5 %.
-[[nodiscard]] bool isGaussian(const MapExemplar& map);
+[[nodiscard]] bool isGaussian(const MapExemplar& map, ProgressPart progress = {});
 
 } // namespace lichen::tiling
