@@ -22,7 +22,40 @@ nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
+/// The worst of each map's bounds: with borders that are blended it has two.
+std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
+  std::vector<MapTransportBound> worst;
+  for (const MapTransportBound& bound : bounds)
+    if (worst.empty() || worst.back().map != bound.map)
+      worst.push_back(bound);
+    else if (bound.bound.excess() > worst.back().bound.excess())
+      worst.back() = bound;
+  return worst;
+}
+
+nlohmann::ordered_json asJson(std::span<const MapTransportBound> bounds) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    json.push_back({{"map", nameOf(bound.map)},
+                    {"excess", bound.bound.excess()},
+                    {"byConstruction", bound.isSorted}});
+  return json;
+}
+
 } // namespace
+
+std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds) {
+  std::vector<std::string> notes;
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    notes.push_back(
+        bound.isSorted
+            ? fmt::format(
+                  "the values of {} have one dimension and are sorted, which is the optimum",
+                  nameOf(bound.map))
+            : fmt::format("the values of {} are matched within {:.3f} % of the optimum, certified",
+                          nameOf(bound.map), 100.0 * bound.bound.excess()));
+  return notes;
+}
 
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
@@ -51,6 +84,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                       {"periodic", outcome.exemplarWasPeriodic},
                                       {"table", nameOf(tableKindOf(noise.maps.front()))},
                                       {"tableBytes", tableBytes},
+                                      {"transport", asJson(outcome.transportBounds)},
                                       {"precisionLoss", asJson(outcome.precisionLoss)},
                                       {"risks", risksAsJson(outcome.risks)},
                                       {"notes", outcome.notes},

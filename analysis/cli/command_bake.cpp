@@ -127,9 +127,8 @@ Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Note
   Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
   if (!baked)
     return baked;
-  for (const TransportBound& bound : baked.value().transportBounds)
-    notes.add(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
-                          100.0 * bound.excess()));
+  for (std::string& line : certificateNotes(baked.value().transportBounds))
+    notes.add(std::move(line));
   if (!baked.value().exemplarWasPeriodic && options.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;
@@ -174,6 +173,7 @@ Result<int> run(const Arguments& arguments) {
     return baked.error();
   times.end("Baking the noise");
   const bool periodic = baked.value().exemplarWasPeriodic;
+  const std::vector<MapTransportBound> bounds = std::move(baked.value().transportBounds);
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
@@ -196,7 +196,7 @@ Result<int> run(const Arguments& arguments) {
       !written)
     return written.error();
   reportBake(arguments.shared, {arguments.output, bundle, periodic, loss.value(), notes.lines(),
-                                exemplar.value().risks, times.sum()});
+                                exemplar.value().risks, bounds, times.sum()});
   return kDone;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using namespace suitability;
 
-// Of the progress, by what the steps take of 2048 x 2048 pixels.
+// Of the progress, by what the steps take of 1024 x 1024 pixels.
 constexpr double kSlopesOfProgress = 0.4;
 constexpr double kPlaneOfProgress = 0.5;
 constexpr double kTransformOfProgress = 0.55;

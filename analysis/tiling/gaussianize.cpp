@@ -26,13 +26,15 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
   const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
   const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
     TransportOptions part = options;
-    const bool certified = certificateStep > 0.0;
+    const bool certified = certificateStep > 0.0 && dimensions > 1;
     const double middle = certified ? begin + kAssignmentOfProgress * (end - begin) : end;
     part.progress = options.progress.part(begin, middle);
     std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
     if (certified)
       result.bounds.push_back(transport::improveByAuction(
           sources, stratified, assignment, certificateStep, options.progress.part(middle, end)));
+    else if (certificateStep > 0.0) // points on a line are sorted
+      result.bounds.push_back(transport::boundOfOptimum(sources, stratified, assignment));
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
       matched[i] = stratified[assignment[i]];

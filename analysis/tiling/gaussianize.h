@@ -29,7 +29,8 @@ struct Gaussianized {
 
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
 /// are then cross-faded and the image is matched to the set once more. A `certificateStep` above 0,
-/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports.
+/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports;
+/// those of one dimension are optimal as they are, and their bound is their cost.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, Precision precision,
                                        const transport::TransportOptions& options,

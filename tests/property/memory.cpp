@@ -8,7 +8,9 @@
 #include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
+#include <lichen/measures.h>
 #include <lichen/noise_report.h>
+#include <lichen/precision_loss.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
@@ -106,6 +108,21 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   options.transport = TransportEffort::fast;
   CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
+}
+
+TEST_CASE("a bake of another kind of table that runs out of memory says so as well") {
+  const MapExemplar color = test::threeMaterials(16, 12, 1, 1);
+  TilingOptions separable, gaussian;
+  separable.lut = LookupTable::separable;
+  gaussian.gaussian = GaussianOnly::yes;
+  for (const TilingOptions& options : {separable, gaussian})
+    CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
+}
+
+TEST_CASE("what a table has lost is not told where memory runs out, whichever allocation fails") {
+  const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  const Bundle bundle = bakedBundle(map);
+  CHECK(exhaustMemory(First::each, [&] { return precisionLoss(bundle, 0, 0, map, true); }) > 5);
 }
 
 TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
@@ -209,6 +226,7 @@ TEST_CASE("a measure that runs out of memory says so, whichever allocation fails
   CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
+  CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
 }
 
 TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails") {

@@ -63,14 +63,14 @@ struct LevelRange {
 };
 [[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
 
-/// The texels of one mip level as floats, channelCount interleaved, sRGB formats decoded to light.
+/// One mip level as floats, channelCount interleaved, sRGB decoded to light. Throws std::bad_alloc.
 [[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);
 /// Appends float texels, channelCount(format) interleaved, rounded to nearest into `format`; sRGB
-/// formats are given light and store its code.
+/// formats are given light and store its code. Throws std::bad_alloc.
 void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
                   std::span<const float> values);
 
-/// KTX2 container of a table, and back. `name` is used in messages and becomes Table::name.
+/// KTX2 of a table (throws std::bad_alloc), and back. `name`, of messages, becomes Table::name.
 [[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
 [[nodiscard]] Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name);
 

@@ -16,7 +16,7 @@ enum class Encoding {
 };
 
 /// A width x height image of interleaved float channels, row 0 at the top:
-/// value (x, y, c) is values[(y * width + x) * channels + c].
+/// value (x, y, c) is values[(y * width + x) * channels + c]. Throws std::bad_alloc, as vectors do.
 template <Encoding kEncoding>
 struct Image {
   static constexpr Encoding encoding = kEncoding;
