@@ -94,7 +94,7 @@ double predictedCloudiness(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("Exemplars that work have no severe risk, with a margin") {
+TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
     for (const Risk& risk : risksOf(baseColor(material.generate(256)))) {
       INFO(material.name << ", " << risk.name << ": " << risk.score);
@@ -140,7 +140,7 @@ TEST_CASE("The closed form of cloudiness is the exact sum over all offsets") {
         Approx(std::sqrt(variance(variances))).epsilon(1e-5)); // float rounding
 }
 
-TEST_CASE("The cloudiness foretold is that of the decoded blend") {
+TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
   // The standard error of a deviation measured on 400 samples is 3.5 %, somewhat more for their
   // skewed distribution. One channel by rank stands for three by transport: that made the foretold
   // values 7, 15 and 13 % larger.

@@ -34,7 +34,7 @@ PrecisionLoss lossOf(const Bundle& bundle, const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure") {
+TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const PrecisionLoss eight = lossOf(bakedWith(map, 8), map);
   const PrecisionLoss sixteen = lossOf(bakedWith(map, 16), map);
@@ -97,7 +97,7 @@ TEST_CASE("an exemplar of another shape is refused") {
   CHECK_FALSE(precisionLoss(bundle, 1, 0, map, true));
 }
 
-TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels") {
+TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const Bundle bundle = bakedWith(map, 8);
   const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> unsorted(std::size_t count) {
 
 } // namespace
 
-TEST_CASE("the bound is below the exact cost, and close to it") {
+TEST_CASE("the bound is below the exact cost, and close to it", "[large]") {
   for (unsigned seed = 1; seed <= 2; ++seed)
     for (const NamedSet& source : everyKindOfSet(150, seed)) // two levels of prices
       for (const NamedSet& target : everyKindOfSet(150, seed + 100)) {
@@ -59,7 +59,7 @@ TEST_CASE("the bound holds whatever matching it starts from") {
   }
 }
 
-TEST_CASE("on a line, where the sorted matching is the best, the bound reaches it") {
+TEST_CASE("on a line, where the sorted matching is the best, the bound reaches it", "[large]") {
   constexpr std::size_t kCount = 20000;
   Points source = gaussianCloud(kCount, 6);
   Points target = clusters(kCount, 7);

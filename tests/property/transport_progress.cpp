@@ -9,7 +9,7 @@
 using namespace lichen;
 
 TEST_CASE("a bake's progress rises from 0 to 1 and does not change what is made") {
-  const MapExemplar map = test::threeMaterials(96, 96, 1);
+  const MapExemplar map = test::threeMaterials(48, 48, 1);
   std::vector<double> fractions;
   TilingOptions watched;
   watched.progress = [&](double fraction) {
@@ -29,7 +29,7 @@ TEST_CASE("a bake's progress rises from 0 to 1 and does not change what is made"
 }
 
 TEST_CASE("a bake whose caller stops it makes nothing and says so, at every step") {
-  const MapExemplar map = test::threeMaterials(48, 48, 2);
+  const MapExemplar map = test::threeMaterials(24, 24, 2);
   int steps = 0;
   TilingOptions options;
   options.progress = [&](double) { return ++steps > 0; };
