@@ -84,9 +84,10 @@ MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
 }
 
 /// Bakes one map and appends its two tables. The first map that chooses a share of the surroundings
-/// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are.
+/// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are. In a set,
+/// `settled` are the maps before it, and it joins them.
 void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
-             ProgressPart progress, TilingBake& bake) {
+             std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
   const MapWork work = workOf(map, fitting.periodic, fitting.transport);
   const double fitted = work.fit / work.whole();
   const ColorSpace space = colorSpaceOf(map);
@@ -95,9 +96,13 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
     fit = constantFit(map);
   } else {
     fitting.progress = progress.part(0.0, fitted);
+    if (settled != nullptr)
+      fitting.settled = *settled;
     fit = fitMap(map, space, fitting);
     if (space.dimensions() > 1)
       fitting.share = fit.share;
+    if (settled != nullptr)
+      settled->push_back({fit.gaussian, projectedValues(map, space)});
     for (const TransportBound& bound : fit.gaussian.bounds)
       bake.transportBounds.push_back(bound);
   }
@@ -148,10 +153,11 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
     fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
+    std::vector<SettledMap> settled;
     double done = 0.0;
     for (const MapExemplar& map : maps) {
       const double after = done + workOfMap(map);
-      bakeMap(map, name, options.bits, fitting,
+      bakeMap(map, name, options.bits, fitting, maps.size() > 1 ? &settled : nullptr,
               ProgressPart(options.progress).part(done / whole, after / whole), bake);
       done = after;
     }

@@ -36,6 +36,9 @@ constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 /// one of 512 x 512.
 constexpr double kTrialsOfProgress = 0.25;
 
+/// Of the progress of a fit; the rest is the table's.
+constexpr double kGaussianOfProgress = 0.7;
+
 /// Of the certificate of an exact transport: the bound ends up about half a step below the optimum,
 /// where the target is to be within 3e-4 of it.
 constexpr double kCertificateStep = 1e-4;
@@ -60,20 +63,41 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
+Gaussianized gaussianImage(const MapExemplar& map, const ColorSpace& space,
+                           const std::vector<Point>& points, const MapFitOptions& options) {
+  // Of the progress, where another Gaussianization follows: the same work once more.
+  const double firstEnds = options.settled.empty() ? kGaussianOfProgress : kGaussianOfProgress / 2;
+  transport::TransportOptions transport = transport::optionsFor(options.transport);
+  const double step = options.transport == TransportEffort::exact ? kCertificateStep : 0.0;
+  transport.progress = options.progress.part(0.0, firstEnds);
+  Gaussianized first = gaussianize(map, points, space.dimensions(), options.periodic,
+                                   options.precision, transport, step);
+  std::vector<TransportBound> bounds = first.bounds;
+  // On a line transport is a sort: several may follow, too short to be told of.
+  const bool onLine = space.dimensions() == 1;
+  transport.progress =
+      onLine ? ProgressPart() : options.progress.part(firstEnds, kGaussianOfProgress);
+  Gaussianized result = withCrossCovariances(
+      map, space, options.settled, std::move(first), [&](const std::vector<Point>& moved) {
+        return gaussianize(map, moved, space.dimensions(), options.periodic, options.precision,
+                           transport, onLine ? 0.0 : step);
+      });
+  if (onLine)
+    result.bounds = std::move(bounds);
+  return result;
+}
+
 MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
                const MapFitOptions& options) {
   transport::TransportOptions transport = transport::optionsFor(options.transport);
   MapFit fit;
   fit.share = share;
   fit.points = transportPoints(map, space, share);
-  transport.progress = options.progress.part(0.0, 0.7);
-  fit.gaussian =
-      gaussianize(map, fit.points, space.dimensions(), options.periodic, options.precision,
-                  transport, options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
+  fit.gaussian = gaussianImage(map, space, fit.points, options);
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
                  [&](float value) { return decoded(value, map.encoding); });
-  transport.progress = options.progress.part(0.7, 1.0);
+  transport.progress = options.progress.part(kGaussianOfProgress, 1.0);
   fit.table =
       fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
   return fit;
@@ -128,6 +152,7 @@ MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptio
   MapFitOptions trial = options;
   trial.progress = options.progress.part(0.0, kTrialsOfProgress);
   trial.periodic = options.periodic && !onMiddle;
+  trial.settled = {}; // they are of whole maps
   if (exact)
     trial.transport = TransportEffort::standard;
   MapFitOptions whole = options;

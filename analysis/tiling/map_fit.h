@@ -3,12 +3,14 @@
 #pragma once
 
 #include "color_space.h"
+#include "cross_covariance.h"
 #include "gaussianize.h"
 #include "inverse_table.h"
 
 #include <lichen/tiling.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace lichen::tiling {
@@ -32,6 +34,7 @@ struct MapFitOptions {
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen where absent, [-0.25, largestShare]
   float largestShare = kLargestShare;
+  std::span<const SettledMap> settled{}; ///< whose Gaussian images this one is to go with
   ProgressPart progress{};
 };
 
