@@ -102,7 +102,7 @@ void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOp
     if (space.dimensions() > 1)
       fitting.share = fit.share;
     if (settled != nullptr)
-      settled->push_back({fit.gaussian, projectedValues(map, space)});
+      settled->push_back(settledMap(map, space, fit.gaussian, fit.table));
     for (const TransportBound& bound : fit.gaussian.bounds)
       bake.transportBounds.push_back(bound);
   }

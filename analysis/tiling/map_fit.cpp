@@ -63,43 +63,51 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-Gaussianized gaussianImage(const MapExemplar& map, const ColorSpace& space,
-                           const std::vector<Point>& points, const MapFitOptions& options) {
-  // Of the progress, where another Gaussianization follows: the same work once more.
-  const double firstEnds = options.settled.empty() ? kGaussianOfProgress : kGaussianOfProgress / 2;
-  transport::TransportOptions transport = transport::optionsFor(options.transport);
-  const double step = options.transport == TransportEffort::exact ? kCertificateStep : 0.0;
-  transport.progress = options.progress.part(0.0, firstEnds);
-  Gaussianized first = gaussianize(map, points, space.dimensions(), options.periodic,
-                                   options.precision, transport, step);
-  std::vector<TransportBound> bounds = first.bounds;
-  // On a line transport is a sort: several may follow, too short to be told of.
-  const bool onLine = space.dimensions() == 1;
-  transport.progress =
-      onLine ? ProgressPart() : options.progress.part(firstEnds, kGaussianOfProgress);
-  Gaussianized result = withCrossCovariances(
-      map, space, options.settled, std::move(first), [&](const std::vector<Point>& moved) {
-        return gaussianize(map, moved, space.dimensions(), options.periodic, options.precision,
-                           transport, onLine ? 0.0 : step);
-      });
-  if (onLine)
-    result.bounds = std::move(bounds);
-  return result;
+InverseTable tableOf(const MapExemplar& map, const MapFit& fit,
+                     const transport::TransportOptions& transport) {
+  std::vector<float> values(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), values.begin(),
+                 [&](float value) { return decoded(value, map.encoding); });
+  return fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
 }
 
-MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
-               const MapFitOptions& options) {
+/// The map by itself.
+MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, float share,
+                const MapFitOptions& options) {
   transport::TransportOptions transport = transport::optionsFor(options.transport);
   MapFit fit;
   fit.share = share;
   fit.points = transportPoints(map, space, share);
-  fit.gaussian = gaussianImage(map, space, fit.points, options);
-  std::vector<float> values(map.values.size());
-  std::transform(map.values.begin(), map.values.end(), values.begin(),
-                 [&](float value) { return decoded(value, map.encoding); });
+  transport.progress = options.progress.part(0.0, kGaussianOfProgress);
+  fit.gaussian =
+      gaussianize(map, fit.points, space.dimensions(), options.periodic, options.precision,
+                  transport, options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
   transport.progress = options.progress.part(kGaussianOfProgress, 1.0);
-  fit.table =
-      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
+  fit.table = tableOf(map, fit, transport);
+  return fit;
+}
+
+MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
+               const MapFitOptions& options) {
+  if (options.settled.empty())
+    return fitAlone(map, space, share, options);
+  MapFitOptions alone = options;
+  alone.progress = options.progress.part(0.0, 0.5);
+  MapFit fit = fitAlone(map, space, share, alone);
+  transport::TransportOptions transport = transport::optionsFor(options.transport);
+  // On a line transport is a sort: several may follow, too short to be told of.
+  if (space.dimensions() > 1)
+    transport.progress = options.progress.part(0.5, 0.5 + 0.5 * kGaussianOfProgress);
+  std::vector<TransportBound> bounds = std::move(fit.gaussian.bounds);
+  fit.gaussian =
+      withCrossCovariances(map, space, options.settled, std::move(fit.gaussian), fit.table,
+                           [&](const std::vector<Point>& moved) {
+                             return gaussianize(map, moved, space.dimensions(), options.periodic,
+                                                options.precision, transport);
+                           });
+  fit.gaussian.bounds = std::move(bounds);
+  transport.progress = options.progress.part(0.5 + 0.5 * kGaussianOfProgress, 1.0);
+  fit.table = tableOf(map, fit, transport);
   return fit;
 }
 

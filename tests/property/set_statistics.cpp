@@ -107,7 +107,7 @@ Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
   return bundle;
 }
 
-/// Of a field of variance 1, about one deviation a step: the roughness of a photographed plaster
+/// Of a field of variance 1, about two deviations a step: the roughness of a photographed plaster
 /// wall has as few values.
 constexpr double kCoarseStep = 0.05;
 
@@ -121,7 +121,7 @@ std::vector<MapExemplar> coarseSet(bool related) {
   const std::vector<double> grain = smoothField(4);
   for (std::size_t i = 0; i < grain.size(); ++i) {
     const double shade = std::atanh((double(color.values[3 * i]) - 0.5) / 0.2);
-    const double fine = related ? 0.8 * shade + 0.3 * grain[i] : grain[i];
+    const double fine = related ? 0.5 * shade + 0.2 * grain[i] : 0.6 * grain[i];
     orm.values.push_back(float(0.5 + kCoarseStep * std::round(fine)));
   }
   return {color, orm};
@@ -258,7 +258,7 @@ TEST_CASE("a map of few values that has nothing to do with the others stays so")
   const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
   // As shares of what the covariances would be if the maps had all to do with one another.
   const double related = norm(crossCovariances(decodedMaps(coarseSet(true))));
-  const Deviation found = deviationOf(bakedBundle(maps), wanted, kSeeds, true);
+  const Deviation found = deviationOf(bakedBundle(maps), wanted, kSeedsOfControl, true);
   const double scale = norm(wanted) / related;
   INFO("error " << found.error * scale << ", standard error " << found.standardError * scale);
   CHECK(found.error * scale < 0.03 + 3.0 * found.standardError * scale);
@@ -276,7 +276,7 @@ TEST_CASE("the Gaussian values of a map on a line keep the order of its values b
     least = std::min(least, gaussian[i]);
     most = std::max(most, gaussian[i]);
   }
-  REQUIRE(ranges.size() > 4);
+  REQUIRE(ranges.size() > 2);
   float before = -1.0f;
   for (const auto& [value, range] : ranges) {
     CHECK(range.first >= before);
