@@ -107,7 +107,9 @@ MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
                            });
   fit.gaussian.bounds = std::move(bounds);
   transport.progress = options.progress.part(0.5 + 0.5 * kGaussianOfProgress, 1.0);
-  fit.table = tableOf(map, fit, transport);
+  // Exchanges inside ties leave the table of a line as it is.
+  if (space.dimensions() > 1)
+    fit.table = tableOf(map, fit, transport);
   return fit;
 }
 
