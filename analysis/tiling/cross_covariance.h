@@ -29,7 +29,7 @@ using Gaussianizer = std::function<Gaussianized(const std::vector<Point>&)>;
 /// alike pixels so that decoding blends of it and of the settled maps gives the covariances of the
 /// maps themselves. In one dimension only pixels of equal value are exchanged; in more, those whose
 /// Gaussian values are a tenth of a deviation apart in the root mean square, at most. `again` is
-/// called at most three times, once in two and three dimensions. Maps of other sizes are read at the
+/// called at most six times, once in two and three dimensions. Maps of other sizes are read at the
 /// same place.
 [[nodiscard]] Gaussianized withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
                                                 std::span<const SettledMap> settled,
