@@ -26,6 +26,9 @@ Result<void> checkParts(const BundleFile& file) {
     return refusal(std::to_string(file.bundle.materials.size()) + " materials and " +
                    std::to_string(file.previews.size()) + " previews for " +
                    std::to_string(noises) + " noises; one of each a noise is accepted");
+  if (file.shape == PreviewShape::plane && noises > std::size_t(kGroundSectors))
+    return refusal(std::to_string(noises) + " noises; a preview plane shows at most " +
+                   std::to_string(kGroundSectors) + ", a sphere or none any number");
   for (std::size_t i = 0; i < noises; ++i) {
     const std::optional<MaterialNoise>& use = file.bundle.materials[i];
     if (!use || use->noise != i)

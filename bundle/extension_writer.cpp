@@ -16,6 +16,10 @@ JsonTree describeMap(const NoiseMap& map) {
   if (map.inverseTable) {
     json["inverseTable"] = *map.inverseTable;
     json["levels"] = map.levels;
+    if (!map.tableOffset.empty()) {
+      json["tableBasis"] = map.tableBasis;
+      json["tableOffset"] = map.tableOffset;
+    }
   }
   json["mipLoss"] = map.mipLoss;
   return json;

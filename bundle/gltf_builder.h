@@ -2,7 +2,7 @@
 // The binary half of a glTF file that is being written: one buffer, its views and accessors.
 #pragma once
 
-#include "json_tree.h"
+#include <lichen/json_tree.h>
 
 #include <array>
 #include <cstddef>

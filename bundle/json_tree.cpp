@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // JSON values -> text; see json_tree.h. Numbers and strings are written by nlohmann.
-#include "json_tree.h"
+#include <lichen/json_tree.h>
 
 #include <nlohmann/json.hpp>
 

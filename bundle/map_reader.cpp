@@ -120,6 +120,22 @@ bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
   return true;
 }
 
+/// Whether all pivots of the Cholesky factorization stand out from its rounding.
+bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n && c.size() == n * n; ++i)
+    trace += c[i * n + i];
+  for (std::size_t k = 0; k < n && c.size() == n * n; ++k) {
+    const double pivot = c[k * n + k];
+    if (pivot <= kCovarianceTolerance * trace)
+      return false;
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j)
+        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
+  }
+  return true;
+}
+
 bool isSymmetric(const std::vector<double>& c, std::size_t n) {
   double largest = 0.0;
   for (const double value : c)
@@ -180,6 +196,39 @@ const Table* readTableIndex(ObjectReader& reader, const char* key, const char* c
   return tables[index] ? &*tables[index] : nullptr;
 }
 
+bool isSeparable(const NoiseMap& map) { return !map.tableOffset.empty(); }
+
+/// The affine map of a separable table.
+void readTableBasis(ObjectReader& reader, NoiseMap& map, const Table* gaussian) {
+  constexpr NumberRange kBasisRange{-1e6, 1e6};
+  const bool hasBasis = reader.has("tableBasis");
+  if (hasBasis != reader.has("tableOffset"))
+    return reader.error("map-table-basis", hasBasis ? "tableBasis" : "tableOffset",
+                        "present alone; tableBasis and tableOffset are accepted together");
+  if (!hasBasis)
+    return;
+  const auto basis = reader.numbers("tableBasis", kBasisRange);
+  const auto offset = reader.numbers("tableOffset", kBasisRange);
+  const std::size_t n = map.channels.size();
+  if (!basis || !offset || gaussian == nullptr || n == 0)
+    return;
+  const std::size_t dimensions = usedChannels(gaussian->format);
+  if (map.encoding == ValueEncoding::slope || dimensions < 2)
+    return reader.error("map-table-basis", "tableBasis",
+                        "of slopes or of one dimension; their tables are joint");
+  if (basis->size() != n * dimensions)
+    return reader.error("map-table-basis", "tableBasis",
+                        std::to_string(basis->size()) + " values; " +
+                            std::to_string(n * dimensions) +
+                            ", for each channel one a dimension, are accepted");
+  if (offset->size() != n)
+    return reader.error("map-table-basis", "tableOffset",
+                        std::to_string(offset->size()) + " values; " + std::to_string(n) +
+                            ", one a channel, are accepted");
+  map.tableBasis = *basis;
+  map.tableOffset = *offset;
+}
+
 void checkGaussian(ObjectReader& reader, const NoiseMap& map, const Table& image) {
   const auto fullChain = std::uint32_t(std::bit_width(std::max(image.width, image.height)));
   const std::size_t dimensions = usedChannels(image.format);
@@ -213,12 +262,19 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
   if (table.mipLevels != 1)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
-  if (usedChannels(table.format) < map.channels.size())
+  const bool isSlope = map.encoding == ValueEncoding::slope;
+  const std::size_t needed = isSeparable(map)
+                                 ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
+                                 : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
+  if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(channelCount(table.format)) + " channels; at least " +
-                            std::to_string(map.channels.size()) + " are accepted");
+                            std::to_string(needed) + " are accepted");
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
+  if (isUnorm && isSeparable(map))
+    return reader.error("map-inverse-table", "inverseTable",
+                        "8-bit texels; a float format is accepted with a tableBasis");
   if (isUnorm && !isColor)
     return reader.error("map-inverse-table", "inverseTable",
                         "8-bit texels; a float format is accepted for the encoding " +
@@ -231,7 +287,7 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
   };
   const std::array<Shape, 3> shapes = {
       {{256, slabs, 0}, {64, 64 * slabs, 0}, {32, 32, 32 * slabs}}};
-  const Shape& shape = shapes[usedChannels(gaussian->format) - 1];
+  const Shape& shape = shapes[isSeparable(map) ? 0 : usedChannels(gaussian->format) - 1];
   if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
     reader.error("map-inverse-table", "inverseTable",
                  shapeOf(table) + " texels; " + std::to_string(shape.width) + " x " +
@@ -301,6 +357,7 @@ NoiseMap readMap(ObjectReader& reader, const Tables& tables) {
   if (reader.has("inverseTable")) {
     std::size_t index = 0;
     readLevels(reader, map);
+    readTableBasis(reader, map, gaussian);
     const Table* table =
         readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
     map.inverseTable = index;
@@ -308,6 +365,11 @@ NoiseMap readMap(ObjectReader& reader, const Tables& tables) {
       checkInverseTable(reader, map, *table, gaussian);
   } else if (reader.optional("levels") != nullptr) {
     reader.error("map-levels", "levels", "present although there is no inverseTable");
+  } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
+    reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
+  } else if (!isPositiveDefinite(map.covariance, map.channels.size())) {
+    reader.error("map-covariance", "covariance",
+                 "not positive definite, as it must be without an inverseTable");
   }
   if (gaussian != nullptr)
     checkGaussian(reader, map, *gaussian);

@@ -108,7 +108,6 @@ Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
 /// A disc in the plane y = 0. Its rings double in radius, so that texture coordinates keep their
 /// precision near the camera; its edge is 0.2 degrees below the horizon.
 constexpr int kGroundRings = 11;
-constexpr int kGroundSectors = 48;
 Mesh makeGround(double exemplarAspect) {
   constexpr double kFirstRadius = 0.5; // metres; the last is 512
   Mesh mesh;

@@ -8,6 +8,9 @@
 
 namespace lichen {
 
+/// Parts into which the ground can be divided: no more materials are shown by PreviewShape::plane.
+inline constexpr int kGroundSectors = 48;
+
 /// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Every material,
 /// as many as needsTangents has elements, is shown; a primitive has TANGENT exactly where its
 /// material's needsTangents is set. `exemplarAspect`, width over height, keeps the exemplar's

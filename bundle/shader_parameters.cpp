@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bundle and material -> the shader library's uniform structs.
+#include "srgb_curve.h"
+
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -10,20 +12,83 @@
 namespace lichen {
 namespace {
 
-/// Mean of the decoded values: the last slab of the inverse table, which is constant.
-shader::vec4 decodedMean(const Bundle& bundle, const NoiseMap& map) {
-  std::array<float, 4> mean{0.0f, 0.0f, 0.0f, 1.0f};
-  if (map.inverseTable) {
-    const Table& table = bundle.tables[*map.inverseTable];
-    const std::vector<float> texels = decodeLevel(table, 0);
-    const auto channels = std::size_t(channelCount(table.format));
-    std::copy_n(texels.end() - std::ptrdiff_t(channels), std::min<std::size_t>(channels, 3),
-                mean.begin());
-  } else {
-    for (std::size_t c = 0; c < map.mean.size(); ++c)
-      mean[c] = float(map.mean[c]);
+/// Rows of an n x d matrix (row-major) and an offset, as the shader takes them; what is absent is
+/// 0.
+void setRows(shader::LichenMap& map, const std::vector<double>& matrix, std::size_t dimensions,
+             const std::vector<double>& offset) {
+  const std::array<shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
+  for (std::size_t c = 0; c < offset.size(); ++c) {
+    std::array<float, 3> row{};
+    for (std::size_t d = 0; d < dimensions; ++d)
+      row[d] = float(matrix[c * dimensions + d]);
+    *rows[c] = {row[0], row[1], row[2], float(offset[c])};
   }
-  return {mean[0], mean[1], mean[2], mean[3]};
+}
+
+/// Six times the lower Cholesky factor of a positive definite n x n matrix, row by row: what takes
+/// Gaussian values of deviation 1/6 to this covariance.
+std::vector<double> gaussianToStored(const std::vector<double>& covariance, std::size_t n) {
+  constexpr double kDeviations = 6.0;
+  std::vector<double> factor(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double rest = covariance[i * n + j];
+      for (std::size_t k = 0; k < j; ++k)
+        rest -= factor[i * n + k] * factor[j * n + k];
+      factor[i * n + j] = i == j ? std::sqrt(std::max(0.0, rest)) : rest / factor[j * n + j];
+    }
+  for (double& value : factor)
+    value *= kDeviations;
+  return factor;
+}
+
+float dotRow(const shader::vec4& row, const std::array<float, 3>& v) {
+  return row.x * v[0] + row.y * v[1] + row.z * v[2];
+}
+
+/// A stored value -> the quantity, inside the range of its encoding.
+float decodedStored(float stored, shader::uint encoding) {
+  constexpr float kMostLog = 16.0f; // kHalfMax is below 2^16 - 1
+  switch (encoding) {
+  case LICHEN_ENCODING_SLOPE:
+    return stored;
+  case LICHEN_ENCODING_LOG2:
+    return std::exp2(std::clamp(stored, 0.0f, kMostLog)) - 1.0f;
+  case LICHEN_ENCODING_LINEAR:
+    return std::clamp(stored, 0.0f, 1.0f);
+  default:
+    return srgbToLight(std::clamp(stored, 0.0f, 1.0f));
+  }
+}
+
+shader::uint encodingOf(ValueEncoding encoding) {
+  switch (encoding) {
+  case ValueEncoding::srgb:
+    return LICHEN_ENCODING_SRGB;
+  case ValueEncoding::linear:
+    return LICHEN_ENCODING_LINEAR;
+  case ValueEncoding::slope:
+    return LICHEN_ENCODING_SLOPE;
+  case ValueEncoding::log2:
+    return LICHEN_ENCODING_LOG2;
+  }
+  return LICHEN_ENCODING_SRGB;
+}
+
+/// Mean of the decoded values: of the last slab of the inverse table, which is constant.
+std::array<float, 4> decodedMean(const shader::LichenMap& constants, const Bundle& bundle,
+                                 const NoiseMap& map) {
+  if (!map.inverseTable)
+    return decodedGaussian(constants, {0.5f, 0.5f, 0.5f}, 1.0f);
+  const Table& table = bundle.tables[*map.inverseTable];
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto channels = std::size_t(channelCount(table.format));
+  std::array<float, 4> mean{0.0f, 0.0f, 0.0f, 1.0f};
+  std::copy_n(texels.end() - std::ptrdiff_t(channels), std::min<std::size_t>(channels, 3),
+              mean.begin());
+  if (map.tableOffset.empty())
+    return mean;
+  return decodedSeparable(constants, {mean[0], mean[1], mean[2]});
 }
 
 /// Size of the largest map of a noise: tile offsets are whole texels of it.
@@ -63,6 +128,38 @@ double wholePart(double offset, bool periodic, double periodTiles) {
 
 } // namespace
 
+std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
+                                     const std::array<float, 3>& gaussian, float lostVariance) {
+  const std::array<float, 3> centred{gaussian[0] - 0.5f, gaussian[1] - 0.5f, gaussian[2] - 0.5f};
+  const std::array<const shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
+  std::array<float, 4> value{0.0f, 0.0f, 0.0f, 1.0f};
+  std::array<float, 3> variance{};
+  constexpr float kVariance = 1.0f / 36.0f; // of a Gaussian value: rows are six times the root
+  for (std::size_t c = 0; c < 3; ++c) {
+    const shader::vec4& row = *rows[c];
+    const float stored = dotRow(row, centred) + row.w;
+    variance[c] = lostVariance * kVariance * dotRow(row, {row.x, row.y, row.z});
+    // Three-point Gauss-Hermite quadrature over what is missing.
+    const float reach = std::sqrt(3.0f * variance[c]);
+    value[c] =
+        (4.0f * decodedStored(stored, map.encoding) + decodedStored(stored - reach, map.encoding) +
+         decodedStored(stored + reach, map.encoding)) /
+        6.0f;
+  }
+  if (map.encoding == LICHEN_ENCODING_SLOPE)
+    value[2] = 0.5f * (variance[0] + variance[1]);
+  return value;
+}
+
+std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
+                                      const std::array<float, 3>& along) {
+  const float most = map.encoding == LICHEN_ENCODING_LOG2 ? kHalfMax : 1.0f;
+  const auto clamped = [&](const shader::vec4& row) {
+    return std::clamp(dotRow(row, along) + row.w, 0.0f, most);
+  };
+  return {clamped(map.row0), clamped(map.row1), clamped(map.row2), 1.0f};
+}
+
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
   const NoiseMap& map = noise.maps[mapIndex];
   const Table& gaussian = bundle.tables[map.gaussian];
@@ -73,7 +170,17 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   result.mipCount = std::min<shader::uint>(gaussian.mipLevels, LICHEN_MAX_MIPS);
   result.alignedMips = alignedMips(noise, bundle, gaussian);
   result.tableLevels = shader::uint(map.levels.size());
-  result.mean = decodedMean(bundle, map);
+  result.encoding = encodingOf(map.encoding);
+  if (!map.inverseTable) {
+    result.decoding = LICHEN_DECODING_GAUSSIAN;
+    const std::size_t n = map.mean.size();
+    setRows(result, gaussianToStored(map.covariance, n), n, map.mean);
+  } else if (!map.tableOffset.empty()) {
+    result.decoding = LICHEN_DECODING_SEPARABLE;
+    setRows(result, map.tableBasis, result.dimensions, map.tableOffset);
+  }
+  const std::array<float, 4> mean = decodedMean(result, bundle, map);
+  result.mean = {mean[0], mean[1], mean[2], mean[3]};
   result.mipKept = keptAmplitudes(map.mipLoss);
   return result;
 }

@@ -2,6 +2,8 @@
 // Texel formats of a table: bytes of a texel and of a mip level, texels to floats and back.
 // Texel (x, y, z) of a level starts at byte ((z * height + y) * width + x) * texelBytes(format).
 // Sources: IEEE 754-2008 binary16; IEC 61966-2-1 (sRGB).
+#include "srgb_curve.h"
+
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -41,14 +43,6 @@ std::size_t componentBytes(TexelFormat format) {
 }
 
 constexpr float kUnorm8Max = 255.0f;
-
-float srgbToLight(float code) {
-  return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
-}
-
-float lightToSrgb(float light) {
-  return light <= 0.0031308f ? light * 12.92f : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-}
 
 // binary16 has 5 exponent bits of bias 15 and 10 mantissa bits, binary32 8 of bias 127 and 23.
 // A subnormal half is a whole number of units of 2^-24.

@@ -100,15 +100,25 @@ LichenMapping mappingOf(Mapping mapping) {
   return LICHEN_MAPPING_UV;
 }
 
-/// What the format allows and this library does not evaluate.
-LichenResult checkNoise(const Noise& noise, LichenDiagnostic* diagnostic) {
-  for (const NoiseMap& map : noise.maps)
-    if (!map.inverseTable) {
-      say(diagnostic, "noise \"%s\": a map without an inverse table is not evaluated yet",
-          noise.name.c_str());
-      return LICHEN_ERROR_BAD_BUNDLE;
-    }
-  return LICHEN_SUCCESS;
+/// The smallest 3-D image, for the table's binding of maps that have none: the shader names it and
+/// does not fetch it. (A depth of 1 would be a 2-D image.)
+Table unusedTable() {
+  return {"unused", TexelFormat::r8Unorm, 1, 1, 2, 1, std::vector<std::byte>(2)};
+}
+
+/// Maps without a table, which is that of the Gaussian-only method, get the unused one.
+void addUnusedTable(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
+  const std::size_t unused = bundle.tables.size();
+  for (const Noise& noise : bundle.noises) {
+    tables.emplace_back();
+    for (const NoiseMap& map : noise.maps)
+      tables.back().push_back(std::uint32_t(map.inverseTable.value_or(unused)));
+  }
+  const auto isUnused = [=](std::uint32_t table) { return table == unused; };
+  if (std::any_of(tables.begin(), tables.end(), [&](const auto& ofNoise) {
+        return std::any_of(ofNoise.begin(), ofNoise.end(), isUnused);
+      }))
+    bundle.tables.push_back(unusedTable());
 }
 
 void planNoise(LichenBundle_T& plan, const Noise& noise) {
@@ -116,9 +126,11 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
   std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
+    assert(plan.bundle.tables[noise.maps[i].gaussian].mipLevels <= LICHEN_MAX_MIPS);
+    if (!noise.maps[i].inverseTable)
+      continue;
     const std::size_t index = *noise.maps[i].inverseTable;
     const Table& table = plan.bundle.tables[index];
-    assert(plan.bundle.tables[noise.maps[i].gaussian].mipLevels <= LICHEN_MAX_MIPS);
     const auto levels = std::uint32_t(noise.maps[i].levels.size());
     if (table.depth == 0) // 1 and 2 channels: the levels one above the other
       plan.extents[index] = {table.width, table.height / levels, levels, 3};
@@ -126,20 +138,17 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
   plan.maps.push_back(std::move(maps));
 }
 
-LichenResult planBundle(LichenBundle_T& plan, LichenDiagnostic* diagnostic) {
+void planBundle(LichenBundle_T& plan) {
+  addUnusedTable(plan.bundle, plan.tables);
   for (const Table& table : plan.bundle.tables)
     plan.extents.push_back(
         {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
-  for (const Noise& noise : plan.bundle.noises) {
-    if (const LichenResult result = checkNoise(noise, diagnostic); result != LICHEN_SUCCESS)
-      return result;
+  for (const Noise& noise : plan.bundle.noises)
     planNoise(plan, noise);
-  }
   plan.unknownRevisions.resize(plan.bundle.materials.size());
   for (const IgnoredNoise& noise : plan.bundle.ignoredNoises)
     for (const std::size_t material : noise.materials)
       plan.unknownRevisions[material] = std::uint32_t(noise.revision);
-  return LICHEN_SUCCESS;
 }
 
 LichenResult resultOf(ErrorKind kind) {
@@ -183,10 +192,9 @@ LichenResult lichenParseBundle(const LichenParseInfo* given, LichenBundle* bundl
     }
     auto plan = std::make_unique<LichenBundle_T>();
     plan->bundle = std::move(parsed).value();
-    result = planBundle(*plan, diagnostic);
-    if (result == LICHEN_SUCCESS)
-      *bundle = plan.release();
-    return result;
+    planBundle(*plan);
+    *bundle = plan.release();
+    return LICHEN_SUCCESS;
   });
 }
 
@@ -227,7 +235,10 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
   values.gaussianImage = std::uint32_t(source.gaussian);
-  values.tableImage = std::uint32_t(*source.inverseTable);
+  values.tableImage = bundle->tables[noise][map];
+  values.tableKind = !source.inverseTable         ? LICHEN_TABLE_NONE
+                     : source.tableOffset.empty() ? LICHEN_TABLE_JOINT
+                                                  : LICHEN_TABLE_SEPARABLE;
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 
@@ -319,7 +330,7 @@ LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uin
     values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
     values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
     values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
-    values.image = std::uint32_t(isTable ? *maps[map].inverseTable : maps[map].gaussian);
+    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(maps[map].gaussian);
   }
   return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);
 }

@@ -19,6 +19,8 @@ struct LichenBundle_T {
   std::vector<Extent> extents;
   /// maps[n][k]: the constants of map k of noise n.
   std::vector<std::vector<lichen::shader::LichenMap>> maps;
+  /// tables[n][k]: the image of that map's inverse table, or one that is not read.
+  std::vector<std::vector<std::uint32_t>> tables;
   /// Of each material: its noise's revision, where that is ignored; 0 elsewhere.
   std::vector<std::uint32_t> unknownRevisions;
 };

@@ -10,8 +10,8 @@
 // which gives lichenUniforms.noise, lichenUniforms.maps[k], lichenGaussian0, lichenTable0, ... and
 // LICHEN_TILING(k, taps), the value of map k.
 //
-// A host that knows more at compile time may define LICHEN_PERIODIC_LATTICE and
-// LICHEN_BLEND_SHARPNESS as 0 (noise/simplex_lattice.glsl, noise/tiling.glsl): less code to run.
+// A host that knows more at compile time may define LICHEN_PERIODIC_LATTICE, LICHEN_BLEND_SHARPNESS,
+// LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY as 0 (noise/): less code to run.
 #ifndef LICHEN_GLSL
 #define LICHEN_GLSL
 

@@ -14,6 +14,21 @@ int dimensionsOf(const Table& gaussian) {
   return std::min(3, channelCount(gaussian.format)); // a fourth is unused
 }
 
+/// How the map's Gaussian values become its own.
+const char* tableKind(const NoiseMap& map) {
+  if (!map.inverseTable)
+    return "none";
+  return map.tableOffset.empty() ? "joint" : "separable";
+}
+
+nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
+  nlohmann::ordered_json json{
+      {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
+  if (loss.roundTrip)
+    json["roundTrip"] = *loss.roundTrip;
+  return json;
+}
+
 } // namespace
 
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
@@ -43,7 +58,9 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                       {"dimensions", dimensionsOf(gaussian)},
                                       {"maps", maps},
                                       {"periodic", outcome.exemplarWasPeriodic},
+                                      {"table", tableKind(noise.maps.front())},
                                       {"tableBytes", tableBytes},
+                                      {"precisionLoss", asJson(outcome.precisionLoss)},
                                       {"risks", risksAsJson(outcome.risks)},
                                       {"notes", outcome.notes},
                                       {"seconds", outcome.seconds}};

@@ -6,6 +6,7 @@
 #include "command.h"
 
 #include <lichen/bundle.h>
+#include <lichen/precision_loss.h>
 
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct BakeOutcome {
   std::string output;
   const Bundle& bundle; ///< of one noise
   bool exemplarWasPeriodic = true;
+  PrecisionLoss precisionLoss; ///< of the first map; used with --json
   std::vector<std::string> notes;
   std::vector<MapRisk> risks;
   double seconds = 0.0;

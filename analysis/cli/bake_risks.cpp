@@ -32,8 +32,11 @@ Result<void> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& tol
       return calming.error();
     period = calming.value().value_or(0.0);
   }
-  if (period == 0.0)
+  if (period == 0.0) {
+    if (told.automatic)
+      notes.push_back("there is nothing that flattening would mend; nothing is removed");
     return {};
+  }
   notes.push_back(fmt::format("variation slower than {:.0f} pixels is removed", period));
   return flatten(maps, period, fit);
 }

@@ -22,7 +22,8 @@ inline constexpr int kFound = 1; ///< check or compare found something
 struct SharedOptions {
   bool json = false;
   bool quiet = false;
-  int threads = 0; ///< 0: as many as there are processors
+  int threads = 0;         ///< 0: as many as there are processors
+  std::string commandLine; ///< the whole, as a shell takes it
 };
 
 /// Declares the options of a verb. When the verb was given, the returned function runs it: the exit
@@ -30,6 +31,9 @@ struct SharedOptions {
 using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCheck(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addInspect(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addMerge(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);
 
 /// What can be refused before the work is done: a name with none of the two extensions (usage), a

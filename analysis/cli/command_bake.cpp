@@ -3,6 +3,7 @@
 #include "bake_report.h"
 #include "bake_risks.h"
 #include "command.h"
+#include "html_report.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
@@ -10,12 +11,12 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
+#include <lichen/precision_loss.h>
 #include <lichen/tiling.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -37,6 +38,7 @@ struct Arguments {
   Flattening flattening;
   TilingOptions tiling;
   PreviewShape preview{};
+  std::string report;
 };
 
 Result<MaterialSet> readInputs(const Arguments& arguments) {
@@ -87,8 +89,10 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
 }
 
 Result<int> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  StepTimes times;
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked.error();
+  if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   Result<MaterialSet> set = readInputs(arguments);
   if (!set)
@@ -109,6 +113,7 @@ Result<int> run(const Arguments& arguments) {
   };
   printNotes(0); // before the work: the user may rather have another photograph
   const std::size_t printed = notes.size();
+  times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
   TilingOptions options = arguments.tiling;
@@ -120,6 +125,7 @@ Result<int> run(const Arguments& arguments) {
   Result<TilingBake> bake = bakeTiling(name, maps, options);
   if (!bake)
     return bake.error();
+  times.end("Baking the noise");
   const bool periodic = bake.value().exemplarWasPeriodic;
   for (const TransportBound& bound : bake.value().transportBounds)
     notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
@@ -129,13 +135,25 @@ Result<int> run(const Arguments& arguments) {
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
   if (!file)
     return file.error();
+  Result<PrecisionLoss> loss = PrecisionLoss{};
+  if (arguments.shared.json)
+    loss = precisionLoss(file.value().bundle, 0, 0, set.value().maps.front(), periodic);
+  if (!loss)
+    return loss.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
   printNotes(printed);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, notes,
-                                risks.value(), seconds.count()});
+  times.end("Preview and bundle");
+  if (Result<void> written =
+          writeHtmlReport(arguments.report,
+                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
+                           notes, times.steps()},
+                          arguments.shared);
+      !written)
+    return written.error();
+  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
+                                notes, risks.value(), times.sum()});
   return kDone;
 }
 
@@ -181,13 +199,19 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", arguments->tiling.transport, oneOf(efforts), "default",
            "How near to optimal colours are matched");
+  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
+                                  {"separable", LookupTable::separable}};
+  addValue(verb, "--lut", arguments->tiling.lut, oneOf(luts), "joint",
+           "One table of all colours, or a small one for each axis of colour");
+  const Choices<GaussianOnly> gaussian{
+      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
+  addValue(verb, "--gaussian", arguments->tiling.gaussian, oneOf(gaussian), "auto",
+           "Whether the exemplar's values are Gaussian, and need no table");
   addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables");
-  const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
-                                     {"plane", PreviewShape::plane},
-                                     {"none", PreviewShape::none}};
-  addValue(verb, "--preview", arguments->preview, oneOf(shapes), "sphere",
-           "The scene around the material");
+  addPreviewShape(verb, arguments->preview);
+  addText(verb, "--report", arguments->report, "OUT.html",
+          "A page with pictures, measures and charts of the noise");
   return [arguments] { return run(*arguments); };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
+#include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
 
@@ -9,10 +10,9 @@
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -28,59 +28,26 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::array<int, 2> size{};
+  std::optional<std::uint32_t> seed;
   SynthesisOptions synthesis;
 };
 
-/// The place of `wanted` among `names`, the first if it is empty.
-Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::string>& names,
-                            const std::string& option, const std::string& owner) {
-  const auto found = std::find(names.begin(), names.end(), wanted);
-  if (wanted.empty() || found != names.end())
-    return wanted.empty() ? 0 : std::size_t(found - names.begin());
-  return Error{ErrorKind::usage,
-               fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
-}
-
-/// The ignored noise that was meant, or null: the one that was named, unless a known one has that
-/// name too; without a name, the file's first.
-const IgnoredNoise* ignoredNoiseMeant(const Bundle& bundle, const std::string& wanted) {
-  const auto isWanted = [&](const auto& noise) { return noise.name == wanted; };
-  if (!wanted.empty() && std::any_of(bundle.noises.begin(), bundle.noises.end(), isWanted))
-    return nullptr;
-  const auto meant = std::find_if(bundle.ignoredNoises.begin(), bundle.ignoredNoises.end(),
-                                  [&](const IgnoredNoise& noise) {
-                                    return wanted.empty() ? noise.place == 0 : isWanted(noise);
-                                  });
-  return meant == bundle.ignoredNoises.end() ? nullptr : &*meant;
-}
-
-/// Finds the noise and the map that were named.
+/// Finds the noise and the map that were named, and the seed.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
-  std::vector<std::string> noises, maps;
-  for (const Noise& noise : bundle.noises)
-    noises.push_back(noise.name);
-  if (const IgnoredNoise* ignored = ignoredNoiseMeant(bundle, arguments.noise))
-    return Error{ErrorKind::badInput,
-                 fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
-                             "lichen wrote it{}{}",
-                             arguments.bundle, ignored->name, ignored->revision, kTilingRevision,
-                             noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
-  if (bundle.noises.empty())
-    return Error{ErrorKind::badInput,
-                 arguments.bundle + (bundle.ignoredNoises.empty()
-                                         ? ": has no noise"
-                                         : ": has no noise of a revision that is known")};
-  const Result<std::size_t> noise = placeOf(arguments.noise, noises, "--noise", arguments.bundle);
+  const Result<std::size_t> noise = findNoise(bundle, arguments.bundle, arguments.noise);
   if (!noise)
     return noise.error();
-  for (const NoiseMap& map : bundle.noises[noise.value()].maps)
+  const Noise& chosen = bundle.noises[noise.value()];
+  std::vector<std::string> maps;
+  for (const NoiseMap& map : chosen.maps)
     maps.emplace_back(nameOf(map.target));
   const Result<std::size_t> map =
-      placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", noises[noise.value()]));
+      placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
   arguments.synthesis.noise = noise.value();
-  arguments.synthesis.map = bundle.noises[noise.value()].maps[map.value()].target;
+  arguments.synthesis.map = chosen.maps[map.value()].target;
+  arguments.synthesis.seed = arguments.seed.value_or(seedOf(bundle, noise.value()));
   return {};
 }
 
@@ -136,6 +103,7 @@ Result<int> run(Arguments& arguments) {
     const nlohmann::ordered_json report{{"output", arguments.output},
                                         {"width", arguments.synthesis.width},
                                         {"height", arguments.synthesis.height},
+                                        {"seed", arguments.synthesis.seed},
                                         {"seconds", seconds.count()}};
     printLine(toText(report));
   }
@@ -162,7 +130,8 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "Pixels across one exemplar [default: its own width]");
   addValue(verb, "--origin", synthesis.origin, coordinates(kOriginRange), "0,0",
            "The top left corner in tiles; large integer parts are exact");
-  addValue(verb, "--seed", synthesis.seed, seedNumber(), "1", "Another seed, another pattern");
+  addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
+           "Another seed, another pattern [default: the material's]");
   verb.add_flag("--tileable", synthesis.tileable,
                 "Opposite borders of the image continue each other")
       ->disable_flag_override();

@@ -25,7 +25,10 @@ struct Verb {
 constexpr Verb kVerbs[] = {
     {"bake", "Turn a photograph of a material into noise", addBake},
     {"synth", "Make an image of a noise, without a GPU", addSynth},
+    {"inspect", "Show what a bundle holds and what it costs", addInspect},
     {"check", "Look for faults in a bundle", addCheck},
+    {"compare", "Measure a result against its exemplar", addCompare},
+    {"merge", "Put several noises in one bundle", addMerge},
 };
 
 std::string verbNames() {
@@ -83,6 +86,23 @@ void addSharedOptions(CLI::App& verb, SharedOptions& options) {
            "Threads to use; 0 for one a processor");
 }
 
+/// The arguments as a POSIX shell takes them.
+std::string commandLine(int argc, char** argv) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                      "0123456789_@%+=:,./-";
+  std::string line = "lichen";
+  for (int i = 1; i < argc; ++i) {
+    std::string argument = argv[i];
+    if (argument.empty() || argument.find_first_not_of(kPlain) != std::string::npos) {
+      for (std::size_t at = 0; (at = argument.find('\'', at)) != std::string::npos; at += 4)
+        argument.replace(at, 1, "'\\''");
+      argument = "'" + argument + "'";
+    }
+    line += " " + argument;
+  }
+  return line;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Lichen turns a photograph of a material into noise: an endless, seamless texture.",
                "lichen"};
@@ -92,6 +112,7 @@ int run(int argc, char** argv) {
   app.formatter(helpFormatter());
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   SharedOptions shared;
+  shared.commandLine = commandLine(argc, argv);
   std::vector<std::pair<const CLI::App*, Runner>> verbs;
   for (const Verb& verb : kVerbs) {
     CLI::App* added = app.add_subcommand(verb.name, verb.help)->group("Verbs");

@@ -150,6 +150,13 @@ CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void addPreviewShape(CLI::App& verb, PreviewShape& shape) {
+  const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
+                                     {"plane", PreviewShape::plane},
+                                     {"none", PreviewShape::none}};
+  addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "The scene around the material");
+}
+
 std::shared_ptr<CLI::FormatterBase> helpFormatter() {
   auto formatter = std::make_shared<HelpFormatter>();
   formatter->column_width(kLeftColumn);

@@ -3,7 +3,7 @@
 // not of the parser's types.
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_writer.h>
 
 #include <CLI/App.hpp>
 
@@ -101,6 +101,9 @@ CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value
 /// As above, for an argument that may be given again and again.
 CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                       const std::string& placeholder, const std::string& help);
+
+/// --preview of the verbs that write a scene.
+void addPreviewShape(CLI::App& verb, PreviewShape& shape);
 
 /// Help with placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();

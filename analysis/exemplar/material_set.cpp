@@ -20,7 +20,7 @@ namespace {
 
 using namespace exemplar;
 
-// What README.md recommends.
+// docs/baking.md recommends the last two; fewer than a quarter of the least show next to nothing.
 constexpr int kFewPixels = 64;
 constexpr int kGoodPixels = 256;
 constexpr int kPlentyOfPixels = 1024;

@@ -102,8 +102,20 @@ std::string folderName(const fs::path& folder) {
   return whole.filename().string();
 }
 
-/// What the stems of several files begin with, without the punctuation at its end; the first
-/// file's stem where that is nothing.
+/// Whether a place in a name has letters or digits of one word on both sides: a capital after a
+/// small letter begins a new one. Bytes of UTF-8 beyond ASCII are letters.
+bool isInsideWord(const std::string& stem, std::size_t place) {
+  if (place == 0 || place >= stem.size())
+    return false;
+  const auto before = static_cast<unsigned char>(stem[place - 1]);
+  const auto after = static_cast<unsigned char>(stem[place]);
+  const auto isOfWord = [](unsigned char c) { return c >= 128 || std::isalnum(c) != 0; };
+  return isOfWord(before) && isOfWord(after) &&
+         !(std::islower(before) != 0 && std::isupper(after) != 0);
+}
+
+/// The words that the stems of several files begin with, without the punctuation at its end; the
+/// first file's stem where there are none.
 std::string commonName(const std::vector<fs::path>& files) {
   const std::string first = files.front().stem().string();
   std::size_t length = first.size();
@@ -113,6 +125,11 @@ std::string commonName(const std::vector<fs::path>& files) {
                                               stem.begin(), stem.end());
     length = std::size_t(end - first.begin());
   }
+  const auto cutsWord = [&](const fs::path& file) {
+    return isInsideWord(file.stem().string(), length);
+  };
+  while (length > 0 && std::any_of(files.begin(), files.end(), cutsWord))
+    --length;
   while (length > 0 && std::ispunct(static_cast<unsigned char>(first[length - 1])) != 0)
     --length;
   return length > 0 ? first.substr(0, length) : first;

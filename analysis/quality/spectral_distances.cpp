@@ -12,10 +12,9 @@
 namespace lichen {
 namespace {
 
-constexpr int kLargestCrop = 128; // pixels
-constexpr int kCropsPerSide = 4;  // at least: fewer and the average is one crop's chance
-constexpr int kLowestCycles = 4;  // per crop: below it the window mixes too much
-constexpr int kSmallestSide = 2 * kLowestCycles * kCropsPerSide; // one ring left
+/// The shortest side whose crops have one ring left.
+constexpr int kSmallestSide = 32;
+static_assert(comparedCropSide(kSmallestSide) == 2 * kLowestComparedCycles);
 /// Variance of rounding to 8 bits, which is also its power at every frequency.
 constexpr double kRoundingPower = 1.0 / (255.0 * 255.0 * 12.0);
 
@@ -44,14 +43,13 @@ Result<double> spectrumDistanceDb(const SrgbImage& exemplar, const SrgbImage& re
   return withinMemory(exhausted, [&]() -> Result<double> {
     if (auto error = refusal(exemplar, result, kSmallestSide))
       return *error;
-    const int side = std::min(shorterSide(exemplar), shorterSide(result)) / kCropsPerSide;
-    const int crop = std::min(kLargestCrop, side) / 2 * 2;
+    const int crop = comparedCropSide(std::min(shorterSide(exemplar), shorterSide(result)));
     const std::vector<double> a = spectrumDb(exemplar, crop);
     const std::vector<double> b = spectrumDb(result, crop);
     double sum = 0.0;
-    for (std::size_t ring = kLowestCycles; ring < a.size(); ++ring)
+    for (std::size_t ring = kLowestComparedCycles; ring < a.size(); ++ring)
       sum += (a[ring] - b[ring]) * (a[ring] - b[ring]);
-    return std::sqrt(sum / double(a.size() - kLowestCycles));
+    return std::sqrt(sum / double(a.size() - kLowestComparedCycles));
   });
 }
 

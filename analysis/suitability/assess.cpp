@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map -> its risks, in a fixed order. Thresholds: docs/decisions/011-suitability.md.
+// One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
 #include "calibration.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
@@ -63,8 +63,23 @@ Risk structureRisk(const HalfSpectrum& spectrum) {
               consequence, remedy);
 }
 
+/// Of the values that a map has nominally: 8-bit normals have components in [-1, 1], and light
+/// above 1 has no limit but its own.
+double spanOf(const MapExemplar& map) {
+  switch (map.encoding) {
+  case ValueEncoding::srgb:
+  case ValueEncoding::linear:
+    break;
+  case ValueEncoding::slope:
+    return 2.0;
+  case ValueEncoding::log2:
+    return std::max(1.0, double(*std::max_element(map.values.begin(), map.values.end())));
+  }
+  return 1.0;
+}
+
 Risk lowFrequencyRisk(const MapExemplar& map) {
-  const double measured = slowVariation(map);
+  const double measured = slowVariation(map) / spanOf(map);
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
   return risk("low-frequency", scoreOf(measured, kSlowVariation),

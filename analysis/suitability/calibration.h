@@ -13,7 +13,7 @@ struct Calibration {
   double severe = 0.0;
 };
 
-// Measured on exemplars that work and that fail: docs/decisions/011-suitability.md.
+// Measured on exemplars that work and that fail: docs/decisions/013-suitability.md.
 inline constexpr Calibration kCloudiness{0.1, 0.2};
 inline constexpr Calibration kLatticeShare{0.05, 0.15};
 inline constexpr Calibration kPhaseCoherence{0.15, 0.3};

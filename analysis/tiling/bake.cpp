@@ -2,13 +2,16 @@
 // Exemplar maps (width * height * channels values each) -> a noise and its tables.
 #include "borders.h"
 #include "color_space.h"
-#include "gaussianize.h"
+#include "gaussian_image.h"
 #include "inverse_table.h"
 #include "map_fit.h"
 #include "map_ranges.h"
 #include "mip_chain.h"
+#include "normality.h"
 #include "prefilter.h"
+#include "separable.h"
 #include "slab_means.h"
+#include "slope_variance.h"
 #include "value_encoding.h"
 
 #include <lichen/tiling.h>
@@ -21,15 +24,30 @@ namespace {
 
 using namespace tiling;
 
+/// Whether `covariance` is definite, as the format asks of a map without a table; with room for its
+/// rounding in the file.
+bool spansAll(const ColorSpace& space) {
+  constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
+  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
+  return space.dimensions() == int(space.moments.mean.size()) &&
+         solver.eigenvalues()[0] > kLeastShare * space.moments.covariance.trace();
+}
+
 Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
   if (options.bits != 8 && options.bits != 16)
     return usage("precision " + std::to_string(options.bits) + ": 8 or 16 bits are accepted");
   if (maps.empty())
     return usage("no map to bake: at least one is needed");
-  for (const MapExemplar& map : maps)
+  for (const MapExemplar& map : maps) {
     if (Result<void> checked = checkRanges(map); !checked)
       return checked;
+    if (options.gaussian == GaussianOnly::yes && !spansAll(colorSpaceOf(map)))
+      return usage("the values of " + std::string(nameOf(map.target)) + " span less than " +
+                   std::to_string(map.channels.size()) +
+                   " dimensions: without an inverse table all are needed, so gaussian auto or no "
+                   "is accepted");
+  }
   return {};
 }
 
@@ -62,7 +80,7 @@ struct MapWork {
   [[nodiscard]] double whole() const { return fit + slabs; }
 };
 
-MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
+MapWork workAlone(const MapExemplar& map, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
   constexpr double kSlabs = 0.4 * 65536.0;
@@ -83,54 +101,124 @@ MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
   return {kTable + transport, kSlabs};
 }
 
-/// Bakes one map and appends its two tables. The first map that chooses a share of the surroundings
-/// chooses it for all, in `fitting`: their Gaussian images stay alike where the maps are. In a set,
-/// `settled` are the maps before it, and it joins them.
-void bakeMap(const MapExemplar& map, const std::string& name, int bits, MapFitOptions& fitting,
-             std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
-  const MapWork work = workOf(map, fitting.periodic, fitting.transport);
-  const double fitted = work.fit / work.whole();
-  const ColorSpace space = colorSpaceOf(map);
-  MapFit fit;
-  if (space.dimensions() == 0) {
-    fit = constantFit(map);
-  } else {
-    fitting.progress = progress.part(0.0, fitted);
-    if (settled != nullptr)
-      fitting.settled = *settled;
-    fit = fitMap(map, space, fitting);
-    if (space.dimensions() > 1)
-      fitting.share = fit.share;
-    if (settled != nullptr)
-      settled->push_back(settledMap(map, space, fit.gaussian, fit.table));
-    for (const TransportBound& bound : fit.gaussian.bounds)
-      bake.transportBounds.push_back(bound);
-  }
-  Table image = gaussianTable(fit.gaussian, bits);
-  const std::vector<ChannelMatrix> lost = lostVariance(image);
-  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, lost);
-  restoreSlabMeans(slabs, image, lost);
-  Table inverse = inverseTableTexels(slabs, map.encoding, bits);
+/// Of a map that may have `others` before it, to go with.
+MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort, bool others) {
+  MapWork work = workAlone(map, periodic, effort);
+  if (!others || effort == TransportEffort::fast)
+    return work;
+  const double standard = workAlone(map, periodic, TransportEffort::standard).fit;
+  // An exact transport comes after one of the default effort.
+  work.fit += (kJoiningWork + (effort == TransportEffort::exact ? 1.0 : 0.0)) * standard;
+  return work;
+}
 
+/// The tables of a map and what the bundle says of them.
+struct MapTables {
+  Gaussianized image;
+  Table gaussian;
+  std::vector<ChannelMatrix> lost; ///< by the mips of `gaussian`
+  std::optional<Table> inverse;
+  std::vector<double> tableBasis, tableOffset; ///< of a separable table
+
+  MapTables(Gaussianized gaussianized, int bits)
+      : image(std::move(gaussianized)), gaussian(gaussianTable(image, bits)),
+        lost(lostVariance(gaussian)) {}
+};
+
+MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits) {
+  MapTables tables(fit.gaussian, bits);
+  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, tables.lost);
+  restoreSlabMeans(slabs, tables.gaussian, tables.lost);
+  if (map.encoding == ValueEncoding::slope)
+    appendSlopeVariance(slabs, fit.table, tables.gaussian, tables.lost);
+  tables.inverse = inverseTableTexels(slabs, map.encoding, bits);
+  return tables;
+}
+
+MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int bits) {
+  MapTables tables(combinedImage(fit), bits);
+  // Values along an axis have either sign, and the darks are differences: always half floats.
+  constexpr int kTableBits = 16;
+  tables.inverse =
+      inverseTableTexels(separableSlabs(fit, bits, tables.lost), map.encoding, kTableBits);
+  appendValues(tables.tableBasis, fit.basis);
+  appendValues(tables.tableOffset, fit.offset);
+  return tables;
+}
+
+void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
+               const std::string& name, TilingBake& bake) {
   NoiseMap result;
   result.target = map.target;
   result.channels = map.channels;
   result.encoding = map.encoding;
-  appendValues(result.mean, space.moments.mean);
-  appendValues(result.covariance, space.moments.covariance);
-  result.levels = tableLevels();
+  appendValues(result.mean, moments.mean);
+  appendValues(result.covariance, moments.covariance);
   double loss = 0.0;
-  for (const ChannelMatrix& mip : lost)
+  for (const ChannelMatrix& mip : tables.lost)
     result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
   const std::string prefix = name + "." + std::string(nameOf(map.target));
-  image.name = prefix + ".gaussian";
-  inverse.name = prefix + ".inverse";
+  tables.gaussian.name = prefix + ".gaussian";
   result.gaussian = bake.tables.size();
-  bake.tables.push_back(std::move(image));
-  result.inverseTable = bake.tables.size();
-  bake.tables.push_back(std::move(inverse));
+  bake.tables.push_back(std::move(tables.gaussian));
+  if (tables.inverse) {
+    result.levels = tableLevels();
+    result.tableBasis = std::move(tables.tableBasis);
+    result.tableOffset = std::move(tables.tableOffset);
+    tables.inverse->name = prefix + ".inverse";
+    result.inverseTable = bake.tables.size();
+    bake.tables.push_back(*std::move(tables.inverse));
+  }
   bake.noise.maps.push_back(std::move(result));
-  progress.reach(1.0);
+}
+
+/// The joint fit. The first map that chooses a share of the surroundings chooses it for all, in
+/// `fitting`: their Gaussian images stay alike where the maps are. Where others are to go with the
+/// map, it is one of the `settled` after.
+MapFit fitJoint(const MapExemplar& map, const ColorSpace& space, MapFitOptions& fitting,
+                std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
+  const MapWork work = workOf(map, fitting.periodic, fitting.transport, !fitting.settled.empty());
+  fitting.progress = progress.part(0.0, work.fit / work.whole());
+  MapFit fit = fitMap(map, space, fitting);
+  if (space.dimensions() > 1)
+    fitting.share = fit.share;
+  if (settled != nullptr)
+    settled->emplace_back(map, space, fit.gaussian, fit.table);
+  for (const TransportBound& bound : fit.gaussian.bounds)
+    bake.transportBounds.push_back(bound);
+  return fit;
+}
+
+bool isGaussianOnly(const MapExemplar& map, const ColorSpace& space, GaussianOnly wanted) {
+  return wanted == GaussianOnly::yes ||
+         (wanted == GaussianOnly::detect && spansAll(space) && isGaussian(map));
+}
+
+/// Bakes one map and appends its tables. Only a map with a joint table is `settled` and goes with
+/// those that are; nullptr where no map is to come.
+void bakeMap(const MapExemplar& map, const std::string& name, const TilingOptions& options,
+             MapFitOptions& fitting, std::vector<SettledMap>* settled, ProgressPart progress,
+             TilingBake& bake) {
+  const ColorSpace space = colorSpaceOf(map);
+  const auto append = [&](MapTables tables) {
+    appendMap(map, space.moments, std::move(tables), name, bake);
+    progress.reach(1.0);
+  };
+  if (space.dimensions() == 0 && options.gaussian != GaussianOnly::yes)
+    return append(jointTables(map, constantFit(map), options.bits));
+  if (isGaussianOnly(map, space, options.gaussian))
+    return append(MapTables(gaussianImage(map, space.moments, fitting.periodic, fitting.precision),
+                            options.bits));
+  // Slopes need their variance, and half floats do not hold what light above 1 is along an axis.
+  const bool mayBeSeparable =
+      map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
+  if (options.lut == LookupTable::separable && space.dimensions() > 1 && mayBeSeparable) {
+    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision,
+                                          transport::optionsFor(fitting.transport));
+    if (fit.dimensions() > 1)
+      return append(separableTables(map, fit, options.bits));
+  }
+  append(jointTables(map, fitJoint(map, space, fitting, settled, progress, bake), options.bits));
 }
 
 /// As bakeTiling(), but throws std::bad_alloc.
@@ -143,7 +231,8 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     bake.noise.name = name;
     bake.exemplarWasPeriodic = bordersFit(maps, options.periodic);
     const auto workOfMap = [&](const MapExemplar& map) {
-      return workOf(map, bake.exemplarWasPeriodic, options.transport).whole();
+      return workOf(map, bake.exemplarWasPeriodic, options.transport, &map != &maps.front())
+          .whole();
     };
     double whole = 0.0;
     for (const MapExemplar& map : maps)
@@ -154,10 +243,12 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
     std::vector<SettledMap> settled;
+    const bool joins = options.transport != TransportEffort::fast;
     double done = 0.0;
     for (const MapExemplar& map : maps) {
       const double after = done + workOfMap(map);
-      bakeMap(map, name, options.bits, fitting, maps.size() > 1 ? &settled : nullptr,
+      fitting.settled = settled;
+      bakeMap(map, name, options, fitting, joins && &map != &maps.back() ? &settled : nullptr,
               ProgressPart(options.progress).part(done / whole, after / whole), bake);
       done = after;
     }

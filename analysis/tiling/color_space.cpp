@@ -83,7 +83,7 @@ Moments momentsOf(std::span<const float> values, int channels) {
   return moments;
 }
 
-ColorSpace colorSpaceOf(const MapExemplar& map) {
+ColorSpace principalSpaceOf(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   ColorSpace space{momentsOf(map.values, channels), {}};
   const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
@@ -93,10 +93,6 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
   for (Eigen::Index k = channels; k-- > 0;) // largest first
     if (solver.eigenvalues()[k] > leastVariance)
       kept.push_back(k);
-  if (int(kept.size()) == channels) {
-    space.basis = ChannelMatrix::Identity(channels, channels);
-    return space;
-  }
   space.basis.resize(Eigen::Index(kept.size()), channels);
   for (std::size_t row = 0; row < kept.size(); ++row) {
     ChannelVector direction = solver.eigenvectors().col(kept[row]);
@@ -105,6 +101,14 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
       direction = -direction;
     space.basis.row(Eigen::Index(row)) = direction.transpose();
   }
+  return space;
+}
+
+ColorSpace colorSpaceOf(const MapExemplar& map) {
+  ColorSpace space = principalSpaceOf(map);
+  const auto channels = Eigen::Index(map.channels.size());
+  if (space.basis.rows() == channels)
+    space.basis = ChannelMatrix::Identity(channels, channels);
   return space;
 }
 

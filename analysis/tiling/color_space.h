@@ -35,6 +35,9 @@ struct ColorSpace {
   [[nodiscard]] int dimensions() const { return int(basis.rows()); }
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
+/// As colorSpaceOf(), but the directions are always the principal ones, the largest variance first:
+/// coordinates are uncorrelated.
+[[nodiscard]] ColorSpace principalSpaceOf(const MapExemplar& map);
 
 /// Most photographs' choice: docs/decisions/009-surroundings.md.
 inline constexpr float kUsualShare = 0.1f;

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
 // Gaussian image of a map (width * height points), Gaussian images and values of the maps before it
-// -> the Gaussian image with values exchanged. z below is G with mean 0 and variance 1; the P
-// coordinates of all settled maps are stacked.
+// -> the Gaussian image with values exchanged.
+//
+// z below is G with mean 0 and variance 1, y a value less its mean on the D axes of its map, in
+// units of the map's deviation, B = E[y z^T]; the P coordinates of all settled maps are stacked.
+// What the covariances of decoded blends lack of E[y_settled y^T] is P x D. A share K (P x D) of
+// the settled coordinates is added to z, which makes their linear part B_settled E[z_settled z^T]
+// B^T grow by B_settled E[z_settled z_settled^T] K B^T, and the points are matched once more.
+// Source: docs/theory.md, "Maps that belong together".
 #include "cross_covariance.h"
 
-#include "random_blend.h"
-#include "table_lookup.h"
+#include "tie_order.h"
 #include "value_encoding.h"
 
-#include <lichen/tiling_evaluate.h>
-
-#include <Eigen/Dense>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
-#include <variant>
 
 namespace lichen::tiling {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::MatrixXf;
 
-/// In correlations, about the standard error below.
+/// In correlations, about the standard error of those of blends.
 constexpr double kNegligible = 3e-4;
 
 /// Exchanging values inside ties has less effect than in a continuum, which gain makes up for:
-/// with six of these the plaster wall's bias is 2.2 %, with three (and fewer samples) 4.2 %.
+/// with six of these the plaster wall's bias is 2.2 %, with three (and fewer blends) 4.2 %.
 constexpr int kMostPassesOnLine = 6;
 constexpr double kMostGain = 4.0;
 
@@ -46,140 +46,57 @@ constexpr double kLargestMove = 0.1;
 /// the photographed sets' slopes grow by 9 and 23 %.
 constexpr double kDamping = 1e-3;
 
-/// Of blends. What is measured on them has about a fifth of the values' deviation on photographs:
-/// the correlations found have standard errors of 4e-4.
-constexpr std::uint32_t kSamples = 1u << 18u;
-constexpr std::uint32_t kSamplesOfBlock = 1u << 12u;
+/// Points that moved less than their neighbours are apart are matched anew by few exchanges.
+constexpr transport::TransportOptions kExchanges{.swapRounds = 1, .exactRounds = 1};
 
-void readStandardized(const Point& point, int dimensions, double* z) {
-  const std::array<float, 3> p{point.x, point.y, point.z};
-  for (int d = 0; d < dimensions; ++d)
-    z[d] = (double(p[std::size_t(d)]) - kGaussianMean) / kGaussianDeviation;
-}
+/// Columns of a field that are summed at once.
+constexpr Index kColumnsOfBlock = 4096;
 
-ChannelVector readValue(const Point& point, int dimensions) {
-  const std::array<float, 3> p{point.x, point.y, point.z};
-  ChannelVector value(dimensions);
-  for (int d = 0; d < dimensions; ++d)
-    value[d] = double(p[std::size_t(d)]);
-  return value;
-}
-
-double deviationOf(const std::vector<Point>& values, int dimensions) {
-  double sum = 0.0;
-  for (const Point& value : values)
-    sum += readValue(value, dimensions).squaredNorm();
-  return std::sqrt(sum / double(values.size()));
-}
-
-/// E[y z^T] of a map, y its values in units of their deviation: what a step of z changes in the
-/// decoded values, on average over the Gaussian (Stein's lemma).
-MatrixXd decoderOf(const std::vector<Point>& values, const std::vector<Point>& matched,
-                   int dimensions, double deviation) {
-  MatrixXd sum = MatrixXd::Zero(dimensions, dimensions);
-  VectorXd z(dimensions);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    readStandardized(matched[i], dimensions, z.data());
-    sum += readValue(values[i], dimensions) * z.transpose();
+MatrixXf standardized(const std::vector<Point>& points, int dimensions) {
+  MatrixXf z(dimensions, Index(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<float, 3> p{points[i].x, points[i].y, points[i].z};
+    for (int d = 0; d < dimensions; ++d)
+      z(d, Index(i)) = (p[std::size_t(d)] - float(kGaussianMean)) / float(kGaussianDeviation);
   }
-  return sum / (deviation * double(values.size()));
+  return z;
 }
 
-/// One map of the blends: image, table, and the linear part of the table.
-class BlendedMap {
-public:
-  BlendedMap(const Gaussianized& gaussian, const InverseTable& table, ChannelMatrix decoder,
-             double deviation)
-      : gaussian_(gaussian), lookup_(lookupOf(table)), decoder_(std::move(decoder)),
-        deviation_(deviation) {}
-
-  [[nodiscard]] int dimensions() const { return gaussian_.dimensions; }
-
-  /// Decoded values and their linear part at a blend of three places, in [0, 2^32) each way.
-  void evaluate(const std::array<std::array<std::uint32_t, 2>, 3>& places,
-                const std::array<float, 3>& weights, double* decodedValue, double* linear) const {
-    constexpr auto kMean = float(kGaussianMean);
-    std::array<float, 3> g{kMean, kMean, kMean};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto x =
-          std::size_t((std::uint64_t(places[k][0]) * std::uint64_t(gaussian_.width)) >> 32u);
-      const auto y =
-          std::size_t((std::uint64_t(places[k][1]) * std::uint64_t(gaussian_.height)) >> 32u);
-      const Point& p = gaussian_.image[y * std::size_t(gaussian_.width) + x];
-      g[0] += weights[k] * (p.x - kMean);
-      g[1] += weights[k] * (p.y - kMean);
-      g[2] += weights[k] * (p.z - kMean);
-    }
-    const auto value = std::visit([&](const auto& lookup) { return lookup(g); }, lookup_);
-    ChannelVector z(dimensions());
-    readStandardized({g[0], g[1], g[2]}, dimensions(), z.data());
-    const ChannelVector line = decoder_ * z;
-    for (int d = 0; d < dimensions(); ++d) {
-      decodedValue[d] = double(value[std::size_t(d)]) / deviation_;
-      linear[d] = line[d];
-    }
-  }
-
-private:
-  using Lookup = std::variant<TableLookup<1>, TableLookup<2>, TableLookup<3>>;
-
-  static Lookup lookupOf(const InverseTable& table) {
-    if (table.dimensions == 1)
-      return TableLookup<1>(table);
-    if (table.dimensions == 2)
-      return TableLookup<2>(table);
-    return TableLookup<3>(table);
-  }
-
-  const Gaussianized& gaussian_;
-  Lookup lookup_;
-  ChannelMatrix decoder_;
-  double deviation_;
-};
-
-/// Covariances of the decoded values of blends less those of their linear parts, of all maps but
-/// the last with the last: a mean over the lattice, by random taps and weights.
-MatrixXd nonlinearPart(const std::vector<BlendedMap>& maps) {
-  Eigen::Index all = 0;
-  for (const BlendedMap& map : maps)
-    all += map.dimensions();
-  const Eigen::Index last = maps.back().dimensions();
-  struct Sums {
-    MatrixXd products;
-    VectorXd values;
-  };
-  std::vector<Sums> blocks(kSamples / kSamplesOfBlock);
-  tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
-    Sums sums{MatrixXd::Zero(all - last, last), VectorXd::Zero(all)};
-    VectorXd value(all), linear(all);
-    for (std::uint32_t k = 0; k < kSamplesOfBlock; ++k) {
-      const std::uint32_t sample = std::uint32_t(block) * kSamplesOfBlock + k;
-      const std::array<std::uint32_t, 3> x = pcg3d({sample, 0u, 0u});
-      const std::array<std::uint32_t, 3> y = pcg3d({sample, 1u, 0u});
-      const std::array<std::uint32_t, 3> place = pcg3d({sample, 2u, 0u});
-      Eigen::Index row = 0;
-      for (const BlendedMap& map : maps) {
-        map.evaluate({{{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}}},
-                     randomBlendWeights(place[0], place[1]), value.data() + row,
-                     linear.data() + row);
-        row += map.dimensions();
-      }
-      sums.values += value;
-      sums.products += value.head(all - last) * value.tail(last).transpose() -
-                       linear.head(all - last) * linear.tail(last).transpose();
-    }
-    blocks[block] = std::move(sums);
+/// E[a b^T] over `count` columns: left(begin, n) is n columns of a, one of its rows each a
+/// coordinate. Blocks are added in order, whatever thread sums them.
+template <class Left, class Right>
+MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
+  std::vector<MatrixXd> sums(std::size_t((count + kColumnsOfBlock - 1) / kColumnsOfBlock));
+  tbb::parallel_for(std::size_t(0), sums.size(), [&](std::size_t block) {
+    const Index begin = Index(block) * kColumnsOfBlock;
+    const Index n = std::min(kColumnsOfBlock, count - begin);
+    sums[block].noalias() = left(begin, n) * right(begin, n).transpose();
   });
-  Sums whole{MatrixXd::Zero(all - last, last), VectorXd::Zero(all)};
-  for (const Sums& sums : blocks) {
-    whole.products += sums.products / double(kSamples);
-    whole.values += sums.values / double(kSamples);
-  }
-  return whole.products - whole.values.head(all - last) * whole.values.tail(last).transpose();
+  for (std::size_t block = 1; block < sums.size(); ++block)
+    sums[0] += sums[block];
+  return sums[0] / double(count);
 }
 
-InverseTable projectedTable(const InverseTable& table, const MapExemplar& map,
-                            const ColorSpace& space) {
+/// Root of the variance of all axes together.
+double deviationOf(const ColorSpace& space) {
+  return std::sqrt((space.basis * space.moments.covariance * space.basis.transpose()).trace());
+}
+
+/// Values less their mean, on the axes of `space`, of some pixels: D x columns.
+MatrixXd valuesOf(const MapExemplar& map, const ColorSpace& space,
+                  const std::vector<Index>& pixels) {
+  const auto channels = Index(map.channels.size());
+  MatrixXd values(channels, Index(pixels.size()));
+  for (Index column = 0; column < values.cols(); ++column)
+    for (Index c = 0; c < channels; ++c)
+      values(c, column) =
+          double(map.values[std::size_t(pixels[std::size_t(column)] * channels + c)]) -
+          space.moments.mean[c];
+  return space.basis * values;
+}
+
+/// The table's values as valuesOf() has those of pixels.
+InverseTable onAxes(const InverseTable& table, const MapExemplar& map, const ColorSpace& space) {
   InverseTable projected{table.dimensions, table.side, space.dimensions(), {}};
   ChannelVector d(table.channels);
   for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
@@ -188,89 +105,141 @@ InverseTable projectedTable(const InverseTable& table, const MapExemplar& map,
                             map.encoding)) -
              space.moments.mean[c];
     const ChannelVector p = space.basis * d;
-    for (Eigen::Index k = 0; k < p.size(); ++k)
+    for (Index k = 0; k < p.size(); ++k)
       projected.values.push_back(float(p[k]));
   }
   return projected;
 }
 
-/// (value - mean) of each pixel on the axes of `space`.
-std::vector<Point> projectedValues(const MapExemplar& map, const ColorSpace& space) {
-  const std::size_t channels = map.channels.size();
-  std::vector<Point> points(map.values.size() / channels);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ChannelVector d(static_cast<Eigen::Index>(channels));
-    for (std::size_t c = 0; c < channels; ++c)
-      d[Eigen::Index(c)] =
-          double(map.values[i * channels + c]) - space.moments.mean[Eigen::Index(c)];
-    const ChannelVector p = space.basis * d;
-    points[i] = {float(p[0]), p.size() > 1 ? float(p[1]) : 0.0f, p.size() > 2 ? float(p[2]) : 0.0f};
+/// The pixels of `other` at the places of `n` pixels of `map`.
+std::vector<Index> samePlaces(const MapExemplar& other, const MapExemplar& map, Index begin,
+                              Index n) {
+  std::vector<Index> pixels(std::size_t(n), 0);
+  for (Index k = 0; k < n; ++k) {
+    const Index column = (begin + k) % map.width, row = (begin + k) / map.width;
+    const Index x = (2 * column + 1) * other.width / (2 * map.width);
+    const Index y = (2 * row + 1) * other.height / (2 * map.height);
+    pixels[std::size_t(k)] = y * other.width + x;
   }
-  return points;
+  return pixels;
 }
+
+/// B of a map: what a step of z changes in the decoded values, on average over the Gaussian
+/// (Stein's lemma).
+MatrixXd decoderOf(const MapExemplar& map, const ColorSpace& space, const MatrixXf& matched) {
+  const auto values = [&](Index begin, Index n) {
+    return valuesOf(map, space, samePlaces(map, map, begin, n));
+  };
+  const auto gaussian = [&](Index begin, Index n) {
+    return MatrixXd(matched.middleCols(begin, n).cast<double>());
+  };
+  return meanProduct(matched.cols(), values, gaussian) / deviationOf(space);
+}
+
+/// Settled maps, their coordinates stacked, seen from the pixels of another map.
+class SettledMaps {
+public:
+  SettledMaps(const MapExemplar& map, std::span<const SettledMap> settled)
+      : map_(map), settled_(settled) {
+    for (const SettledMap& other : settled_)
+      coordinates_ += other.space.dimensions();
+    decoders_ = MatrixXd::Zero(coordinates_, coordinates_);
+    eachMap([&](const SettledMap& other, Index row, Index n) {
+      decoders_.block(row, row, n, n) = decoderOf(*other.map, other.space, other.matched);
+    });
+  }
+
+  [[nodiscard]] Index coordinates() const { return coordinates_; }
+  /// B of all maps, on the diagonal.
+  [[nodiscard]] const MatrixXd& decoders() const { return decoders_; }
+
+  /// One of the fields of all maps at `n` pixels.
+  [[nodiscard]] MatrixXd fieldAt(MatrixXf SettledMap::*field, Index begin, Index n) const {
+    MatrixXd stacked(coordinates_, n);
+    eachMap([&](const SettledMap& other, Index row, Index rows) {
+      stacked.middleRows(row, rows) =
+          (other.*field)(Eigen::all, samePlaces(*other.map, map_, begin, n))
+              .template cast<double>();
+    });
+    return stacked;
+  }
+
+  [[nodiscard]] MatrixXd valuesAt(Index begin, Index n) const {
+    MatrixXd stacked(coordinates_, n);
+    eachMap([&](const SettledMap& other, Index row, Index rows) {
+      stacked.middleRows(row, rows) =
+          valuesOf(*other.map, other.space, samePlaces(*other.map, map_, begin, n)) /
+          deviationOf(other.space);
+    });
+    return stacked;
+  }
+
+  [[nodiscard]] MatrixXd blendsAt(Index begin, Index n) const {
+    MatrixXd stacked(coordinates_, n);
+    eachMap([&](const SettledMap& other, Index row, Index rows) {
+      stacked.middleRows(row, rows) = other.blends.gaussian.middleCols(begin, n).cast<double>();
+    });
+    return stacked;
+  }
+
+  [[nodiscard]] MatrixXd decodedBlendsAt(Index begin, Index n) const {
+    MatrixXd stacked(coordinates_, n);
+    eachMap([&](const SettledMap& other, Index row, Index rows) {
+      stacked.middleRows(row, rows) =
+          other.blends.values.middleCols(begin, n).cast<double>() / deviationOf(other.space);
+    });
+    return stacked;
+  }
+
+private:
+  void eachMap(const auto& visit) const {
+    Index row = 0;
+    for (const SettledMap& other : settled_) {
+      visit(other, row, Index(other.space.dimensions()));
+      row += other.space.dimensions();
+    }
+  }
+
+  const MapExemplar& map_;
+  std::span<const SettledMap> settled_;
+  Index coordinates_ = 0;
+  MatrixXd decoders_; ///< P x P
+};
 
 /// Covariances of a map with the settled ones: of their values, and of what blends decode to.
 class CrossCovariances {
 public:
   CrossCovariances(const MapExemplar& map, const ColorSpace& space,
                    std::span<const SettledMap> settled, const InverseTable& table)
-      : map_(map), dimensions_(space.dimensions()), values_(projectedValues(map, space)),
-        deviation_(deviationOf(values_, dimensions_)), settled_(settled),
-        table_(projectedTable(table, map, space)) {
-    for (const SettledMap& other : settled_)
-      coordinates_ += other.gaussian.dimensions;
-    decoders_ = MatrixXd::Zero(coordinates_, coordinates_);
-    VectorXd deviations(coordinates_);
-    Eigen::Index row = 0;
-    for (const SettledMap& other : settled_) {
-      const int n = other.gaussian.dimensions;
-      const double deviation = deviationOf(other.values, n);
-      decoders_.block(row, row, n, n) =
-          decoderOf(other.values, other.gaussian.matched, n, deviation);
-      deviations.segment(row, n).setConstant(deviation * deviation_);
-      row += n;
-    }
-    MatrixXd together = MatrixXd::Zero(coordinates_, coordinates_);
-    wanted_ = MatrixXd::Zero(coordinates_, dimensions_);
-    VectorXd y(coordinates_);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const VectorXd z = settledAt(i, &Gaussianized::matched);
-      together += z * z.transpose();
-      row = 0;
-      for (const SettledMap& other : settled_) {
-        const int n = other.gaussian.dimensions;
-        y.segment(row, n) = readValue(other.values[pixelAt(other, i)], n);
-        row += n;
-      }
-      wanted_ += y * readValue(values_[i], dimensions_).transpose();
-    }
-    const double count = double(values_.size());
-    wanted_ = (deviations.cwiseInverse().asDiagonal() * wanted_ / count).eval();
-    response_ = decoders_ * together / count;
-    row = 0;
-    for (const SettledMap& other : settled_) {
-      const int n = other.gaussian.dimensions;
-      blended_.emplace_back(other.gaussian, other.table, decoders_.block(row, row, n, n),
-                            deviationOf(other.values, n));
-      row += n;
-    }
+      : map_(map), space_(space), settled_(map, settled), deviation_(deviationOf(space)),
+        table_(onAxes(table, map, space)) {
+    const Index count = Index(map.width) * map.height;
+    const auto own = [&](Index begin, Index n) {
+      return valuesOf(map_, space_, samePlaces(map_, map_, begin, n));
+    };
+    const auto others = [&](Index begin, Index n) { return settled_.valuesAt(begin, n); };
+    const auto gaussian = [&](Index begin, Index n) {
+      return settled_.fieldAt(&SettledMap::matched, begin, n);
+    };
+    wanted_ = meanProduct(count, others, own) / deviation_;
+    response_ = settled_.decoders() * meanProduct(count, gaussian, gaussian);
   }
 
   /// P x D, in units of the maps' deviations: covariances of the values less those of blends. The
   /// linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known exactly; only the rest
   /// is left to random blends.
   [[nodiscard]] MatrixXd lackOf(const Gaussianized& gaussian) const {
-    MatrixXd sum = MatrixXd::Zero(coordinates_, dimensions_);
-    VectorXd z(dimensions_);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      readStandardized(gaussian.image[i], dimensions_, z.data());
-      sum += settledAt(i, &Gaussianized::image) * z.transpose();
-    }
-    const MatrixXd own = decoder(gaussian.matched);
-    std::vector<BlendedMap> blended = blended_;
-    blended.emplace_back(gaussian, table_, own, deviation_);
-    return wanted_ - nonlinearPart(blended) -
-           decoders_ * (sum / double(values_.size())) * own.transpose();
+    const MatrixXf image = standardized(gaussian.image, gaussian.dimensions);
+    const MatrixXd decoder =
+        decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions));
+    const auto own = [&](Index begin, Index n) {
+      return MatrixXd(image.middleCols(begin, n).cast<double>());
+    };
+    const auto others = [&](Index begin, Index n) {
+      return settled_.fieldAt(&SettledMap::image, begin, n);
+    };
+    return wanted_ - nonlinearPart(decodedBlends(gaussian, table_), decoder) -
+           settled_.decoders() * meanProduct(image.cols(), others, own) * decoder.transpose();
   }
 
   /// P x D: how much of each settled coordinate to add to z so that the linear part grows by
@@ -278,116 +247,118 @@ public:
   [[nodiscard]] MatrixXd slopeFor(const MatrixXd& lack, const Gaussianized& gaussian) const {
     constexpr unsigned kBoth = Eigen::ComputeFullU | Eigen::ComputeFullV;
     const Eigen::JacobiSVD<MatrixXd> left(response_, kBoth);
-    const Eigen::JacobiSVD<MatrixXd> right(decoder(gaussian.matched), kBoth);
+    const Eigen::JacobiSVD<MatrixXd> right(
+        decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions)), kBoth);
     MatrixXd part = left.matrixU().transpose() * lack * right.matrixU();
-    for (Eigen::Index r = 0; r < part.rows(); ++r)
-      for (Eigen::Index c = 0; c < part.cols(); ++c) {
+    for (Index r = 0; r < part.rows(); ++r)
+      for (Index c = 0; c < part.cols(); ++c) {
         const double gain = left.singularValues()[r] * right.singularValues()[c];
         part(r, c) *= gain / (gain * gain + kDamping);
       }
     return left.matrixV() * part * right.matrixV().transpose();
   }
 
-  /// Points whose order, or transport, puts z + slope^T z_settled in the place of z.
-  [[nodiscard]] std::vector<Point> moved(const Gaussianized& gaussian,
-                                         const MatrixXd& slope) const {
-    std::vector<Point> points(values_.size());
-    VectorXd z(dimensions_);
-    MatrixXd moves(dimensions_, Eigen::Index(values_.size()));
-    for (std::size_t i = 0; i < values_.size(); ++i)
-      moves.col(Eigen::Index(i)) = slope.transpose() * settledAt(i, &Gaussianized::matched);
-    if (dimensions_ > 1) {
-      const double size = std::sqrt(moves.squaredNorm() / double(moves.size()));
-      moves *= std::min(1.0, kLargestMove / std::max(size, kLargestMove));
+  /// z + slope^T z_settled of the pixels, D x pixels; in two and three dimensions with moves of at
+  /// most kLargestMove.
+  [[nodiscard]] MatrixXf moved(const MatrixXf& z, const MatrixXd& slope) const {
+    MatrixXf moves(z.rows(), z.cols());
+    for (Index begin = 0; begin < z.cols(); begin += kColumnsOfBlock) {
+      const Index n = std::min(kColumnsOfBlock, z.cols() - begin);
+      moves.middleCols(begin, n) =
+          (slope.transpose() * settled_.fieldAt(&SettledMap::matched, begin, n)).cast<float>();
     }
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      readStandardized(gaussian.matched[i], dimensions_, z.data());
-      z += moves.col(Eigen::Index(i));
-      points[i] = {float(z[0]), dimensions_ > 1 ? float(z[1]) : 0.0f,
-                   dimensions_ > 2 ? float(z[2]) : 0.0f};
+    if (moves.rows() > 1) {
+      const double size = std::sqrt(moves.cast<double>().squaredNorm() / double(moves.size()));
+      moves *= float(kLargestMove / std::max(size, kLargestMove));
     }
-    return dimensions_ > 1 ? points : insideTies(points);
+    return z + moves;
   }
 
 private:
-  [[nodiscard]] MatrixXd decoder(const std::vector<Point>& matched) const {
-    return decoderOf(values_, matched, dimensions_, deviation_);
-  }
-
-  [[nodiscard]] std::size_t pixelAt(const SettledMap& other, std::size_t i) const {
-    const auto width = std::size_t(map_.width), height = std::size_t(map_.height);
-    const auto otherWidth = std::size_t(other.gaussian.width);
-    const auto otherHeight = std::size_t(other.gaussian.height);
-    const std::size_t x = (2 * (i % width) + 1) * otherWidth / (2 * width);
-    const std::size_t y = (2 * (i / width) + 1) * otherHeight / (2 * height);
-    return y * otherWidth + x;
-  }
-
-  [[nodiscard]] VectorXd settledAt(std::size_t i, std::vector<Point> Gaussianized::*points) const {
-    VectorXd z(coordinates_);
-    Eigen::Index row = 0;
-    for (const SettledMap& other : settled_) {
-      readStandardized((other.gaussian.*points)[pixelAt(other, i)], other.gaussian.dimensions,
-                       z.data() + row);
-      row += other.gaussian.dimensions;
-    }
-    return z;
-  }
-
-  /// Ranks by value and, where values are equal, by score.
-  [[nodiscard]] std::vector<Point> insideTies(const std::vector<Point>& scores) const {
-    std::vector<std::uint32_t> order(values_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      if (values_[a].x != values_[b].x)
-        return values_[a].x < values_[b].x;
-      return scores[a].x != scores[b].x ? scores[a].x < scores[b].x : a < b;
-    });
-    std::vector<Point> ranks(values_.size());
-    for (std::size_t rank = 0; rank < order.size(); ++rank)
-      ranks[order[rank]].x = float(rank);
-    return ranks;
+  /// Covariances of the decoded values of blends less those of their linear parts.
+  [[nodiscard]] MatrixXd nonlinearPart(const DecodedBlends& blends, const MatrixXd& decoder) const {
+    const Index count = blends.values.cols();
+    const auto decodedOthers = [&](Index begin, Index n) {
+      return settled_.decodedBlendsAt(begin, n);
+    };
+    const auto decodedOwn = [&](Index begin, Index n) {
+      return MatrixXd(blends.values.middleCols(begin, n).cast<double>() / deviation_);
+    };
+    const auto others = [&](Index begin, Index n) { return settled_.blendsAt(begin, n); };
+    const auto own = [&](Index begin, Index n) {
+      return MatrixXd(blends.gaussian.middleCols(begin, n).cast<double>());
+    };
+    const auto one = [](Index, Index n) { return MatrixXd(MatrixXd::Ones(1, n)); };
+    return meanProduct(count, decodedOthers, decodedOwn) -
+           meanProduct(count, decodedOthers, one) * meanProduct(count, one, decodedOwn) -
+           settled_.decoders() * meanProduct(count, others, own) * decoder.transpose();
   }
 
   const MapExemplar& map_;
-  int dimensions_;
-  std::vector<Point> values_;
+  const ColorSpace& space_;
+  SettledMaps settled_;
   double deviation_;
-  std::span<const SettledMap> settled_;
-  InverseTable table_;              ///< the map's, on its axes
-  std::vector<BlendedMap> blended_; ///< the settled ones
-  Eigen::Index coordinates_ = 0;
-  MatrixXd decoders_; ///< P x P: B of each settled map
-  MatrixXd wanted_;   ///< P x D: covariances of the values
-  MatrixXd response_; ///< P x P: of `wanted_` to the settled coordinates' shares in z
+  InverseTable table_; ///< the map's, on its axes
+  MatrixXd wanted_;    ///< P x D: covariances of the values
+  MatrixXd response_;  ///< P x P: of `wanted_` to the settled coordinates' shares in z
 };
+
+std::vector<Point> pointsOf(const MatrixXf& columns) {
+  std::vector<Point> points(std::size_t(columns.cols()));
+  for (Index i = 0; i < columns.cols(); ++i)
+    points[std::size_t(i)] = {columns(0, i), columns.rows() > 1 ? columns(1, i) : 0.0f,
+                              columns.rows() > 2 ? columns(2, i) : 0.0f};
+  return points;
+}
+
+/// The order of a map on a line.
+TieOrder tieOrderOf(const MapExemplar& map, const ColorSpace& space) {
+  std::vector<float> values(std::size_t(map.width) * std::size_t(map.height));
+  const auto count = Index(values.size());
+  for (Index begin = 0; begin < count; begin += kColumnsOfBlock) {
+    const Index n = std::min(kColumnsOfBlock, count - begin);
+    const MatrixXd block = valuesOf(map, space, samePlaces(map, map, begin, n));
+    for (Index k = 0; k < n; ++k)
+      values[std::size_t(begin + k)] = float(block(0, k));
+  }
+  return TieOrder(values);
+}
 
 } // namespace
 
-SettledMap settledMap(const MapExemplar& map, const ColorSpace& space, Gaussianized gaussian,
-                      const InverseTable& table) {
-  return {std::move(gaussian), projectedValues(map, space), projectedTable(table, map, space)};
-}
+SettledMap::SettledMap(const MapExemplar& exemplar, ColorSpace colorSpace,
+                       const Gaussianized& gaussian, const InverseTable& table)
+    : map(&exemplar), space(std::move(colorSpace)),
+      matched(standardized(gaussian.matched, gaussian.dimensions)),
+      image(standardized(gaussian.image, gaussian.dimensions)),
+      blends(decodedBlends(gaussian, onAxes(table, exemplar, space))) {}
 
-Gaussianized withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
-                                  std::span<const SettledMap> settled, Gaussianized first,
-                                  const InverseTable& table, const Gaussianizer& again) {
-  if (settled.empty())
-    return first;
+JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
+                                 std::span<const SettledMap> settled, Gaussianized alone,
+                                 const InverseTable& table, bool periodic, ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
-  const int passes = space.dimensions() == 1 ? kMostPassesOnLine : 1;
-  MatrixXd lack = covariances.lackOf(first);
+  const bool onLine = space.dimensions() == 1;
+  const int passes = onLine ? kMostPassesOnLine : 1;
+  const TieOrder ties = onLine ? tieOrderOf(map, space) : TieOrder({});
+  const MatrixXf start = standardized(alone.matched, alone.dimensions);
+  JoinedImage best{std::move(alone)};
+  MatrixXd lack = covariances.lackOf(best.gaussian);
   MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
-  Gaussianized best = first;
   double gain = 1.0;
   for (int pass = 0; pass < passes && lack.norm() > kNegligible; ++pass) {
-    slope += gain * covariances.slopeFor(lack, best);
-    Gaussianized next = again(covariances.moved(first, slope));
+    progress.reach(double(pass) / passes);
+    slope += gain * covariances.slopeFor(lack, best.gaussian);
+    const MatrixXf moved = covariances.moved(start, slope);
+    std::vector<Point> points =
+        onLine ? ties.ranks({moved.data(), std::size_t(moved.size())}) : pointsOf(moved);
+    transport::TransportOptions exchanges = kExchanges;
+    exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
+    Gaussianized next = gaussianizeNear(best.gaussian, points, periodic, exchanges);
     const MatrixXd left = covariances.lackOf(next);
     if (left.norm() >= lack.norm())
       break;
     const double reduction = 1.0 - left.cwiseProduct(lack).sum() / lack.squaredNorm();
-    best = std::move(next);
+    best = {std::move(next), std::move(points)};
     lack = left;
     if (reduction < kLeastReduction)
       break;

@@ -92,6 +92,21 @@ float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float 
   return 1.0f - (above + rest * rest * (below - above));
 }
 
+/// Of the lost variance, the share that the footprint takes: the rest is interpolation's.
+float footprintShare(const shader::LichenMap& map, float lod, float lostVariance) {
+  const int mip = int(lod);
+  const float below = mipKept(map, mip);
+  const float above = mipKept(map, mip + 1);
+  const float rest = 1.0f - (lod - float(mip));
+  const float lost = 1.0f - (above * above + rest * rest * (below * below - above * above));
+  return lost < lostVariance ? lost / lostVariance : 1.0f;
+}
+
+/// The level of the table that is prefiltered for this loss.
+float tableLevel(const shader::LichenMap& map, float lost) {
+  return float(map.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+}
+
 } // namespace
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
@@ -116,24 +131,33 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       return texels;
     };
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
-      if (!noise.maps[m].inverseTable)
-        return Error{ErrorKind::usage,
-                     "noise '" + noise.name + "': its map " +
-                         std::string(nameOf(noise.maps[m].target)) +
-                         " has no inverse table, and this version evaluates only maps with one"};
       Map map;
       map.constants = shaderMap(bundle, noise, m);
+      map.channels = noise.maps[m].channels.size();
       const Table& gaussian = bundle.tables[noise.maps[m].gaussian];
       for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
         map.mips.push_back({std::max(1, int(gaussian.width >> level)),
                             std::max(1, int(gaussian.height >> level)), texelsOf(gaussian, level)});
-      const Table& table = bundle.tables[*noise.maps[m].inverseTable];
-      map.tableSide = int(table.width);
-      map.table = texelsOf(table, 0);
+      if (noise.maps[m].inverseTable) {
+        const Table& table = bundle.tables[*noise.maps[m].inverseTable];
+        map.tableSide = int(table.width);
+        map.table = texelsOf(table, 0);
+      }
       evaluator.maps_.push_back(std::move(map));
     }
     return evaluator;
   });
+}
+
+std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
+  const Map& map = maps_[mapIndex];
+  std::vector<float> values;
+  values.reserve(map.mips.front().texels.size() * map.channels);
+  for (const Value& texel : map.mips.front().texels) {
+    const Value value = decode(map, texel, 0.0f);
+    values.insert(values.end(), value.begin(), value.begin() + std::ptrdiff_t(map.channels));
+  }
+  return values;
 }
 
 Value TilingEvaluator::bilinear(const Mip& mip, float u, float v) {
@@ -191,16 +215,45 @@ Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::siz
   return dimensions == 2 ? square(0) : mix(square(0), square(step[2]), fraction[2]);
 }
 
-Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
+Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float lost) {
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
     uniform[axis] = uniformFromGaussian(gaussian[axis]);
-  const float level =
-      float(map.constants.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+  const float level = tableLevel(map.constants, lost);
   const auto slab = std::size_t(level);
   const Value value = slabLookup(map, uniform, slab);
   const float t = level - float(slab);
   return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
+}
+
+Value TilingEvaluator::decodeSeparable(const Map& map, const Value& gaussian, float lost) {
+  const auto side = std::size_t(map.tableSide);
+  const float level = tableLevel(map.constants, lost);
+  const auto slab = std::size_t(level);
+  const std::size_t next = std::min(slab + 1, std::size_t(map.constants.tableLevels) - 1);
+  std::array<float, 3> along{};
+  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis) {
+    const float place =
+        std::clamp(uniformFromGaussian(gaussian[axis]) * float(side) - 0.5f, 0.0f, float(side - 1));
+    const auto cell = std::size_t(place);
+    const std::size_t above = std::min(cell + 1, side - 1);
+    const float t = place - float(cell);
+    const auto line = [&](std::size_t k) {
+      const float value = map.table[k * side + cell][axis];
+      return value + t * (map.table[k * side + above][axis] - value);
+    };
+    along[axis] = line(slab) + (level - float(slab)) * (line(next) - line(slab));
+  }
+  return decodedSeparable(map.constants, along);
+}
+
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
+  if (map.constants.decoding == LICHEN_DECODING_JOINT)
+    return decodeJoint(map, gaussian, lost);
+  if (map.constants.decoding == LICHEN_DECODING_SEPARABLE)
+    return decodeSeparable(map, gaussian, lost);
+  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
+                         std::min(1.0f, lost));
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -225,7 +278,12 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
   Value result = middle;
   for (std::size_t c = 0; c < 3; ++c)
     result[c] += scale * sum[c];
-  return decodeFirst ? result : decode(map, result, noise.contrast * noise.contrast * lost);
+  if (decodeFirst)
+    return result;
+  result = decode(map, result, noise.contrast * noise.contrast * lost);
+  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+    result[2] *= footprintShare(map.constants, lod, lost);
+  return result;
 }
 
 } // namespace lichen

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -52,6 +53,28 @@ void whiten(MatrixXd& points) {
   points.array() += kGaussianMean;
 }
 
+/// Whitened, and clamped and rounded for 8 bits; rows that are not there are 0.
+std::vector<Point> storedPoints(MatrixXd& points, Precision precision) {
+  whiten(points);
+  if (precision == Precision::bits8) {
+    for (int pass = 0; pass < kWhiteningPasses; ++pass) {
+      points = points.cwiseMax(0.0).cwiseMin(1.0);
+      whiten(points);
+    }
+    constexpr double kSteps = 255.0;
+    points = ((points.cwiseMax(0.0).cwiseMin(1.0) * kSteps).array().round() / kSteps).matrix();
+  }
+  std::vector<Point> result(std::size_t(points.cols()));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto column = Eigen::Index(i);
+    const auto coordinate = [&](Eigen::Index row) {
+      return row < points.rows() ? float(points(row, column)) : 0.0f;
+    };
+    result[i] = {coordinate(0), coordinate(1), coordinate(2)};
+  }
+  return result;
+}
+
 } // namespace
 
 double gaussianCdf(double value) {
@@ -82,6 +105,17 @@ double gaussianQuantile(double u) {
   return kGaussianMean + kGaussianDeviation * deviate;
 }
 
+std::vector<Point> whitenedForStorage(const std::vector<Point>& points, int dimensions,
+                                      Precision precision) {
+  MatrixXd columns(dimensions, Eigen::Index(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<float, 3> p{points[i].x, points[i].y, points[i].z};
+    for (Eigen::Index row = 0; row < columns.rows(); ++row)
+      columns(row, Eigen::Index(i)) = double(p[std::size_t(row)]);
+  }
+  return storedPoints(columns, precision);
+}
+
 std::vector<Point> stratifiedGaussian(std::size_t count, int dimensions, Precision precision) {
   MatrixXd points(dimensions, Eigen::Index(count));
   for (std::size_t i = 0; i < count; ++i) {
@@ -92,22 +126,7 @@ std::vector<Point> stratifiedGaussian(std::size_t count, int dimensions, Precisi
     if (dimensions > 2)
       points(2, column) = gaussianQuantile(shiftedRadicalInverse(i, 3, count));
   }
-  whiten(points);
-  if (precision == Precision::bits8) {
-    for (int pass = 0; pass < kWhiteningPasses; ++pass) {
-      points = points.cwiseMax(0.0).cwiseMin(1.0);
-      whiten(points);
-    }
-    constexpr double kSteps = 255.0;
-    points = ((points.cwiseMax(0.0).cwiseMin(1.0) * kSteps).array().round() / kSteps).matrix();
-  }
-  std::vector<Point> result(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto column = Eigen::Index(i);
-    result[i] = {float(points(0, column)), dimensions > 1 ? float(points(1, column)) : 0.0f,
-                 dimensions > 2 ? float(points(2, column)) : 0.0f};
-  }
-  return result;
+  return storedPoints(points, precision);
 }
 
 } // namespace lichen::tiling

@@ -26,6 +26,12 @@ enum class Precision {
   bits16, ///< as half floats: neither clamped nor rounded here
 };
 
+/// The points moved as little as possible so that, once stored, their mean is 1/2 and their
+/// covariance I / 36: to float rounding for bits16, to what rounding each coordinate to 8 bits
+/// leaves for bits8. Coordinates beyond `dimensions` become 0; directions without variance stay so.
+[[nodiscard]] std::vector<Point> whitenedForStorage(const std::vector<Point>& points,
+                                                    int dimensions, Precision precision);
+
 /// `count` points of the `dimensions`-dimensional Gaussian (1 to 3; further coordinates 0),
 /// stratified by a Hammersley set through the quantile, with mean and covariance exact: to float
 /// rounding for bits16, to what rounding each coordinate to 8 bits leaves for bits8. Point i has

@@ -85,19 +85,6 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
   return order;
 }
 
-/// The Gaussian values at the middles of the cells.
-std::vector<Point> cellMiddles(int dimensions, int side) {
-  std::vector<Point> middles(power(side, dimensions));
-  for (std::size_t cell = 0; cell < middles.size(); ++cell) {
-    std::array<float, 3> g{0.0f, 0.0f, 0.0f};
-    std::size_t rest = cell;
-    for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis, rest /= std::size_t(side))
-      g[axis] = float(gaussianQuantile((double(rest % std::size_t(side)) + 0.5) / side));
-    middles[cell] = {g[0], g[1], g[2]};
-  }
-  return middles;
-}
-
 /// The quantile function of the projected values, averaged over each cell exactly: D = 1.
 InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> decoded,
                           int channels) {
@@ -160,6 +147,18 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
 }
 
 } // namespace
+
+std::vector<Point> cellMiddles(int dimensions, int side) {
+  std::vector<Point> middles(power(side, dimensions));
+  for (std::size_t cell = 0; cell < middles.size(); ++cell) {
+    std::array<float, 3> g{0.0f, 0.0f, 0.0f};
+    std::size_t rest = cell;
+    for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis, rest /= std::size_t(side))
+      g[axis] = float(gaussianQuantile((double(rest % std::size_t(side)) + 0.5) / side));
+    middles[cell] = {g[0], g[1], g[2]};
+  }
+  return middles;
+}
 
 Moments interpolatedMoments(const InverseTable& table) {
   const auto n = Eigen::Index(table.channels);

@@ -26,6 +26,9 @@ struct InverseTable {
   [[nodiscard]] std::size_t cellCount() const { return values.size() / std::size_t(channels); }
 };
 
+/// The Gaussian values at the middles of the cells, first axis fastest; further coordinates are 0.
+[[nodiscard]] std::vector<Point> cellMiddles(int dimensions, int side);
+
 /// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.
 [[nodiscard]] Moments interpolatedMoments(const InverseTable& table);
 

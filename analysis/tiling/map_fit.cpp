@@ -36,8 +36,11 @@ constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 /// one of 512 x 512.
 constexpr double kTrialsOfProgress = 0.25;
 
-/// Of the progress of a fit; the rest is the table's.
-constexpr double kGaussianOfProgress = 0.7;
+/// Of the progress of a default fit, where other maps are settled.
+constexpr double kAloneOfProgress = 1.0 / (1.0 + kJoiningWork);
+
+/// Of the progress, where an exact transport follows one of the default effort.
+constexpr double kStandardOfExact = 0.1;
 
 /// Of the certificate of an exact transport: the bound ends up about half a step below the optimum,
 /// where the target is to be within 3e-4 of it.
@@ -63,53 +66,30 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-InverseTable tableOf(const MapExemplar& map, const MapFit& fit,
-                     const transport::TransportOptions& transport) {
+/// Gaussian image and table from `sources`, one for each pixel.
+MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vector<Point>& sources,
+               int dimensions, const MapFitOptions& options) {
+  transport::TransportOptions transport = transport::optionsFor(options.transport);
+  MapFit fit;
+  fit.points = std::move(points);
+  transport.progress = options.progress.part(0.0, 0.7);
+  fit.gaussian =
+      gaussianize(map, sources, dimensions, options.periodic, options.precision, transport,
+                  options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
                  [&](float value) { return decoded(value, map.encoding); });
-  return fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
-}
-
-/// The map by itself.
-MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, float share,
-                const MapFitOptions& options) {
-  transport::TransportOptions transport = transport::optionsFor(options.transport);
-  MapFit fit;
-  fit.share = share;
-  fit.points = transportPoints(map, space, share);
-  transport.progress = options.progress.part(0.0, kGaussianOfProgress);
-  fit.gaussian =
-      gaussianize(map, fit.points, space.dimensions(), options.periodic, options.precision,
-                  transport, options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
-  transport.progress = options.progress.part(kGaussianOfProgress, 1.0);
-  fit.table = tableOf(map, fit, transport);
+  transport.progress = options.progress.part(0.7, 1.0);
+  fit.table =
+      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
   return fit;
 }
 
 MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
                const MapFitOptions& options) {
-  if (options.settled.empty())
-    return fitAlone(map, space, share, options);
-  MapFitOptions alone = options;
-  alone.progress = options.progress.part(0.0, 0.5);
-  MapFit fit = fitAlone(map, space, share, alone);
-  transport::TransportOptions transport = transport::optionsFor(options.transport);
-  // On a line transport is a sort: several may follow, too short to be told of.
-  if (space.dimensions() > 1)
-    transport.progress = options.progress.part(0.5, 0.5 + 0.5 * kGaussianOfProgress);
-  std::vector<TransportBound> bounds = std::move(fit.gaussian.bounds);
-  fit.gaussian =
-      withCrossCovariances(map, space, options.settled, std::move(fit.gaussian), fit.table,
-                           [&](const std::vector<Point>& moved) {
-                             return gaussianize(map, moved, space.dimensions(), options.periodic,
-                                                options.precision, transport);
-                           });
-  fit.gaussian.bounds = std::move(bounds);
-  transport.progress = options.progress.part(0.5 + 0.5 * kGaussianOfProgress, 1.0);
-  // Exchanges inside ties leave the table of a line as it is.
-  if (space.dimensions() > 1)
-    fit.table = tableOf(map, fit, transport);
+  const std::vector<Point> points = transportPoints(map, space, share);
+  MapFit fit = fitFrom(map, points, points, space.dimensions(), options);
+  fit.share = share;
   return fit;
 }
 
@@ -148,9 +128,8 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
   return best;
 }
 
-} // namespace
-
-MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+/// The map by itself.
+MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
   if (options.transport == TransportEffort::fast || !hasSpectrum(map))
@@ -162,13 +141,45 @@ MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptio
   MapFitOptions trial = options;
   trial.progress = options.progress.part(0.0, kTrialsOfProgress);
   trial.periodic = options.periodic && !onMiddle;
-  trial.settled = {}; // they are of whole maps
   if (exact)
     trial.transport = TransportEffort::standard;
   MapFitOptions whole = options;
   whole.progress = options.progress.part(kTrialsOfProgress, 1.0);
   whole.share = bestTrial(onMiddle ? middleOf(map) : map, space, trial).share;
-  return fitMap(map, space, whole);
+  return fitWith(map, space, *whole.share, whole);
+}
+
+/// The map and those before it. An exact transport comes last and is certified: of the points as
+/// they are to go with the settled maps.
+MapFit fitJoined(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  const bool exact = options.transport == TransportEffort::exact;
+  const double whole = exact ? kStandardOfExact : 1.0;
+  MapFitOptions alone = options;
+  alone.progress = options.progress.part(0.0, whole * kAloneOfProgress);
+  if (exact)
+    alone.transport = TransportEffort::standard;
+  MapFit fit = fitAlone(map, space, alone);
+  JoinedImage joined = withCrossCovariances(map, space, options.settled, std::move(fit.gaussian),
+                                            fit.table, options.periodic,
+                                            options.progress.part(whole * kAloneOfProgress, whole));
+  if (exact) {
+    MapFitOptions last = options;
+    last.progress = options.progress.part(whole, 1.0);
+    const std::vector<Point>& sources = joined.points.empty() ? fit.points : joined.points;
+    MapFit certified = fitFrom(map, fit.points, sources, space.dimensions(), last);
+    certified.share = fit.share;
+    return certified;
+  }
+  fit.gaussian = std::move(joined.gaussian);
+  return fit;
+}
+
+} // namespace
+
+MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  if (options.settled.empty() || options.transport == TransportEffort::fast)
+    return fitAlone(map, space, options);
+  return fitJoined(map, space, options);
 }
 
 } // namespace lichen::tiling

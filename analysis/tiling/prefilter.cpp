@@ -27,46 +27,6 @@ constexpr std::size_t kSamplesPerCell = 32;
 /// Directions whose losses differ by less, as a share of the largest, lose alike.
 constexpr double kAlike = 1e-3;
 
-/// The loss matrix whose scalar is `level`, between nothing lost, the mips' and everything lost.
-ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost) {
-  const auto n = lost.front().rows();
-  ChannelMatrix below = ChannelMatrix::Zero(n, n);
-  double scalarBelow = 0.0;
-  const auto between = [&](const ChannelMatrix& above, double scalarAbove) -> ChannelMatrix {
-    const double t = (level - scalarBelow) / (scalarAbove - scalarBelow);
-    return below + t * (above - below);
-  };
-  for (const ChannelMatrix& mip : lost) {
-    const double scalar = scalarLoss(mip);
-    if (scalar <= scalarBelow)
-      continue;
-    if (level <= scalar)
-      return between(mip, scalar);
-    below = mip;
-    scalarBelow = scalar;
-  }
-  return scalarBelow < 1.0 ? between(ChannelMatrix::Identity(n, n), 1.0) : below;
-}
-
-/// Zero-mean Gaussian displacements with the covariance `loss` / 36.
-std::vector<std::array<float, 3>> displacements(const ChannelMatrix& loss, std::size_t count) {
-  const auto n = int(loss.rows());
-  const ChannelMatrix root = transport::power(loss, 0.5);
-  std::vector<std::array<float, 3>> result;
-  for (const Point& p : stratifiedGaussian(count, n, Precision::bits16)) {
-    const std::array<float, 3> raw{p.x, p.y, p.z};
-    ChannelVector centred(n);
-    for (int c = 0; c < n; ++c)
-      centred[c] = double(raw[std::size_t(c)]) - kGaussianMean;
-    const ChannelVector moved = root * centred;
-    std::array<float, 3> displacement{};
-    for (int c = 0; c < n; ++c)
-      displacement[std::size_t(c)] = float(moved[c]);
-    result.push_back(displacement);
-  }
-  return result;
-}
-
 std::array<float, 3> sum(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
@@ -127,7 +87,7 @@ InverseTable blurredAlongAxes(const InverseTable& table, double variance) {
 /// The mean over displacements of covariance `loss` / 36, by samples.
 template <std::size_t kDimensions>
 InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
-  const std::vector<std::array<float, 3>> offsets = displacements(loss, kSamplesPerCell);
+  const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
   const TableLookup<kDimensions> lookup(table);
   const std::vector<float> middles = cellMiddles(table.side);
   const auto side = std::size_t(table.side);
@@ -166,12 +126,11 @@ InverseTable averaged(const InverseTable& table, const ChannelMatrix& loss) {
 
 template <std::size_t kDimensions>
 std::vector<InverseTable> slabsOf(const InverseTable& table,
-                                  const std::vector<ChannelMatrix>& lost) {
+                                  const std::vector<ChannelMatrix>& losses) {
   const Moments moments = interpolatedMoments(table);
   std::vector<InverseTable> slabs{table};
-  const std::vector<double> levels = tableLevels();
-  for (std::size_t k = 1; k + 1 < levels.size(); ++k)
-    slabs.push_back(averaged<kDimensions>(table, lossAt(levels[k], lost)));
+  for (std::size_t k = 1; k + 1 < losses.size(); ++k)
+    slabs.push_back(averaged<kDimensions>(table, losses[k]));
   slabs.push_back(table);
   const auto channels = std::size_t(table.channels);
   for (std::size_t i = 0; i < table.values.size(); ++i)
@@ -202,16 +161,62 @@ std::vector<double> tableLevels() {
   return levels;
 }
 
-std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                           const std::vector<ChannelMatrix>& lost) {
+ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost) {
+  const auto n = lost.front().rows();
+  ChannelMatrix below = ChannelMatrix::Zero(n, n);
+  double scalarBelow = 0.0;
+  const auto between = [&](const ChannelMatrix& above, double scalarAbove) -> ChannelMatrix {
+    const double t = (level - scalarBelow) / (scalarAbove - scalarBelow);
+    return below + t * (above - below);
+  };
+  for (const ChannelMatrix& mip : lost) {
+    const double scalar = scalarLoss(mip);
+    if (scalar <= scalarBelow)
+      continue;
+    if (level <= scalar)
+      return between(mip, scalar);
+    below = mip;
+    scalarBelow = scalar;
+  }
+  return scalarBelow < 1.0 ? between(ChannelMatrix::Identity(n, n), 1.0) : below;
+}
+
+std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss, std::size_t count) {
+  const auto n = int(loss.rows());
+  const ChannelMatrix root = transport::power(loss, 0.5);
+  std::vector<std::array<float, 3>> result;
+  for (const Point& p : stratifiedGaussian(count, n, Precision::bits16)) {
+    const std::array<float, 3> raw{p.x, p.y, p.z};
+    ChannelVector centred(n);
+    for (int c = 0; c < n; ++c)
+      centred[c] = double(raw[std::size_t(c)]) - kGaussianMean;
+    const ChannelVector moved = root * centred;
+    std::array<float, 3> displacement{};
+    for (int c = 0; c < n; ++c)
+      displacement[std::size_t(c)] = float(moved[c]);
+    result.push_back(displacement);
+  }
+  return result;
+}
+
+std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
+                                              const std::vector<ChannelMatrix>& losses) {
   switch (table.dimensions) {
   case 1:
-    return slabsOf<1>(table, lost);
+    return slabsOf<1>(table, losses);
   case 2:
-    return slabsOf<2>(table, lost);
+    return slabsOf<2>(table, losses);
   default:
-    return slabsOf<3>(table, lost);
+    return slabsOf<3>(table, losses);
   }
+}
+
+std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
+                                           const std::vector<ChannelMatrix>& lost) {
+  std::vector<ChannelMatrix> losses;
+  for (const double level : tableLevels())
+    losses.push_back(lossAt(level, lost));
+  return prefilteredSlabsFor(table, losses);
 }
 
 Table inverseTableTexels(const std::vector<InverseTable>& slabs, ValueEncoding encoding, int bits) {

@@ -97,30 +97,36 @@ std::array<float, 3> blendedFetch(const Mips& mips, const Between& between, std:
 }
 
 template <std::size_t kDimensions>
-std::array<double, 4> meanOfFetches(const InverseTable& slab, const Mips& mips,
-                                    const Between& between) {
+FetchMoments momentsOfFetches(const InverseTable& slab, const Mips& mips, const Between& between) {
   const TableLookup<kDimensions> lookup(slab);
-  std::array<double, 4> mean{};
+  FetchMoments moments;
   for (std::uint32_t sample = 0; sample < kSamples; ++sample) {
     const std::array<float, 4> value = lookup(blendedFetch(mips, between, sample));
-    for (std::size_t c = 0; c < 4; ++c)
-      mean[c] += double(value[c]) / kSamples;
+    for (std::size_t c = 0; c < 4; ++c) {
+      moments.mean[c] += double(value[c]) / kSamples;
+      moments.square[c] += double(value[c]) * double(value[c]) / kSamples;
+    }
   }
-  return mean;
+  return moments;
 }
 
-std::array<double, 4> meanOf(const InverseTable& slab, const Mips& mips, const Between& between) {
+FetchMoments momentsOf(const InverseTable& slab, const Mips& mips, const Between& between) {
   switch (slab.dimensions) {
   case 1:
-    return meanOfFetches<1>(slab, mips, between);
+    return momentsOfFetches<1>(slab, mips, between);
   case 2:
-    return meanOfFetches<2>(slab, mips, between);
+    return momentsOfFetches<2>(slab, mips, between);
   default:
-    return meanOfFetches<3>(slab, mips, between);
+    return momentsOfFetches<3>(slab, mips, between);
   }
 }
 
 } // namespace
+
+FetchMoments fetchMoments(const InverseTable& slab, const Table& gaussian, double level,
+                          const std::vector<ChannelMatrix>& lost) {
+  return momentsOf(slab, Mips(gaussian), betweenMips(level, lost));
+}
 
 void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
                       const std::vector<ChannelMatrix>& lost) {
@@ -131,7 +137,7 @@ void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
   const auto channels = std::size_t(exact.channels);
   tbb::parallel_for(std::size_t(1), slabs.size() - 1, [&](std::size_t k) {
     InverseTable& slab = slabs[k];
-    const std::array<double, 4> fetched = meanOf(slab, mips, betweenMips(levels[k], lost));
+    const std::array<double, 4> fetched = momentsOf(slab, mips, betweenMips(levels[k], lost)).mean;
     for (std::size_t c = 0; c < channels; ++c) {
       float low = exact.values[c];
       float high = low;

@@ -19,18 +19,12 @@
 namespace lichen::tiling {
 namespace {
 
-// As the quality measure spectrum_distance_db has them (spectral_distances.cpp).
-constexpr int kLargestWindow = 128;
-constexpr int kWindowsPerSide = 4;
-constexpr int kLowestCycles = 4;
 constexpr int kSmallestWindow = 16;
 
 /// Of noise, in all windows: as many as 1024 x 1024 pixels have.
 constexpr int kSampledTexels = 1 << 20;
 
-int windowSide(const MapExemplar& map) {
-  return std::min(kLargestWindow, std::min(map.width, map.height) / kWindowsPerSide) / 2 * 2;
-}
+int windowSide(const MapExemplar& map) { return comparedCropSide(std::min(map.width, map.height)); }
 
 using Spectrum = std::vector<double>;
 using Planes = std::vector<std::vector<float>>;
@@ -154,9 +148,9 @@ double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
     return 10.0 * std::log10(std::max(power, roundingPower));
   };
   double sum = 0.0;
-  for (std::size_t radius = kLowestCycles; radius < noise.size(); ++radius)
+  for (std::size_t radius = kLowestComparedCycles; radius < noise.size(); ++radius)
     sum += decibels(noise[radius]) - decibels(exemplar[radius]);
-  return sum / double(noise.size() - kLowestCycles);
+  return sum / double(noise.size() - kLowestComparedCycles);
 }
 
 } // namespace lichen::tiling

@@ -44,6 +44,9 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (options.noise >= bundle.noises.size())
     return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
+  if (options.stride < 1 || (options.tileable && options.stride != 1))
+    return usage("stride " + std::to_string(options.stride) +
+                 ": 1 is accepted, and more where the image is not tileable");
   if (options.texelsPerTile != 0.0)
     if (Result<void> checked =
             checkRange("texels per tile", options.texelsPerTile, kTexelsPerTileRange);
@@ -112,9 +115,9 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
     TileFootprint at;
     at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
     at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
-    at.position[1] = float(start[1] + (y + 0.5) / pixelsPerTile[1]);
+    at.position[1] = float(start[1] + (double(y) * options.stride + 0.5) / pixelsPerTile[1]);
     for (int x = 0; x < image.width; ++x) {
-      at.position[0] = float(start[0] + (x + 0.5) / pixelsPerTile[0]);
+      at.position[0] = float(start[0] + (double(x) * options.stride + 0.5) / pixelsPerTile[0]);
       const TilingEvaluator::Value value =
           evaluator.value().evaluate(map, parameters, at, options.blend);
       std::copy_n(value.begin(), image.channels, image.pixel(x, y));

@@ -205,15 +205,17 @@ Result<void> HeadlessDevice::chooseDevice(const std::string& choice) {
   std::string names;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     vkGetPhysicalDeviceProperties(handles[i], &devices[i]);
-    names += (i ? ", " : "") + std::to_string(i) + " \"" + devices[i].deviceName + "\"";
+    names += (i ? ", " : "") + std::string("\"") + devices[i].deviceName + "\" (index " +
+             std::to_string(i) + ")";
   }
   const std::size_t index = findChoice(devices, choice);
   if (index == devices.size())
-    return Error{ErrorKind::usage, "no Vulkan device \"" + choice + "\": there are " + names};
+    return Error{ErrorKind::usage,
+                 "no Vulkan device \"" + choice + "\"; this machine has " + names};
   if (devices[index].apiVersion < VK_API_VERSION_1_3)
-    return Error{ErrorKind::environment, "Vulkan device \"" +
-                                             std::string(devices[index].deviceName) +
-                                             "\" is older than Vulkan 1.3: there are " + names};
+    return Error{ErrorKind::environment,
+                 "Vulkan device \"" + std::string(devices[index].deviceName) +
+                     "\" is older than Vulkan 1.3; this machine has " + names};
   physicalDevice_ = handles[index];
   properties_ = devices[index];
   return {};

@@ -132,6 +132,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
+    hasOtherTables_ = hasOtherTables_ || map.tableKind != LICHEN_TABLE_JOINT;
     if (const std::optional<std::size_t> role = roleOf(map.target))
       roles.map[*role] = int(m);
     else

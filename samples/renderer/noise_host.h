@@ -35,6 +35,8 @@ public:
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return noises_[material] != LICHEN_NO_NOISE;
   }
+  /// Whether some noise that is drawn has another table than a joint one.
+  [[nodiscard]] bool hasOtherTables() const { return hasOtherTables_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
@@ -72,6 +74,7 @@ private:
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
   std::set<std::string> notes_;
+  bool hasOtherTables_ = false;
 };
 
 } // namespace lichen::renderer

@@ -128,7 +128,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, int debugView) {
+void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
   Description d;
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
@@ -138,13 +138,15 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, int debugView) {
     VkBool32 hasNoise;
     VkBool32 hasNormalMap;
     std::int32_t debugView;
+    VkBool32 otherTables;
   };
   const std::array entries{
       VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
       VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
-      VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)}};
+      VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
+      VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)}};
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
-    const Constants constants{(i & 4) != 0, (i & 2) != 0, debugView};
+    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables};
     const VkSpecializationInfo specialization{std::uint32_t(entries.size()), entries.data(),
                                               sizeof constants, &constants};
     d.specialization = &specialization;
@@ -156,7 +158,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, int debugView) {
 
 } // namespace
 
-Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts, int debugView) {
+Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
+                          const SurfaceConstants& constants) {
   Pipelines pipelines;
   const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
   const std::array depthSets{layouts.frame, layouts.material};
@@ -166,7 +169,7 @@ Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts, 
       objects.pipelineLayout(depthSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
   pipelines.accumulateLayout = objects.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
-  createSurfaces(objects, pipelines, debugView);
+  createSurfaces(objects, pipelines, constants);
 
   Description depth;
   depth.layout = pipelines.depthLayout;

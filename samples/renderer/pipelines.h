@@ -48,8 +48,14 @@ struct PipelineLayouts {
   VkDescriptorSetLayout accumulate = VK_NULL_HANDLE;
 };
 
-/// `debugView` is one of the shaders' DEBUG_ constants. Culling and front face are dynamic.
+/// What all surfaces of a scene share at compile time.
+struct SurfaceConstants {
+  int debugView = 0;        ///< one of the shaders' DEBUG_ constants
+  bool otherTables = false; ///< some noise has a separable table, or none
+};
+
+/// Culling and front face are dynamic.
 [[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                                        int debugView);
+                                        const SurfaceConstants& constants);
 
 } // namespace lichen::renderer

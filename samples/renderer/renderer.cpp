@@ -77,7 +77,7 @@ public:
     createAccumulateSet();
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-        debugView_);
+        {debugView_, noises_.hasOtherTables()});
   }
 
   void renderFrame(std::uint32_t index) {

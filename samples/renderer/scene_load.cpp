@@ -68,6 +68,21 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const st
   return true;
 }
 
+/// tinygltf's report of why it could not load a scene, lines of text, as one sentence.
+std::string whyNotLoaded(std::string report) {
+  constexpr std::string_view kAbsent = "File not found : ";
+  if (const std::size_t at = report.find(kAbsent); at != std::string::npos) {
+    const std::size_t name = at + kAbsent.size();
+    return "names the file \"" + printable(report.substr(name, report.find('\n', name) - name)) +
+           "\", which is not in the scene's folder";
+  }
+  while (report.ends_with('\n'))
+    report.pop_back();
+  for (std::size_t at; (at = report.find('\n')) != std::string::npos;)
+    report.replace(at, 1, "; ");
+  return "cannot be loaded: " + printable(report, 160);
+}
+
 Result<tinygltf::Model> loadModel(GltfFile& file) {
   tinygltf::TinyGLTF loader;
   std::size_t imageBytes = 0;
@@ -87,7 +102,7 @@ Result<tinygltf::Model> loadModel(GltfFile& file) {
     return Error{ErrorKind::resources, "/images: more than " + std::to_string(kMaxImageBytes) +
                                            " bytes of files in all; smaller images are accepted"};
   if (!loaded)
-    return Error{ErrorKind::badInput, "cannot be loaded: " + printable(error, 160)};
+    return Error{ErrorKind::badInput, whyNotLoaded(error)};
   for (const tinygltf::BufferView& view : model.bufferViews)
     if (view.byteOffset + view.byteLength > model.buffers[std::size_t(view.buffer)].data.size())
       return Error{ErrorKind::badInput, "a buffer is shorter than its byteLength"};

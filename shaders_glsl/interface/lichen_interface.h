@@ -12,6 +12,17 @@
 #define LICHEN_MAX_MAPS 6
 #define LICHEN_MAX_MIPS 16
 
+// LichenMap::encoding, of the stored values.
+#define LICHEN_ENCODING_SRGB 0
+#define LICHEN_ENCODING_LINEAR 1
+#define LICHEN_ENCODING_SLOPE 2
+#define LICHEN_ENCODING_LOG2 3
+
+// LichenMap::decoding, from the Gaussian to the decoded value.
+#define LICHEN_DECODING_JOINT 0     // one table over all dimensions
+#define LICHEN_DECODING_SEPARABLE 1 // a table for each dimension, and an affine map
+#define LICHEN_DECODING_GAUSSIAN 2  // an affine map to the stored value, no table
+
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
 // the noise, in order, its Gaussian image and its inverse table.
 #define LICHEN_BINDING_NOISE 0
@@ -49,8 +60,7 @@ struct LichenNoise {
   uint seed;                        // as the material gives it; triplanar derives its planes
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
-  float reserved0, reserved1; // 0, as is reserved2: they bring the block to 512 bytes
-  vec4 reserved2;
+  float reserved0, reserved1; // 0: to a multiple of 16 bytes
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
@@ -58,17 +68,22 @@ struct LichenMap {
   float widthTexels, heightTexels; // of the Gaussian image's level 0
   uint dimensions;                 // D of the Gaussian image, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  uint alignedMips;        // how many of the first mips' texels all taps meet at the same place
-  uint tableLevels;        // L, the slabs of the inverse table; 0 without a table
-  uint padding0, padding1; // to a multiple of 16 bytes
-  vec4 mean;               // of the decoded values; w is 1
-  uvec4 mipKept; // amplitude that mip m keeps, sqrt(1 - lost variance): unorm byte m of sixteen
+  uint alignedMips; // how many of the first mips' texels all taps meet at the same place
+  uint tableLevels; // L, the slabs of the inverse table; 0 without a table
+  uint encoding;    // LICHEN_ENCODING_*
+  uint decoding;    // LICHEN_DECODING_*
+  vec4 mean;        // of the decoded values; w is 1. Slopes: z is the variance of a slope
+  uvec4 mipKept;    // amplitude that mip m keeps, sqrt(1 - lost variance): unorm byte m of sixteen
+  // The affine map of separable and Gaussian decoding: channel c is dot(row c, (input, 1)), the
+  // input a separable table's values, or the Gaussian value less its mean.
+  vec4 row0, row1, row2;
 };
 
 /// The uniform block.
 struct LichenUniforms {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
+  vec4 reserved[15]; // 0: to 1024 bytes
 };
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
 // uv (float2) and its screen-space gradients -> LichenTaps; slopes (float2) -> normal in tangent
-// space.
+// space; what of them a pixel hides -> roughness.
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
@@ -30,5 +30,15 @@ vec2 lichenSlopesToUv(vec2 slopes, LichenNoise noise) {
 
 /// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).
 vec3 lichenNormalFromSlopes(vec2 slopes) { return normalize(vec3(-slopes, 1.0)); }
+
+/// The perceptual roughness of a microfacet surface whose slopes vary by `slopeVariance`, along
+/// each axis, where the footprint does not show it: a slope map's z, times the square of what
+/// multiplies the slopes. Neither rotation nor scale of the texture coordinates changes it.
+float lichenRoughness(float roughness, float slopeVariance) {
+  // [OB10] section 3, [TK19] eq. 3: a facet's slopes have the variance alpha^2 / 2 along each axis
+  // (of GGX, the Beckmann's that it stands for), and variances add.
+  float alpha = roughness * roughness;
+  return sqrt(sqrt(min(1.0, alpha * alpha + 2.0 * max(0.0, slopeVariance))));
+}
 
 #endif

@@ -7,9 +7,9 @@
 #define LICHEN_TILING_GLSL
 
 #include "../interface/lichen_interface.h"
-#include "gaussian_cdf.glsl"
 #include "hash.glsl"
 #include "simplex_lattice.glsl"
+#include "tiling_decode.glsl"
 
 // 1 when the Gaussian images' sampler is anisotropic. Otherwise the level of detail is computed
 // once per map instead of once per tap: the same result, cheaper, and more exact where a driver
@@ -23,9 +23,6 @@
 #define LICHEN_BLEND_SHARPNESS 1
 #endif
 
-// Cells of a three-channel inverse table along each axis.
-#define LICHEN_TABLE_CELLS 32.0
-
 /// What all maps of a noise share at one point.
 struct LichenTaps {
   vec2 position;         // [tiles] relative to the host's integer tile origin
@@ -38,8 +35,8 @@ struct LichenTaps {
 
 /// The offset of vertex (i, j)'s tile. [tiles]
 vec2 lichenTileOffset(int i, int j, LichenNoise noise) {
-  uvec2 index = lichenTileOffsetIndex(i, j, noise.seedWord,
-                                      uvec2(noise.offsetCountX, noise.offsetCountY));
+  uvec2 index =
+      lichenTileOffsetIndex(i, j, noise.seedWord, uvec2(noise.offsetCountX, noise.offsetCountY));
   // Through int, below 2^14: float of uint is slower on devices with only signed conversions.
   return vec2(ivec2(index)) * vec2(noise.offsetStepX, noise.offsetStepY);
 }
@@ -140,37 +137,31 @@ float lichenTilingLostVariance(LichenTaps taps, float level, LichenMap map) {
   return 1.0 - (keptAbove + rest * rest * (keptBelow - keptAbove));
 }
 
-/// The inverse table, at a Gaussian value of which the fraction `lostVariance` is missing.
-vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
-  // [HN18] section 4.3: T^-1 as a table over the Gaussian's distribution function, eq. 22.
-  vec3 uniformValue = lichenGaussianCdf(gaussian);
-  float levels = float(int(map.tableLevels));
-  // The table's levels are equidistant in kept amplitude.
-  float level = (levels - 1.0) * (1.0 - sqrt(max(0.0, 1.0 - lostVariance)));
-  // One and two channels: the third coordinate is the level, and one fetch filters it too. Three: a
-  // volume for each level, one behind the other; interpolation stays half a cell inside each.
-  bool isVolume = map.dimensions == 3u;
-  float slab = floor(level);
-  float depth = clamp(LICHEN_TABLE_CELLS * uniformValue.z, 0.5, LICHEN_TABLE_CELLS - 0.5);
-  vec3 place = vec3(uniformValue.xy,
-                    (isVolume ? slab + depth / LICHEN_TABLE_CELLS : level + 0.5) / levels);
-  vec4 value = textureLod(table, place, 0.0);
-  if (isVolume && level > slab) {
-    place.z += 1.0 / levels;
-    value = mix(value, textureLod(table, place, 0.0), level - slab);
-  }
-  return value;
+/// Of the lost variance, the share that the footprint takes, mips at the centres of their texels:
+/// bilinear interpolation between texels reconstructs and hides no detail.
+float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map) {
+  float clamped = clamp(level, 0.0, float(int(map.mipCount) - 1));
+  int mip = int(clamped);
+  float below = lichenMipKept(mip, map);
+  float above = lichenMipKept(mip + 1, map);
+  float rest = 1.0 - (clamped - float(mip));
+  float lost = 1.0 - (above * above + rest * rest * (below * below - above * above));
+  return lost < lostVariance ? lost / lostVariance : 1.0;
 }
 
-/// The value of one map: light for colours, the decoded quantity for the others.
+/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
+/// the variance of a slope that the footprint hides, for lichenRoughness.
 vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
                   LichenMap map) {
   // [HN18] eq. 18.
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, map);
   // Contrast scales what is missing with what is there.
-  lost = min(1.0, noise.contrast * noise.contrast * lost);
-  return lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost, map);
+  float scaled = min(1.0, noise.contrast * noise.contrast * lost);
+  vec4 value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    value.z *= lichenTilingFootprintShare(level, lost, map);
+  return value;
 }
 
 /// The three tiles decoded one by one and blended, `gain` times as far from the mean.

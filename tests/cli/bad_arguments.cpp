@@ -46,10 +46,12 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 } // namespace
 
 TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
-  checkRefusal({}, kUsage, {"a verb is missing; bake, synth or check", "'lichen --help'"});
   checkRefusal(
-      {"chek"}, kUsage,
-      {"lichen: chek: no such verb; bake, synth or check is accepted; see 'lichen --help'"});
+      {}, kUsage,
+      {"a verb is missing; bake, synth, inspect, check, compare or merge", "'lichen --help'"});
+  checkRefusal({"chek"}, kUsage,
+               {"lichen: chek: no such verb; bake, synth, inspect, check, compare or merge is "
+                "accepted; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
@@ -138,7 +140,8 @@ TEST_CASE("of an option given twice the last value counts") {
 }
 
 TEST_CASE("help and messages have no word of the parser's own types") {
-  for (const Arguments& verb : {Arguments{}, {"bake"}, {"synth"}, {"check"}}) {
+  for (const Arguments& verb :
+       {Arguments{}, {"bake"}, {"synth"}, {"inspect"}, {"check"}, {"compare"}, {"merge"}}) {
     Arguments arguments = verb;
     arguments.push_back("--help");
     const Ended ended = runLichen(arguments);

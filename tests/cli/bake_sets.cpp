@@ -309,6 +309,10 @@ TEST_CASE("several files are a set, one alone is the base colour whatever its na
   CHECK(both.at("name") == "oak_bark");
   CHECK(mapsOf(both).count("baseColor") == 1);
   CHECK(mapsOf(both).at("occlusionRoughnessMetallic") == std::vector<std::string>{"roughness"});
+  // Only whole words are a name: not stone_di.
+  const json stone = baked(workplace, {workplace.write("stone_diff.png", flat(kColor)),
+                                       workplace.write("stone_disp.png", flat({code(102)}))});
+  CHECK(stone.at("name") == "stone");
   const json alone = baked(workplace, {rough});
   CHECK(alone.at("name") == "oak_bark_rough_1k");
   CHECK(mapsOf(alone).count("baseColor") == 1);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <random>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -22,6 +23,14 @@ nlohmann::json onlyObject(const std::string& text) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   REQUIRE(json.is_object());
   return json;
+}
+
+/// Independent values of this distribution.
+SrgbImage grain(int width, int height, auto distribution) {
+  SrgbImage image(width, height, 3);
+  std::mt19937 random(3);
+  std::generate(image.values.begin(), image.values.end(), [&] { return distribution(random); });
+  return image;
 }
 
 } // namespace
@@ -104,6 +113,49 @@ TEST_CASE("--json gives one object and nothing else") {
   CHECK(synthReport.at("output") == picture);
   CHECK(synthReport.at("width") == 20);
   CHECK(synthReport.at("height") == 10);
+}
+
+TEST_CASE("--lut and --gaussian choose the kind of table, and all kinds can be checked and shown") {
+  const Workplace workplace;
+  const std::string input = workplace.write(
+      "grain.png", grain(64, 48, std::uniform_real_distribution<float>(0.2f, 0.8f)));
+  const std::string bundle = workplace.path("kinds.glb");
+  std::vector<std::string> pictures;
+  for (const auto& [lut, gaussian, table, bytes] :
+       {std::tuple{"joint", "no", "joint", std::size_t(8 * 32 * 32 * 32 * 4)},
+        {"separable", "no", "separable", std::size_t(8 * 256 * 8)},
+        {"joint", "yes", "none", std::size_t(0)},
+        {"separable", "yes", "none", std::size_t(0)}}) {
+    INFO(lut << ", " << gaussian);
+    const Ended baked =
+        runLichen({"bake", input, "-o", bundle, "--json", "--lut", lut, "--gaussian", gaussian});
+    REQUIRE(baked.code == 0);
+    const auto report = nlohmann::json::parse(baked.output);
+    CHECK(report.at("table") == table);
+    CHECK(report.at("precisionLoss").at("colorDistance").get<double>() > 0.0);
+    CHECK(report.at("precisionLoss").at("mean").get<double>() < 0.02);
+    // Besides, 64 x 48 texels of four bytes and their mips, up to a third more.
+    const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
+    CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));
+    CHECK(runLichen({"check", bundle}).code == 0);
+    synth(workplace, bundle, {"--size", "32"});
+    pictures.push_back(workplace.read("synth.png"));
+  }
+  CHECK(pictures[0] != pictures[1]);
+  CHECK(pictures[0] != pictures[2]);
+  CHECK(pictures[1] != pictures[2]);
+  CHECK(pictures[2] == pictures[3]);
+}
+
+TEST_CASE("--gaussian auto leaves the table out of Gaussian exemplars only") {
+  const Workplace workplace;
+  const SrgbImage gaussian = grain(64, 64, std::normal_distribution<float>(0.5f, 0.05f));
+  const SrgbImage uniform = grain(64, 64, std::uniform_real_distribution<float>(0.2f, 0.8f));
+  for (const auto& [image, table] : {std::pair{gaussian, "none"}, {uniform, "joint"}}) {
+    const std::string input = workplace.write("exemplar.png", image);
+    const Ended baked = runLichen({"bake", input, "-o", workplace.path("auto.glb"), "--json"});
+    CHECK(onlyObject(baked.output).at("table") == table);
+  }
 }
 
 TEST_CASE("--quiet is silent, even where there is something to note") {

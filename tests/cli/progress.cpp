@@ -18,8 +18,9 @@ struct Made {
   std::string stamp = workplace.write("stamp.png", smooth(16));
   std::string bundle = bake(workplace, stamp, "stamp.glb");
 
+  /// With --json, since notes would stand among the progress.
   [[nodiscard]] Arguments longBake() const {
-    return {"bake", photograph, "-o", workplace.path("new.glb"), "--threads", "1"};
+    return {"bake", photograph, "-o", workplace.path("new.glb"), "--threads", "1", "--json"};
   }
   [[nodiscard]] Arguments longSynth() const {
     return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "3200", "--threads", "1"};

@@ -103,6 +103,21 @@ TEST_CASE("a scene that cannot be read is bad input") {
   }
 }
 
+TEST_CASE("a scene whose buffer's file is absent names that file in one clean line") {
+  if (!hasDevice())
+    return;
+  const TemporaryFolder folder;
+  const std::string text =
+      R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4, "uri": "gone%20.bin"}]})";
+  const std::string path = writeInto(folder, "s.gltf", std::as_bytes(std::span(text))).string();
+  const Outcome outcome = run(path + " --size 8 -o " + (folder.path() / "o.png").string());
+  INFO(outcome.output);
+  CHECK(outcome.exitCode == 3);
+  CHECK(outcome.output ==
+        "lichen-render: " + path +
+            ": names the file \"gone .bin\", which is not in the scene's folder\n");
+}
+
 TEST_CASE("a fault in a noise is bad input, named by its place") {
   if (!hasDevice())
     return;
@@ -204,6 +219,11 @@ TEST_CASE("what only the device can tell has its exit code too") {
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
   const std::string out = " -o " + (folder.path() / "o.png").string() + " --size 8x8 --frames 1 ";
   CHECK(run(scene + out + "--device no-such-device").exitCode == 2);
+  const Outcome noDevice = run(scene + out + "--device 99");
+  INFO(noDevice.output);
+  CHECK(noDevice.exitCode == 2);
+  CHECK(noDevice.output.find("no Vulkan device \"99\"; this machine has \"") != std::string::npos);
+  CHECK(noDevice.output.find("(index 0)") != std::string::npos);
   CHECK(run(scene + out + "--camera nowhere").exitCode == 2);
   CHECK(run(scene + out + "--environment " + scene).exitCode == 3);
   const Outcome noFolder = run(scene + " -o /nonexistent/o.png --size 8x8 --frames 1");

@@ -136,6 +136,15 @@ TEST_CASE("the noise far from the origin is another part of the same material") 
     CHECK(meanOf(far)[c] == Approx(meanOf(near)[c]).margin(0.04));
 }
 
+TEST_CASE("the pattern of a bundle is that of its material's seed, unless another is asked for") {
+  const Workplace workplace;
+  const std::string bundle =
+      bake(workplace, workplace.write("smooth.png", smooth(16)), "noise.glb", {"--seed", "12"});
+  const SrgbImage own = synth(workplace, bundle, {"--size", "32x32"});
+  CHECK(own.values == synth(workplace, bundle, {"--size", "32x32", "--seed", "12"}).values);
+  CHECK(own.values != synth(workplace, bundle, {"--size", "32x32", "--seed", "1"}).values);
+}
+
 TEST_CASE("another seed gives another pattern, the same seed the same one") {
   const SrgbImage one = made({"--size", "64x64", "--seed", "1"});
   CHECK((made({"--size", "64x64"}).values == one.values));

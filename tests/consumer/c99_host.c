@@ -25,7 +25,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
   failures += KEEPS(LichenNoiseProperties, combinedImageSamplerCount, 40, 36);
-  failures += KEEPS(LichenMapProperties, reserved, 48, 44);
+  failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
   failures += KEEPS(LichenMaterialProperties, unknownRevision, 32, 28);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);

@@ -45,6 +45,10 @@ void checkMap(const NoiseMap& map, const Bundle& bundle) {
   require(map.gaussian < bundle.tables.size(), "index of the Gaussian image");
   require(map.mipLoss.size() == bundle.tables[map.gaussian].mipLevels, "number of mip losses");
   require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
+  require(map.tableOffset.empty() == map.tableBasis.empty(), "a basis without an offset");
+  require(map.inverseTable || map.tableBasis.empty(), "a basis without a table");
+  require(map.tableOffset.empty() || map.tableOffset.size() == map.channels.size(),
+          "an offset for each channel");
   require(!map.inverseTable || *map.inverseTable < bundle.tables.size(), "index of the table");
 }
 

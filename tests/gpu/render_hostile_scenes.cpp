@@ -57,11 +57,11 @@ const std::vector<Fault> kFaults{
      [](GltfScene& s) {
        s.json["buffers"].push_back({{"byteLength", 4}});
      }},
-    {"a buffer outside the folder", "cannot be loaded",
+    {"a buffer outside the folder", "is not in the scene's folder",
      [](GltfScene& s) {
        s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "../x.bin"}});
      }},
-    {"an absolute buffer", "cannot be loaded",
+    {"an absolute buffer", "is not in the scene's folder",
      [](GltfScene& s) {
        s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "/etc/passwd"}});
      }},

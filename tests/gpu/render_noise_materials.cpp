@@ -94,6 +94,28 @@ TEST_CASE("core textures of what a noise has are not drawn") {
   CHECK(picture(plain).values == picture(textured).values);
 }
 
+TEST_CASE(
+    "noises with a separable table, or without one, are drawn beside one with a joint table") {
+  // In the middle of the ball. Stored values of mean 1/2 and deviation 1/10, as light: 0.223. The
+  // separable table's values average 0.5 +- 0.1 a channel, and its map takes 1/2 each to 0.4, 0.55
+  // and 0.07. An unread table would be black. A few patches of noise: a tenth either way.
+  const auto middleOf = [](const SyntheticMap& map) {
+    const LinearImage image = picture(noiseBall({map, kOrm}), "base-color");
+    std::array<double, 3> mean{};
+    for (int y = 24; y < 40; ++y)
+      for (int x = 24; x < 40; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          mean[c] += double(image.pixel(x, y)[c]) / 256.0;
+    return mean;
+  };
+  for (const double channel : middleOf({3, 64, 64, true, 0, SyntheticTable::none}))
+    CHECK(channel == Approx(0.223).margin(0.06));
+  const auto separable = middleOf({3, 64, 64, true, 4, SyntheticTable::separable});
+  CHECK(separable[0] == Approx(0.4).margin(0.15));
+  CHECK(separable[1] == Approx(0.54).margin(0.15));
+  CHECK(separable[2] == Approx(0.08).margin(0.15));
+}
+
 TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   NoiseMap& orm = file.bundle.noises[0].maps[1];

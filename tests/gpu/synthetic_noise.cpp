@@ -67,18 +67,20 @@ float tableValue(double x, double y, double z, std::size_t c, double kept) {
 
 Table inverseTable(const SyntheticMap& map) {
   constexpr std::uint32_t kCells[] = {256, 64, 32};
-  const std::uint32_t cells = kCells[map.dimensions - 1];
+  const bool isSeparable = map.table == SyntheticTable::separable;
+  const int axes = isSeparable ? 1 : map.dimensions;
+  const std::uint32_t cells = kCells[axes - 1];
   const auto levels = std::uint32_t(map.levels);
   Table table;
   const bool slopes = map.dimensions == 2; // the format wants them as floats
-  table.format = !map.eightBit || slopes ? rgba16Sfloat
-                 : map.dimensions == 3   ? rgba8Srgb
-                                         : rgba8Unorm;
+  table.format = !map.eightBit || slopes || isSeparable ? rgba16Sfloat
+                 : map.dimensions == 3                  ? rgba8Srgb
+                                                        : rgba8Unorm;
   table.width = cells;
-  const std::uint32_t rows = map.dimensions > 1 ? cells : 1;
-  const std::uint32_t slices = map.dimensions > 2 ? cells : 1;
-  table.height = map.dimensions > 2 ? rows : rows * levels;
-  table.depth = map.dimensions > 2 ? slices * levels : 0;
+  const std::uint32_t rows = axes > 1 ? cells : 1;
+  const std::uint32_t slices = axes > 2 ? cells : 1;
+  table.height = axes > 2 ? rows : rows * levels;
+  table.depth = axes > 2 ? slices * levels : 0;
   std::vector<float> values;
   for (std::uint32_t level = 0; level < levels; ++level)
     for (std::uint32_t z = 0; z < slices; ++z)
@@ -102,6 +104,10 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
     map.target = MapTarget::normal;
     map.channels = {slopeX, slopeY};
     map.encoding = ValueEncoding::slope;
+  } else if (source.table == SyntheticTable::none) {
+    map.target = MapTarget::height;
+    map.channels = {height};
+    map.encoding = ValueEncoding::log2;
   } else {
     map.target = MapTarget::occlusionRoughnessMetallic;
     map.channels = {occlusion, roughness, metallic};
@@ -109,10 +115,15 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
   }
   const std::size_t n = map.channels.size();
   map.mean.assign(n, 0.5);
-  map.covariance.assign(n * n, 0.0);
+  map.covariance.assign(n * n, source.table == SyntheticTable::none ? 0.006 : 0.0);
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
-  for (std::size_t k = 0; k < source.levels; ++k)
+  if (source.table == SyntheticTable::separable) {
+    // Turned by a third about the grey axis, and part of it out of gamut.
+    map.tableBasis = {0.577, 0.816, 0.0, 0.577, -0.408, 0.707, 0.577, -0.408, -0.707};
+    map.tableOffset = {-0.3, 0.1, 0.2};
+  }
+  for (std::size_t k = 0; source.table != SyntheticTable::none && k < source.levels; ++k)
     map.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
   for (std::uint32_t level = 0; level < mipLevels; ++level)
     map.mipLoss.push_back(1.0 - std::pow(0.4, double(level)));
@@ -131,8 +142,10 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
     NoiseMap map = describeMap(source, gaussian.mipLevels);
     map.gaussian = file.bundle.tables.size();
     file.bundle.tables.push_back(std::move(gaussian));
-    map.inverseTable = file.bundle.tables.size();
-    file.bundle.tables.push_back(inverseTable(source));
+    if (source.table != SyntheticTable::none) {
+      map.inverseTable = file.bundle.tables.size();
+      file.bundle.tables.push_back(inverseTable(source));
+    }
     noise.maps.push_back(std::move(map));
   }
   file.bundle.noises.push_back(std::move(noise));

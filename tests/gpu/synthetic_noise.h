@@ -9,12 +9,15 @@
 
 namespace lichen::test {
 
+enum class SyntheticTable { joint, separable, none };
+
 struct SyntheticMap {
   int dimensions = 3; ///< D, 1 to 3; decides the map's target
   std::uint32_t width = 64;
   std::uint32_t height = 64;
   bool eightBit = false; ///< 8-bit tables instead of 16-bit floats
   std::size_t levels = 4;
+  SyntheticTable table = SyntheticTable::joint; ///< separable for three dimensions
 };
 
 /// One noise with these maps and one material that uses it.

@@ -107,8 +107,12 @@ Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
           p[1] + double(index[1]) * double(n.offsetStepY)};
 }
 
-/// Step 5.
-double lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
+double uniformOf(double gaussian) {
+  return 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (gaussian - 0.5));
+}
+
+/// Step 5: s, and what of it the mips lose at the centres of their texels.
+std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept.x, m.mipKept.y, m.mipKept.z, m.mipKept.w};
   const auto amplitude = [&](int mip) {
     mip = std::min(mip, 15);
@@ -128,21 +132,112 @@ double lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   lambda = std::clamp(lambda, 0.0, double(m.mipCount - 1));
   const int mu = int(std::floor(lambda));
   const double t = lambda - mu, below = kept(mu), above = kept(mu + 1);
-  return 1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above));
+  const double atTexels =
+      std::pow(amplitude(mu + 1), 2) +
+      (1.0 - t) * (1.0 - t) * (std::pow(amplitude(mu), 2) - std::pow(amplitude(mu + 1), 2));
+  return {1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above)), 1.0 - atTexels};
 }
 
 } // namespace
 
 TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map)
-    : slabs_(map.levels.size()) {
+    : slabs_(map.levels.size()), map_(map) {
   const Table& gaussian = bundle.tables[map.gaussian];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
     levels_.push_back({int(std::max(1u, gaussian.width >> level)),
                        int(std::max(1u, gaussian.height >> level)), 1,
                        std::size_t(channelCount(gaussian.format)), decodeLevel(gaussian, level)});
+  if (!map.inverseTable)
+    return;
   const Table& table = bundle.tables[*map.inverseTable];
   table_ = {int(table.width), int(table.height), int(std::max(1u, table.depth)),
             std::size_t(channelCount(table.format)), decodeLevel(table, 0)};
+}
+
+TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double lost,
+                                                    unsigned dimensions) const {
+  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - lost));
+  std::array<double, 3> u{};
+  for (std::size_t c = 0; c < 3; ++c)
+    u[c] = uniformOf(gaussian[c]);
+  const int cellsX = table_.width;
+  const int cellsY = dimensions == 3 ? table_.height : table_.height / int(slabs_);
+  const int cellsZ = table_.depth / (dimensions == 3 ? int(slabs_) : 1);
+  const auto slab = [&](int k) {
+    const auto inside = [](double value, int cells) {
+      return std::clamp(value * cells, 0.5, cells - 0.5);
+    };
+    std::array<double, 3> at{inside(u[0], cellsX), inside(u[1], cellsY), inside(u[2], cellsZ)};
+    if (dimensions == 1)
+      at[1] = 0.5;
+    at[dimensions == 3 ? 2 : 1] += double(k * (dimensions == 3 ? cellsZ : cellsY));
+    return sampleClamp(table_, at);
+  };
+  const int low = int(level), high = std::min(low + 1, int(slabs_) - 1);
+  const Vec4 a = slab(low), b = slab(high);
+  Decoded value{};
+  for (std::size_t c = 0; c < 4; ++c)
+    value[c] = a[c] + (level - low) * (b[c] - a[c]);
+  return value;
+}
+
+TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, double lost,
+                                                     unsigned dimensions) const {
+  const double row = 0.5 + double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - lost));
+  Decoded value{0.0, 0.0, 0.0, 1.0};
+  const std::size_t n = map_.channels.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    value[c] = map_.tableOffset[c];
+    for (unsigned axis = 0; axis < dimensions; ++axis) {
+      const double u = uniformOf(gaussian[axis]) * table_.width;
+      value[c] += map_.tableBasis[c * dimensions + axis] * sampleClamp(table_, {u, row, 0.5})[axis];
+    }
+    value[c] = std::clamp(value[c], 0.0, map_.encoding == ValueEncoding::log2 ? 65504.0 : 1.0);
+  }
+  return value;
+}
+
+TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, double lost) const {
+  const std::size_t n = map_.channels.size();
+  // [L_ij] with L L^T the covariance, by the formulas of two and three dimensions.
+  const auto& c = map_.covariance;
+  std::array<std::array<double, 3>, 3> l{};
+  l[0][0] = std::sqrt(c[0]);
+  if (n > 1) {
+    l[1][0] = c[n] / l[0][0];
+    l[1][1] = std::sqrt(c[n + 1] - l[1][0] * l[1][0]);
+  }
+  if (n > 2) {
+    l[2][0] = c[6] / l[0][0];
+    l[2][1] = (c[7] - l[2][0] * l[1][0]) / l[1][1];
+    l[2][2] = std::sqrt(c[8] - l[2][0] * l[2][0] - l[2][1] * l[2][1]);
+  }
+  const auto decode = [&](double x) {
+    switch (map_.encoding) {
+    case ValueEncoding::slope:
+      return x;
+    case ValueEncoding::log2:
+      return std::exp2(std::clamp(x, 0.0, 16.0)) - 1.0;
+    case ValueEncoding::linear:
+      return std::clamp(x, 0.0, 1.0);
+    default:
+      x = std::clamp(x, 0.0, 1.0);
+      return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    }
+  };
+  Decoded value{0.0, 0.0, 0.0, 1.0};
+  double variances = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double x = map_.mean[i];
+    for (std::size_t j = 0; j <= i; ++j)
+      x += 6.0 * l[i][j] * (gaussian[j] - 0.5);
+    const double r = std::sqrt(3.0 * lost * c[i * n + i]);
+    value[i] = 2.0 / 3.0 * decode(x) + (decode(x - r) + decode(x + r)) / 6.0;
+    variances += lost * c[i * n + i];
+  }
+  if (map_.encoding == ValueEncoding::slope)
+    value[2] = variances / 2.0;
+  return value;
 }
 
 TilingReference::Sample TilingReference::evaluate(const Point& point, const shader::LichenNoise& n,
@@ -178,31 +273,16 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   }
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  sample.gaussian[3] = lostVariance(p, lambda, m);
+  const auto [lost, lostAtTexels] = lostVariance(p, lambda, m);
+  sample.gaussian[3] = lost;
 
   // Step 6.
   const double s = std::min(1.0, double(n.contrast) * double(n.contrast) * sample.gaussian[3]);
-  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - s));
-  std::array<double, 3> u{};
-  for (std::size_t c = 0; c < 3; ++c)
-    u[c] = 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (sample.gaussian[c] - 0.5));
-  const int cellsX = table_.width;
-  const int cellsY = m.dimensions == 3 ? table_.height : table_.height / int(slabs_);
-  const int cellsZ = table_.depth / (m.dimensions == 3 ? int(slabs_) : 1);
-  const auto slab = [&](int k) {
-    const auto inside = [](double value, int cells) {
-      return std::clamp(value * cells, 0.5, cells - 0.5);
-    };
-    std::array<double, 3> at{inside(u[0], cellsX), inside(u[1], cellsY), inside(u[2], cellsZ)};
-    if (m.dimensions == 1)
-      at[1] = 0.5;
-    at[m.dimensions == 3 ? 2 : 1] += double(k * (m.dimensions == 3 ? cellsZ : cellsY));
-    return sampleClamp(table_, at);
-  };
-  const int low = int(level), high = std::min(low + 1, int(slabs_) - 1);
-  const Vec4 a = slab(low), b = slab(high);
-  for (std::size_t c = 0; c < 4; ++c)
-    sample.value[c] = a[c] + (level - low) * (b[c] - a[c]);
+  sample.value = !map_.inverseTable         ? withoutTable(sample.gaussian, s)
+                 : map_.tableOffset.empty() ? fromTable(sample.gaussian, s, m.dimensions)
+                                            : fromTables(sample.gaussian, s, m.dimensions);
+  if (m.encoding == LICHEN_ENCODING_SLOPE && lost > 0.0)
+    sample.value[2] *= lostAtTexels / lost;
   return sample;
 }
 

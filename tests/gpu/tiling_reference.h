@@ -41,9 +41,15 @@ public:
                                 const shader::LichenMap& map) const;
 
 private:
+  using Decoded = std::array<double, 4>;
+  [[nodiscard]] Decoded fromTable(const Decoded& gaussian, double lost, unsigned dimensions) const;
+  [[nodiscard]] Decoded fromTables(const Decoded& gaussian, double lost, unsigned dimensions) const;
+  [[nodiscard]] Decoded withoutTable(const Decoded& gaussian, double lost) const;
+
   std::vector<Volume> levels_;
   Volume table_;
   std::size_t slabs_;
+  const NoiseMap map_;
 };
 
 } // namespace lichen::test

@@ -2,7 +2,6 @@
 // What flattening removes and what it keeps, by waves, spectra and the cloudiness that is left.
 #include "example_exemplar.h"
 #include "measured_cloudiness.h"
-#include "unsuitable_exemplars.h"
 
 #include <lichen/flatten.h>
 #include <lichen/spectrum.h>
@@ -16,6 +15,7 @@
 #include <limits>
 #include <materials.h>
 #include <numbers>
+#include <unsuitable.h>
 
 using namespace lichen;
 using lichen::test::baseColor;
@@ -118,7 +118,7 @@ TEST_CASE("A ramp goes without a trace at the borders where the exemplar does no
 }
 
 TEST_CASE("Uneven light goes as a factor: what is left is what even light shows") {
-  const MapExemplar lit = baseColor(test::slopingLight(128));
+  const MapExemplar lit = baseColor(exemplars::slopingLight(128));
   const MapExemplar even = baseColor(exemplars::sand(128));
   const MapExemplar flatLit = flattened(lit, 128.0, false);
   const MapExemplar flatEven = flattened(even, 128.0, false);
@@ -134,7 +134,7 @@ TEST_CASE("Uneven light goes as a factor: what is left is what even light shows"
 }
 
 TEST_CASE("Detail faster than the period is kept") {
-  const MapExemplar carpet = baseColor(test::carpet(128));
+  const MapExemplar carpet = baseColor(exemplars::carpet(128));
   const MapExemplar flat = flattened(carpet, 64.0);
   const auto power = [](const MapExemplar& map) {
     return radialPowerSpectrum(luminancePlane(imageOf(map)), map.width, map.height, 64);
@@ -149,7 +149,7 @@ TEST_CASE("Detail faster than the period is kept") {
 }
 
 TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
-  const MapExemplar carpet = baseColor(test::carpet(128));
+  const MapExemplar carpet = baseColor(exemplars::carpet(128));
   const std::optional<double> period = automaticPeriod(carpet, true);
   REQUIRE(period.has_value());
   const MapExemplar flat = flattened(carpet, *period);
@@ -165,7 +165,7 @@ TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
 }
 
 TEST_CASE("Auto takes a gradient and a vignette away") {
-  for (const auto& generate : {test::slopingLight, test::vignette}) {
+  for (const auto& generate : {exemplars::slopingLight, exemplars::vignette}) {
     const MapExemplar map = baseColor(generate(128));
     const std::optional<double> period = automaticPeriod(map, false);
     REQUIRE(period.has_value());
@@ -177,7 +177,7 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
 TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::granite(256)), true).has_value());
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::rust(256)), true).has_value());
-  CHECK_FALSE(automaticPeriod(baseColor(test::weave(128)), true).has_value());
+  CHECK_FALSE(automaticPeriod(baseColor(exemplars::weave(128)), true).has_value());
 }
 
 TEST_CASE("The maps of a set lose the same share of their sides") {

@@ -3,10 +3,12 @@
 // reports it and leaves nothing behind (AddressSanitizer's runs look for leaks).
 #include "example_exemplar.h"
 
+#include <lichen/bundle_merge.h>
 #include <lichen/bundle_writer.h>
 #include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
+#include <lichen/noise_report.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
@@ -106,6 +108,17 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
+TEST_CASE("a bake of a set that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  MapExemplar height = grey;
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  std::reverse(height.values.begin(), height.values.end());
+  const std::vector<MapExemplar> maps{grey, height};
+  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", maps, {}); }) > 64);
+}
+
 TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
   const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
   CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
@@ -171,6 +184,25 @@ TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no fi
               First::sampled, Outcome::success, [&] { return writeBundle(path, file); },
               [&] { REQUIRE(folder.entryCount() == 0); }) > 50);
   }
+}
+
+TEST_CASE("a merge that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar height = oneChannel(test::threeMaterials(6, 4, 1, 1));
+  Bundle bundle = bakedBundle(height);
+  bundle.materials = {MaterialNoise{}};
+  bundle.materialNames = {"a material with a name that is stored outside its string"};
+  const std::vector<NamedBundle> inputs{{"a file with a long name.glb", bundle},
+                                        {"another file with a long name.glb", bundle}};
+  CHECK(exhaustMemory(First::each, [&] { return mergeBundles(inputs); }) > 10);
+}
+
+TEST_CASE("a report that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  Bundle bundle = bakedBundle(map);
+  bundle.materials = {MaterialNoise{}};
+  const BakeRecord record{bundle,          {&map, 1}, true, "command", {{"name", "value"}},
+                          {{"step", 1.0}}, {"a note"}};
+  CHECK(exhaustMemory(First::sampled, [&] { return encodeNoiseReport(record); }) > 50);
 }
 
 TEST_CASE("a measure that runs out of memory says so, whichever allocation fails") {

@@ -2,7 +2,6 @@
 // The risks of exemplars, against closed forms, exhaustive sums and pictures that work or fail.
 #include "example_exemplar.h"
 #include "measured_cloudiness.h"
-#include "unsuitable_exemplars.h"
 
 #include <lichen/lattice.h>
 #include <lichen/quality.h>
@@ -22,6 +21,7 @@
 #include <suitability/lattice_share.h>
 #include <suitability/phase_coherence.h>
 #include <suitability/slow_variation.h>
+#include <unsuitable.h>
 
 using namespace lichen;
 using namespace lichen::suitability;
@@ -104,7 +104,7 @@ TEST_CASE("Exemplars that work have no severe risk, with a margin") {
 }
 
 TEST_CASE("Exemplars that fail have the risk they were made for, severe with a margin") {
-  for (const test::Unsuitable& exemplar : test::kUnsuitable) {
+  for (const exemplars::Unsuitable& exemplar : exemplars::kUnsuitable) {
     const std::vector<Risk> risks = risksOf(baseColor(exemplar.generate(256)), exemplar.periodic);
     const Risk& risk = named(risks, exemplar.risk);
     INFO(exemplar.name << ", " << risk.name << ": " << risk.score);
@@ -142,7 +142,7 @@ TEST_CASE("The cloudiness foretold is that of the decoded blend") {
   // The standard error of a deviation measured on 400 samples is 3.5 %, somewhat more for their
   // skewed distribution. One channel by rank stands for three by transport: that made the foretold
   // values 7, 15 and 13 % larger.
-  const MapExemplar carpet = baseColor(test::carpet(128));
+  const MapExemplar carpet = baseColor(exemplars::carpet(128));
   const MapExemplar granite = baseColor(exemplars::granite(128));
   constexpr int kSamples = 400;
   const MapExemplar terrazzo = baseColor(exemplars::terrazzo(128));
@@ -195,7 +195,7 @@ TEST_CASE("Noise has no lattice") {
 }
 
 TEST_CASE("Edges cohere across scales, and with random phases they do not") {
-  const SrgbImage stones = test::paving(256);
+  const SrgbImage stones = exemplars::paving(256);
   const Result<SrgbImage> random = phaseRandomized(stones, 5);
   REQUIRE(random.ok());
   const auto coherenceOf = [](const SrgbImage& image) {

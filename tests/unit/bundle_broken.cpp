@@ -271,9 +271,9 @@ TEST_CASE("every fault of a map's description is found") {
 TEST_CASE("every disagreement of a map with its tables is found") {
   checkFaults({
       {"Gaussian index out of range", "map-gaussian-index",
-       [](GlbParts& p) { p.map(1, 0)["gaussian"] = 9; }},
+       [](GlbParts& p) { p.map(1, 0)["gaussian"] = 99; }},
       {"inverse index out of range", "map-inverse-table-index",
-       [](GlbParts& p) { p.map(1, 0)["inverseTable"] = 9; }},
+       [](GlbParts& p) { p.map(1, 0)["inverseTable"] = 99; }},
       {"Gaussian image is 3-D", "map-gaussian", [](GlbParts& p) { p.map(1, 0)["gaussian"] = 3; }},
       {"Gaussian image without its mips", "map-gaussian",
        [](GlbParts& p) { p.map(0, 0)["gaussian"] = 1; }},
@@ -292,9 +292,48 @@ TEST_CASE("every disagreement of a map with its tables is found") {
        [](GlbParts& p) { p.map(1, 2)["inverseTable"] = 3; }},
       {"slopes in 8 bits", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 1)["inverseTable"] = 3; }},
+      {"a basis without an offset", "map-table-basis",
+       [](GlbParts& p) { p.map(1, 4).erase("tableOffset"); }},
+      {"an offset without a basis", "map-table-basis",
+       [](GlbParts& p) { p.map(1, 4).erase("tableBasis"); }},
+      {"a short basis", "map-table-basis", [](GlbParts& p) { p.map(1, 4)["tableBasis"].erase(8); }},
+      {"a short offset", "map-table-basis",
+       [](GlbParts& p) { p.map(1, 4)["tableOffset"].erase(2); }},
+      {"a basis of slopes", "map-table-basis",
+       [](GlbParts& p) {
+         p.map(1, 1)["tableBasis"] = {1, 0, 0, 1};
+         p.map(1, 1)["tableOffset"] = {0, 0};
+       }},
+      {"a basis of one dimension", "map-table-basis",
+       [](GlbParts& p) {
+         p.map(1, 2)["tableBasis"] = {1, 1, 1};
+         p.map(1, 2)["tableOffset"] = {0, 0, 0};
+       }},
+      {"a basis without a table", "map-table-basis",
+       [](GlbParts& p) {
+         p.map(1, 4).erase("inverseTable");
+         p.map(1, 4).erase("levels");
+       }},
+      {"a separable table of eight bits", "map-inverse-table",
+       [](GlbParts& p) {
+         p.map(1, 0)["tableBasis"] = p.map(1, 4)["tableBasis"];
+         p.map(1, 0)["tableOffset"] = p.map(1, 4)["tableOffset"];
+       }},
+      {"a singular covariance without a table", "map-covariance",
+       [](GlbParts& p) { p.map(1, 3)["covariance"] = {0.0}; }},
       {"other levels than slabs", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 0)["levels"] = example::levels(3); }},
   });
+}
+
+TEST_CASE("a table of slopes without their variance is refused") {
+  BundleFile file = example::everyMap();
+  REQUIRE(encodeGlb(file));
+  const std::size_t table = *file.bundle.noises[1].maps[1].inverseTable;
+  file.bundle.tables[table] = example::patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1);
+  const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker sees it first
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("at least 3") != std::string::npos);
 }
 
 TEST_CASE("every fault of a material's use is found") {

@@ -101,7 +101,8 @@ BundleFile everyMap() {
 
   NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
   normal.gaussian = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
-  normal.inverseTable = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1));
+  normal.inverseTable =
+      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 64, 192, 0, 1));
   normal.levels = levels(3);
   noise.maps.push_back(std::move(normal));
 
@@ -115,6 +116,14 @@ BundleFile everyMap() {
   NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear, 1);
   opacityMap.gaussian = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
   noise.maps.push_back(std::move(opacityMap));
+
+  NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
+  glow.gaussian = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
+  glow.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
+  glow.levels = levels(2);
+  glow.tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};
+  glow.tableOffset = {0.0, 0.125, 0.25};
+  noise.maps.push_back(std::move(glow));
 
   bundle.noises.push_back(std::move(noise));
   MaterialNoise use = useOf(1);

@@ -22,7 +22,8 @@ namespace lichen::example {
 [[nodiscard]] BundleFile smallest();
 
 /// Two noises: the smallest, and one with base colour (D = 3), normal (D = 2), occlusion-roughness-
-/// metallic (D = 1) and opacity (without an inverse table); a preview scene.
+/// metallic (D = 1), opacity (without an inverse table) and emissive (a separable table); a preview
+/// scene.
 [[nodiscard]] BundleFile everyMap();
 
 /// A valid PNG of 2 x 2 texels in one colour.

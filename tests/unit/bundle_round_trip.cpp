@@ -34,6 +34,8 @@ void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
   CHECK(a.covariance == b.covariance);
   CHECK(a.gaussian == b.gaussian);
   CHECK(a.inverseTable == b.inverseTable);
+  CHECK(a.tableBasis == b.tableBasis);
+  CHECK(a.tableOffset == b.tableOffset);
   CHECK(a.levels == b.levels);
   CHECK(a.mipLoss == b.mipLoss);
 }

@@ -234,12 +234,32 @@ TEST_CASE("a material whose noise is of a later revision has none, and says whic
   CHECK(material.unknownRevision == 0);
 }
 
-TEST_CASE("what the library does not evaluate is refused by name") {
-  const std::vector<std::byte> glb = encodeGlb(example::everyMap()).value();
-  const Parsed parsed = parse(parseInfo(glb)); // one map has no inverse table
-  CHECK(parsed.result == LICHEN_ERROR_BAD_BUNDLE);
-  CHECK(parsed.message.find("inverse table") != std::string::npos);
-  CHECK(parsed.bundle == nullptr);
+TEST_CASE("a map without an inverse table has an image of two texels at its table's binding") {
+  const BundleFile file = example::everyMap();
+  const OwnedBundle bundle(file);
+  constexpr std::uint32_t opacity = 3;
+  REQUIRE_FALSE(file.bundle.noises[1].maps[opacity].inverseTable.has_value());
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, opacity, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_NONE);
+  LichenBinding binding;
+  LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
+  REQUIRE(lichenGetBinding(bundle.handle, 1, 2 + 2 * opacity, &binding) == LICHEN_SUCCESS);
+  CHECK(binding.image == map.tableImage);
+  CHECK(binding.sampler == LICHEN_SAMPLER_TABLE);
+  LichenImageProperties image;
+  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  CHECK(image.dimensionality == 3);
+  CHECK(image.byteCount == 2);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_JOINT);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 4, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_SEPARABLE);
+}
+
+TEST_CASE("what is no bundle is refused") {
   const std::vector<std::byte> noise(100, std::byte(7));
   CHECK(parse(parseInfo(noise)).result == LICHEN_ERROR_BAD_BUNDLE);
 }

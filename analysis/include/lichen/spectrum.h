@@ -26,6 +26,17 @@ namespace lichen {
 [[nodiscard]] std::vector<double> radialPowerSpectrum(std::span<const float> plane, int width,
                                                       int height, int cropSide);
 
+/// Side of the crops in which spectra of two images are compared: even, at most 128 pixels, and at
+/// most a quarter of the shortest of all sides, since fewer crops are one crop's chance.
+[[nodiscard]] constexpr int comparedCropSide(int shortestSide) {
+  constexpr int kLargestCrop = 128;
+  constexpr int kCropsPerSide = 4;
+  const int side = shortestSide / kCropsPerSide;
+  return (side < kLargestCrop ? side : kLargestCrop) / 2 * 2;
+}
+/// The lowest frequency compared, in cycles per crop: below it the window mixes too much.
+inline constexpr int kLowestComparedCycles = 4;
+
 /// Autocovariance at the lags inside a support of `support` pixels a side: element
 /// (dy + support - 1) * (2 support - 1) + dx + support - 1 for |dx|, |dy| < support, each the mean
 /// over the pairs of pixels that the plane holds (nothing wraps), so that planes of different

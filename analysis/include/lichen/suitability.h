@@ -29,7 +29,7 @@ struct Risk {
 /// `periodic`: whether the exemplar's opposite borders fit together. A map without variance has
 /// none. Errors: usage for maps outside the ranges of MapExemplar, resources for memory.
 /// Thread-safe; the same result for any number of threads. O(N log N) in the number of pixels.
-/// Source: docs/decisions/011-suitability.md.
+/// Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic);
 
 } // namespace lichen

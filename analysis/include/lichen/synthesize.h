@@ -29,6 +29,9 @@ struct SynthesisOptions {
   /// Of the image's top left corner, in tiles, in kOriginRange. Shifts a tileable image in itself:
   /// what leaves at one border enters at the opposite one.
   std::array<double, 2> origin{0.0, 0.0};
+  /// Of a larger image every `stride`-th pixel along each axis, beginning with the first: the
+  /// footprint stays that of one of its pixels. >= 1; 1 for a tileable image.
+  int stride = 1;
   std::uint32_t seed = 1;
   bool tileable = false;       ///< opposite borders continue each other; at least half a tile
   double blendSharpness = 1.0; ///< in kBlendSharpnessRange
@@ -45,8 +48,9 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
 /// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
-/// glTF material. It has the texels of the noise's widest and highest map, so that the images of all
-/// maps have one size; at most 1024 pixels a side. Errors: usage for an index out of range, a map that the noise has not, or tiles outside [1, 1024].
+/// glTF material. It has the texels of the noise's widest and highest map, so that the images of
+/// all maps have one size; at most 1024 pixels a side. Errors: usage for an index out of range, a
+/// map that the noise has not, or tiles outside [1, 1024].
 [[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
                                                     MapTarget map, std::uint32_t seed, int tiles);
 

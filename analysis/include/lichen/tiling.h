@@ -37,6 +37,20 @@ enum class Periodic {
   no
 };
 
+/// Whether maps whose stored values are Gaussian do without an inverse table.
+enum class GaussianOnly {
+  detect, ///< by a test of each map (docs/decisions/011-gaussian-only.md)
+  yes,    ///< all maps: other values than Gaussian ones get another histogram
+  no
+};
+
+/// How a map's Gaussian values become its own.
+enum class LookupTable {
+  joint,     ///< one table over all dimensions: the exemplar's histogram
+  separable, ///< a table for each principal axis of colour, small; slopes and maps of one dimension
+             ///< have a joint one
+};
+
 /// Whether a bake of these maps keeps their borders: as the option says, or as all of them do.
 /// Each map within the ranges above. Throws std::bad_alloc, as building blocks do.
 [[nodiscard]] bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic);
@@ -45,6 +59,8 @@ struct TilingOptions {
   Periodic periodic = Periodic::detect;
   int bits = 8; ///< 8 or 16 per channel of the tables
   TransportEffort transport = TransportEffort::standard;
+  GaussianOnly gaussian = GaussianOnly::detect;
+  LookupTable lut = LookupTable::joint;
   Progress progress; ///< empty: nobody watches
 };
 
@@ -53,17 +69,18 @@ struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that
-  /// varies, and one more of each whose borders are blended.
+  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that has a
+  /// joint table and varies, and one more of each of those whose borders are blended.
   std::vector<TransportBound> transportBounds;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
 /// prefiltered slabs. At least one map, each within the ranges above; maps may differ in size.
 /// `name` names the noise and, with the target, its tables.
-/// Errors: usage for options or maps outside their ranges, resources when memory does not suffice,
-/// environment when `options.progress` stops it. Thread-safe; runs on all cores, and the same bytes
-/// for any number of threads. O(N log N) in the number of pixels. Source: [HN18] section 4.
+/// Errors: usage for options or maps outside their ranges, or a map that cannot do without a table,
+/// resources when memory does not suffice, environment when `options.progress` stops it.
+/// Thread-safe; runs on all cores, and the same bytes for any number of threads. O(N log N) in the
+/// number of pixels. Source: [HN18] section 4.
 [[nodiscard]] Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                                             const TilingOptions& options);
 

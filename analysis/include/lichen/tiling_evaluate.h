@@ -35,7 +35,7 @@ public:
 
   /// Decodes the tables of noise `noise` of a bundle that parsed or was baked without error:
   /// indices and sizes of tables are not checked again. The bundle is not referred to afterwards.
-  /// Errors: usage for an index out of range, another method or a map without an inverse table;
+  /// Errors: usage for an index out of range, another method;
   /// resources for memory. Time and memory: 16 bytes a texel of its tables.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
 
@@ -43,10 +43,15 @@ public:
 
   /// The decoded value of map `map`, below mapCount(), with the parameters that shaderNoise() makes
   /// of the same bundle's noise: light for sRGB, the stored quantity otherwise, undoing log2;
-  /// channels that the map has not are 0, the fourth is 1. Constant time, no allocation.
+  /// channels that the map has not are 0, the fourth is 1. Of slopes, the third is the variance of
+  /// a slope that the footprint hides. Constant time, no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
+
+  /// What the texels of the Gaussian image's level 0 decode to, row by row, as many interleaved
+  /// channels as map `map`, below mapCount(), has. Throws std::bad_alloc.
+  [[nodiscard]] std::vector<float> decodedTexels(std::size_t map) const;
 
 private:
   struct Mip {
@@ -57,13 +62,16 @@ private:
   struct Map {
     shader::LichenMap constants{};
     std::vector<Mip> mips;
+    std::size_t channels = 0;
     int tableSide = 0;
-    std::vector<Value> table; ///< slab k, then the cells, first axis fastest
+    std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
   };
 
   [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
   [[nodiscard]] static Value trilinear(const Map& map, float u, float v, float lod);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
+  [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
+  [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
 
   std::vector<Map> maps_;

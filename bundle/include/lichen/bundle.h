@@ -119,6 +119,10 @@ struct NoiseMap {
   std::size_t gaussian = 0;                ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
+  /// Of a separable table: decoded = tableOffset + tableBasis t, t one value an axis; n x D values,
+  /// row-major, and n. Empty for a joint table and without a table.
+  std::vector<double> tableBasis;
+  std::vector<double> tableOffset;
   /// Share of level 0's variance that each mip level of the Gaussian image has lost; one value per
   /// mip level, in [0, 1], not decreasing.
   std::vector<double> mipLoss;

@@ -6,6 +6,7 @@
 #include <lichen/bundle.h>
 #include <lichen/lattice.h>
 
+#include <array>
 #include <cstdint>
 #include <lichen_interface.h>
 
@@ -14,6 +15,17 @@ namespace lichen {
 /// The constants of one map. `map` indexes `noise.maps`, whose table indices must be valid.
 [[nodiscard]] shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise,
                                           std::size_t map);
+
+/// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
+/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, [0, 1], is
+/// missing.
+[[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
+                                                   const std::array<float, 3>& gaussian,
+                                                   float lostVariance);
+/// The twin of lichenDecodeRows, clamped as lichenDecodeSeparable does: what the tables of a map
+/// with LICHEN_DECODING_SEPARABLE give -> the decoded value.
+[[nodiscard]] std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
+                                                    const std::array<float, 3>& along);
 
 /// Where and how a material's noise is evaluated.
 struct Placement {

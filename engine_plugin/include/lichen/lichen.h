@@ -42,7 +42,8 @@ extern "C" {
 /* Major (high 16 bits): changes that break a host or the shaders that it has compiled, a new
  * LICHEN_INTERFACE_VERSION among them; a library of another is LICHEN_ERROR_VERSION. Minor:
  * additions. A host may be built with a newer or older minor version than the library's, and is
- * refused only where it asks for what the library does not know. */
+ * refused only where it asks for what the library does not know. Both count from the first release:
+ * until then build host, shaders and library from one revision. */
 #define LICHEN_HEADER_VERSION 0x00010000u
 
 typedef enum LichenResult {
@@ -180,6 +181,15 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
+/* How a map's Gaussian values become its own: LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of
+ * the shader library may be 0 where no map has that kind. */
+typedef enum LichenTableKind {
+  LICHEN_TABLE_JOINT = 0,
+  LICHEN_TABLE_SEPARABLE = 1,
+  LICHEN_TABLE_NONE = 2,
+  LICHEN_TABLE_KIND_MAX_ENUM = 0x7FFFFFFF
+} LichenTableKind;
+
 typedef struct LichenMapProperties {
   LichenStructureType type;
   uint32_t size;
@@ -188,8 +198,8 @@ typedef struct LichenMapProperties {
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t gaussianImage;    /* image indices, < imageCount */
-  uint32_t tableImage;
-  uint32_t reserved; /* 0 */
+  uint32_t tableImage;       /* of a map without a table one of two texels, which is not read */
+  LichenTableKind tableKind;
 } LichenMapProperties;
 
 /* noise < noiseCount, map < mapCount; map k is lichenUniforms.maps[k] in the shader. */
@@ -306,7 +316,7 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
 
 /* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
  * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
-#define LICHEN_UNIFORM_BYTES 512
+#define LICHEN_UNIFORM_BYTES 1024
 
 /* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
  */

@@ -5,6 +5,10 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
+// Whether some noise of the scene has a separable table, or none.
+layout(constant_id = 3) const bool kOtherTables = true;
+#define LICHEN_SEPARABLE_TABLES kOtherTables
+#define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"
 #include "scene_interface.h"
 
@@ -119,15 +123,18 @@ vec3 ormAt(Footprint f, LichenTaps taps) {
   return orm;
 }
 
-vec3 tangentNormalAt(Footprint f, LichenTaps taps) {
+/// The normal in tangent space, and in w the variance of the slopes that a pixel hides.
+vec4 tangentNormalAt(Footprint f, LichenTaps taps) {
   if (noiseHas(NOISE_NORMAL)) {
-    vec2 slopes = material.factors.z * NOISE_VALUE(NOISE_NORMAL, normal, taps).xy;
-    return lichenNormalFromSlopes(lichenSlopesToUv(slopes, noiseData.noise));
+    float scale = material.factors.z;
+    vec3 value = NOISE_VALUE(NOISE_NORMAL, normal, taps).xyz;
+    vec2 slopes = lichenSlopesToUv(scale * value.xy, noiseData.noise);
+    return vec4(lichenNormalFromSlopes(slopes), scale * scale * value.z);
   }
   if (!kHasNormalMap)
-    return vec3(0.0, 0.0, 1.0);
+    return vec4(0.0, 0.0, 1.0, 0.0);
   vec3 n = materialTexture(normalTexture, TEXTURE_NORMAL, material.texCoords.z, f).xyz;
-  return normalize((2.0 * n - 1.0) * vec3(material.factors.zz, 1.0));
+  return vec4(normalize((2.0 * n - 1.0) * vec3(material.factors.zz, 1.0)), 0.0);
 }
 
 Surface surfaceAt(Footprint f, vec4 vertexColor) {
@@ -139,9 +146,12 @@ Surface surfaceAt(Footprint f, vec4 vertexColor) {
   s.baseColor = material.baseColor * vertexColor * baseColorAt(f, taps);
   s.emissive = material.emissive.rgb * emissiveAt(f, taps);
   s.occlusion = mix(1.0, orm.x, material.factors.w);
+  vec4 normal = tangentNormalAt(f, taps);
   s.roughness = material.factors.y * orm.y;
+  if (normal.w > 0.0)
+    s.roughness = lichenRoughness(s.roughness, normal.w);
   s.metallic = material.factors.x * orm.z;
-  s.tangentNormal = tangentNormalAt(f, taps);
+  s.tangentNormal = normal.xyz;
   return s;
 }
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "unsuitable_exemplars.h"
+#include "unsuitable.h"
+
+#include "materials.h"
+#include "periodic.h"
 
 #include <lichen/lattice.h>
 
 #include <algorithm>
 #include <cmath>
-#include <materials.h>
-#include <periodic.h>
 
-namespace lichen::test {
+namespace lichen::exemplars {
 namespace {
-
-using namespace exemplars;
 
 /// A number in [0, 1) of two indices.
 float hashed(int i, int j, std::uint32_t seed) {
@@ -195,4 +194,4 @@ SrgbImage wood(int side) {
   });
 }
 
-} // namespace lichen::test
+} // namespace lichen::exemplars

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures whose noise disappoints, each in its own way, made by code.
 //
-// Bare numbers are appearance, as in samples/exemplars: colours in sRGB code values, lengths in
+// Bare numbers are appearance, as in materials.h: colours in sRGB code values, lengths in
 // pixels, and seeds.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace lichen::test {
+namespace lichen::exemplars {
 
 /// Each makes a square RGB picture of `sidePixels` a side, rounded to 8 bits; the same bytes each
 /// time.
@@ -26,7 +26,7 @@ namespace lichen::test {
 [[nodiscard]] SrgbImage wood(int sidePixels);         ///< fine grain in broad dark bands
 
 struct Unsuitable {
-  const char* name;
+  const char* name; ///< also the file's, without .png
   SrgbImage (*generate)(int sidePixels);
   bool periodic;
   const char* risk; ///< the one to be found severe
@@ -38,12 +38,12 @@ inline constexpr std::array<Unsuitable, 11> kUnsuitable{{
     {"weave", weave, true, "structure"},
     {"paving", paving, true, "structure"},
     {"text", text, false, "structure"},
-    {"one stone", oneStone, true, "low-frequency"},
-    {"sloping light", slopingLight, false, "low-frequency"},
+    {"one_stone", oneStone, true, "low-frequency"},
+    {"sloping_light", slopingLight, false, "low-frequency"},
     {"vignette", vignette, false, "low-frequency"},
     {"overexposed", overexposed, true, "clipping"},
     {"carpet", carpet, true, "cloudiness"},
     {"wood", wood, false, "cloudiness"},
 }};
 
-} // namespace lichen::test
+} // namespace lichen::exemplars

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// lichen inspect: what a bundle holds and what it costs.
+#include "command.h"
+#include "options.h"
+
+#include <lichen/bundle.h>
+#include <lichen/files.h>
+#include <lichen/gltf_container.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace lichen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
+  std::string bundle;
+};
+
+struct FormatName {
+  const char* name;
+  int bits; ///< per channel
+};
+
+FormatName formatName(TexelFormat format) {
+  switch (format) {
+  case TexelFormat::r8Unorm:
+    return {"R8", 8};
+  case TexelFormat::rg8Unorm:
+    return {"RG8", 8};
+  case TexelFormat::rgba8Unorm:
+    return {"RGBA8", 8};
+  case TexelFormat::rgba8Srgb:
+    return {"RGBA8 sRGB", 8};
+  case TexelFormat::r16Sfloat:
+    return {"R16F", 16};
+  case TexelFormat::rg16Sfloat:
+    return {"RG16F", 16};
+  case TexelFormat::rgba16Sfloat:
+    return {"RGBA16F", 16};
+  case TexelFormat::r32Sfloat:
+    return {"R32F", 32};
+  case TexelFormat::rgba32Sfloat:
+    break;
+  }
+  return {"RGBA32F", 32};
+}
+
+/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
+/// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
+/// table is filtered by the one fetch, of which a separable table takes one an axis.
+int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
+  constexpr int kTaps = 3;
+  if (!map.inverseTable)
+    return kTaps;
+  if (!map.tableOffset.empty())
+    return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
+  const bool isVolume = tables[*map.inverseTable].depth > 0;
+  return kTaps + (isVolume ? 2 : 1);
+}
+
+int fetchesPerPixel(const Noise& noise, const std::vector<Table>& tables) {
+  int sum = 0;
+  for (const NoiseMap& map : noise.maps)
+    sum += fetchesPerPixel(map, tables);
+  return sum;
+}
+
+std::size_t bytesOnGpu(const Bundle& bundle) {
+  std::size_t sum = 0;
+  for (const Table& table : bundle.tables)
+    sum += table.texels.size();
+  return sum;
+}
+
+/// The file's size and, of a .gltf, the buffers in files beside it, as far as those are there.
+Result<std::size_t> bytesOnDisk(const std::string& path) {
+  const Result<std::vector<std::byte>> file = readFile(path);
+  if (!file)
+    return file.error();
+  std::size_t sum = file.value().size();
+  const std::variant<GltfContainer, Finding> opened = openGltf(file.value());
+  const auto* container = std::get_if<GltfContainer>(&opened);
+  if (container == nullptr || !container->document.contains("buffers"))
+    return sum;
+  for (const nlohmann::json& buffer : container->document["buffers"]) {
+    // Buffers without tables were not looked at when the bundle was read.
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
+      continue;
+    const auto& uri = buffer["uri"].get_ref<const std::string&>();
+    std::error_code absent;
+    const std::uintmax_t bytes =
+        std::filesystem::file_size(std::filesystem::path(path).parent_path() / uri, absent);
+    if (!absent)
+      sum += std::size_t(bytes);
+  }
+  return sum;
+}
+
+// ---- JSON --------------------------------------------------------------------------------------
+
+Json describe(const MaterialNoise& use, std::size_t index, const std::string& name) {
+  return {{"index", index},           {"name", name},       {"mapping", nameOf(use.mapping)},
+          {"texCoord", use.texCoord}, {"scale", use.scale}, {"offset", use.offset},
+          {"rotation", use.rotation}, {"seed", use.seed},   {"blendSharpness", use.blendSharpness},
+          {"contrast", use.contrast}};
+}
+
+Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
+  Json channels = Json::array();
+  for (const MapChannel channel : map.channels)
+    channels.push_back(nameOf(channel));
+  const Table& gaussian = tables[map.gaussian];
+  return {{"target", nameOf(map.target)},
+          {"channels", channels},
+          {"encoding", nameOf(map.encoding)},
+          {"width", gaussian.width},
+          {"height", gaussian.height},
+          {"bits", formatName(gaussian.format).bits},
+          {"mean", map.mean},
+          {"covariance", map.covariance},
+          {"gaussian", map.gaussian},
+          {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
+          {"levels", map.levels.size()},
+          {"fetchesPerPixel", fetchesPerPixel(map, tables)}};
+}
+
+Json describe(const Bundle& bundle, std::size_t index) {
+  const Noise& noise = bundle.noises[index];
+  Json maps = Json::array();
+  for (const NoiseMap& map : noise.maps)
+    maps.push_back(describe(map, bundle.tables));
+  Json materials = Json::array();
+  for (std::size_t m = 0; m < bundle.materials.size(); ++m)
+    if (bundle.materials[m] && bundle.materials[m]->noise == index)
+      materials.push_back(describe(*bundle.materials[m], m, bundle.materialNames[m]));
+  return {{"name", noise.name},
+          {"method", noise.method},
+          {"revision", noise.revision},
+          {"tileSize", noise.tileSizeMetres},
+          {"fetchesPerPixel", fetchesPerPixel(noise, bundle.tables)},
+          {"maps", maps},
+          {"materials", materials}};
+}
+
+Json describe(const Bundle& bundle, const std::string& file, std::size_t diskBytes) {
+  Json noises = Json::array(), ignored = Json::array(), tables = Json::array();
+  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
+    noises.push_back(describe(bundle, n));
+  for (const IgnoredNoise& noise : bundle.ignoredNoises)
+    ignored.push_back(
+        {{"name", noise.name}, {"revision", noise.revision}, {"materials", noise.materials}});
+  for (const Table& table : bundle.tables)
+    tables.push_back({{"name", table.name},
+                      {"format", formatName(table.format).name},
+                      {"width", table.width},
+                      {"height", table.height},
+                      {"depth", table.depth},
+                      {"mipLevels", table.mipLevels},
+                      {"bytes", table.texels.size()}});
+  return {{"file", file},     {"bytesOnDisk", diskBytes}, {"bytesOnGpu", bytesOnGpu(bundle)},
+          {"noises", noises}, {"ignoredNoises", ignored}, {"tables", tables}};
+}
+
+// ---- text: the same, without what only a program asks for --------------------------------------
+
+std::string size(std::size_t bytes) {
+  constexpr double kKibi = 1024.0;
+  const double kib = double(bytes) / kKibi;
+  return kib < kKibi ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / kKibi);
+}
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// What differs from the format's defaults, after mapping and seed, which always matter.
+std::string parametersOf(const MaterialNoise& use) {
+  const MaterialNoise defaults;
+  std::string text = fmt::format("{}, seed {}", nameOf(use.mapping), use.seed);
+  const auto add = [&](bool isDefault, const std::string& parameter) {
+    text += isDefault ? "" : ", " + parameter;
+  };
+  add(use.texCoord == defaults.texCoord, fmt::format("texCoord {}", use.texCoord));
+  add(use.scale == defaults.scale, fmt::format("scale {:g}", use.scale));
+  add(use.offset == defaults.offset, fmt::format("offset {:g},{:g}", use.offset[0], use.offset[1]));
+  add(use.rotation == defaults.rotation, fmt::format("rotation {:g}", use.rotation));
+  add(use.blendSharpness == defaults.blendSharpness,
+      fmt::format("sharpness {:g}", use.blendSharpness));
+  add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
+  return text;
+}
+
+void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<Table>& tables) {
+  const Table& gaussian = tables[map.gaussian];
+  std::vector<std::string_view> channels;
+  std::vector<double> deviations;
+  for (std::size_t c = 0; c < map.channels.size(); ++c) {
+    channels.push_back(nameOf(map.channels[c]));
+    deviations.push_back(std::sqrt(std::max(0.0, map.covariance[c * (map.channels.size() + 1)])));
+  }
+  say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
+  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", gaussian.width,
+                          gaussian.height, formatName(gaussian.format).bits, nameOf(map.encoding),
+                          fetchesPerPixel(map, tables)));
+  say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
+                          fmt::join(deviations, ", ")));
+  const std::string inverse = map.inverseTable ? fmt::format("inverse table {} of {} levels",
+                                                             *map.inverseTable, map.levels.size())
+                                               : "no inverse table";
+  say(shared, fmt::format("    Gaussian image: table {}; {}", map.gaussian, inverse));
+}
+
+void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
+  const Noise& noise = bundle.noises[index];
+  say(shared, "");
+  say(shared, "noise " + noise.name);
+  say(shared,
+      fmt::format("  {}, revision {}, {:g} m wide, {} fetches a pixel and plane", noise.method,
+                  noise.revision, noise.tileSizeMetres, fetchesPerPixel(noise, bundle.tables)));
+  for (const NoiseMap& map : noise.maps)
+    sayMap(shared, map, bundle.tables);
+  for (std::size_t m = 0; m < bundle.materials.size(); ++m)
+    if (bundle.materials[m] && bundle.materials[m]->noise == index) {
+      say(shared, fmt::format("  material {} {}", m, bundle.materialNames[m]));
+      say(shared, "    " + parametersOf(*bundle.materials[m]));
+    }
+}
+
+void sayTables(const SharedOptions& shared, const std::vector<Table>& tables) {
+  say(shared, "");
+  say(shared, "tables");
+  for (std::size_t t = 0; t < tables.size(); ++t) {
+    const Table& table = tables[t];
+    const std::string extent =
+        table.depth > 0 ? fmt::format("{} x {} x {}", table.width, table.height, table.depth)
+                        : fmt::format("{} x {}", table.width, table.height);
+    say(shared, fmt::format("  {:<3} {:<10} {:<13} {:>7} {:>10}  {}", t,
+                            formatName(table.format).name, extent, counted(table.mipLevels, "mip"),
+                            size(table.texels.size()), table.name));
+  }
+}
+
+Result<int> run(const Arguments& arguments) {
+  const Result<Bundle> read = readBundle(arguments.bundle);
+  if (!read)
+    return read.error();
+  const Bundle& bundle = read.value();
+  if (bundle.noises.empty() && bundle.ignoredNoises.empty())
+    return Error{ErrorKind::badInput, arguments.bundle + ": has no noise"};
+  const Result<std::size_t> diskBytes = bytesOnDisk(arguments.bundle);
+  if (!diskBytes)
+    return diskBytes.error();
+  if (arguments.shared.json) {
+    printLine(toText(describe(bundle, arguments.bundle, diskBytes.value())));
+    return kDone;
+  }
+  say(arguments.shared, arguments.bundle);
+  say(arguments.shared,
+      fmt::format("  {} and {}, {} on disk, {} on the GPU", counted(bundle.noises.size(), "noise"),
+                  counted(bundle.tables.size(), "table"), size(diskBytes.value()),
+                  size(bytesOnGpu(bundle))));
+  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
+    sayNoise(arguments.shared, bundle, n);
+  for (const IgnoredNoise& noise : bundle.ignoredNoises)
+    say(arguments.shared, fmt::format("noise {}: of revision {}, later than {}, the last known",
+                                      noise.name, noise.revision, kTilingRevision));
+  sayTables(arguments.shared, bundle.tables);
+  return kDone;
+}
+
+} // namespace
+
+Runner addInspect(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
+      ->required();
+  return [arguments] { return run(*arguments); };
+}
+
+} // namespace lichen::cli

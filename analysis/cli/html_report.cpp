@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A bake -> the record that the report is made of -> a file.
+#include "html_report.h"
+
+#include "progress_line.h"
+
+#include <lichen/files.h>
+#include <lichen/noise_report.h>
+
+#include <fmt/format.h>
+
+namespace lichen::cli {
+namespace {
+
+std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bake) {
+  constexpr double kBytesPerKib = 1024.0;
+  const Noise& noise = bake.bundle.noises.front();
+  std::size_t tableBytes = 0;
+  for (const Table& table : bake.bundle.tables)
+    tableBytes += table.texels.size();
+  return {{"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
+          {"Bundle", bake.output},
+          {"Method", fmt::format("{}, revision {}", noise.method, noise.revision)},
+          {"Seed", std::to_string(bake.bundle.materials.front()->seed)},
+          {"Width", fmt::format("{:g} m", noise.tileSizeMetres)},
+          {"Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended"},
+          {"Tables", fmt::format("{:.0f} KiB on the GPU", double(tableBytes) / kBytesPerKib)},
+          {"Version", "lichen " LICHEN_VERSION}};
+}
+
+} // namespace
+
+void StepTimes::end(const std::string& step) {
+  const auto now = std::chrono::steady_clock::now();
+  steps_.emplace_back(step, std::chrono::duration<double>(now - last_).count());
+  last_ = now;
+}
+
+double StepTimes::sum() const {
+  double seconds = 0.0;
+  for (const auto& [step, taken] : steps_)
+    seconds += taken;
+  return seconds;
+}
+
+Result<void> checkReportPath(const std::string& path) {
+  return path.empty() ? Result<void>() : checkOutput(path, {".html", ".htm"});
+}
+
+Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
+                             const SharedOptions& options) {
+  if (path.empty())
+    return {};
+  ProgressLine progress("report", options);
+  const BakeRecord record{bake.bundle,         bake.exemplars, bake.exemplarWasPeriodic,
+                          options.commandLine, factsOf(bake),  bake.timings,
+                          bake.notes};
+  const Result<std::vector<std::byte>> page = encodeNoiseReport(record, [&](double fraction) {
+    progress.show(fraction);
+    return true;
+  });
+  if (!page)
+    return page.error();
+  return replaceFile(path, page.value());
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Names of noises -> indices; see noise_choice.h.
+#include "noise_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lichen::cli {
+namespace {
+
+/// The ignored noise that was meant, or null: the one that was named, unless a known one has that
+/// name too; without a name, the file's first.
+const IgnoredNoise* ignoredNoiseMeant(const Bundle& bundle, const std::string& wanted) {
+  const auto isWanted = [&](const auto& noise) { return noise.name == wanted; };
+  if (!wanted.empty() && std::any_of(bundle.noises.begin(), bundle.noises.end(), isWanted))
+    return nullptr;
+  const auto meant = std::find_if(bundle.ignoredNoises.begin(), bundle.ignoredNoises.end(),
+                                  [&](const IgnoredNoise& noise) {
+                                    return wanted.empty() ? noise.place == 0 : isWanted(noise);
+                                  });
+  return meant == bundle.ignoredNoises.end() ? nullptr : &*meant;
+}
+
+} // namespace
+
+Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::string>& names,
+                            const std::string& option, const std::string& owner) {
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (wanted.empty() || found != names.end())
+    return wanted.empty() ? 0 : std::size_t(found - names.begin());
+  return Error{ErrorKind::usage,
+               fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
+}
+
+Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
+                              const std::string& wanted) {
+  std::vector<std::string> noises;
+  for (const Noise& noise : bundle.noises)
+    noises.push_back(noise.name);
+  if (const IgnoredNoise* ignored = ignoredNoiseMeant(bundle, wanted))
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
+                             "lichen wrote it{}{}",
+                             file, ignored->name, ignored->revision, kTilingRevision,
+                             noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
+  if (bundle.noises.empty())
+    return Error{ErrorKind::badInput, file + (bundle.ignoredNoises.empty()
+                                                  ? ": has no noise"
+                                                  : ": has no noise of a revision that is known")};
+  return placeOf(wanted, noises, "--noise", file);
+}
+
+std::uint32_t seedOf(const Bundle& bundle, std::size_t noise) {
+  const auto found = std::find_if(
+      bundle.materials.begin(), bundle.materials.end(),
+      [noise](const std::optional<MaterialNoise>& use) { return use && use->noise == noise; });
+  return found == bundle.materials.end() ? MaterialNoise{}.seed : (*found)->seed;
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Which noise of a bundle a verb works on.
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <string>
+#include <vector>
+
+namespace lichen::cli {
+
+/// The place of `wanted` among `names`, the first if it is empty. The message of a refusal begins
+/// with `option` and says what `owner` has.
+[[nodiscard]] Result<std::size_t> placeOf(const std::string& wanted,
+                                          const std::vector<std::string>& names,
+                                          const std::string& option, const std::string& owner);
+
+/// The noise of that name, the first for no name. `file` is what messages call the bundle.
+[[nodiscard]] Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
+                                            const std::string& wanted);
+
+/// The seed of the first material that uses the noise, so that its pattern is shown; 1 where none
+/// does.
+[[nodiscard]] std::uint32_t seedOf(const Bundle& bundle, std::size_t noise);
+
+} // namespace lichen::cli

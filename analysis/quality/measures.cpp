@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Exemplar and result -> every measure beside its target.
+#include "boundary.h"
+
+#include <lichen/measures.h>
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+/// Gradients across the grain have three times the energy of those along it.
+constexpr double kStrongAnisotropy = 0.5;
+
+/// A measure's value, or as a remark why these images have none.
+Result<Measure> taken(Measure measure, const Result<double>& value) {
+  if (value) {
+    measure.value = value.value();
+  } else if (value.error().kind == ErrorKind::badInput) {
+    measure.remark = value.error().message;
+  } else {
+    return value.error();
+  }
+  return measure;
+}
+
+Measure spectrumMeasure(const SrgbImage& exemplar) {
+  Measure measure{"spectrum_distance_db",
+                  "dB",
+                  "difference of the radially averaged power spectra of the luminance",
+                  {},
+                  kSpectrumDistanceTargetDb,
+                  {}};
+  if (gradientAnisotropy(exemplar) >= kStrongAnisotropy) {
+    measure.target = kAnisotropicSpectrumDistanceTargetDb;
+    measure.remark = "the exemplar is strongly anisotropic, which doubles the target";
+  }
+  return measure;
+}
+
+/// In the largest support up to the default one that both images have room for.
+Result<double> autocovarianceErrorOf(const SrgbImage& exemplar, const SrgbImage& result) {
+  constexpr int kSupport = 32, kSmallestSupport = 2, kSupportsPerSide = 4;
+  const int room = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;
+  return autocovarianceError(exemplar, result, std::clamp(room, kSmallestSupport, kSupport));
+}
+
+} // namespace
+
+Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const SrgbImage& result) {
+  return withinMemory(exhausted, [&]() -> Result<std::vector<Measure>> {
+    if (auto error = refusal(exemplar, result, 1))
+      return *error;
+    const Result<Measure> measures[] = {
+        taken({"color_distance",
+               "",
+               "distance between the sets of colours, in code values",
+               {},
+               kColorDistanceTarget,
+               {}},
+              colorDistance(exemplar, result)),
+        taken(spectrumMeasure(exemplar), spectrumDistanceDb(exemplar, result)),
+        taken({"autocovariance_error",
+               "",
+               "difference of the autocovariances, as a share of the exemplar's",
+               {},
+               {},
+               {}},
+              autocovarianceErrorOf(exemplar, result)),
+        taken({"seam_visibility",
+               "",
+               "straight edges of the result over those of the exemplar",
+               {},
+               kSeamVisibilityTarget,
+               {}},
+              seamVisibility(exemplar, result))};
+    std::vector<Measure> all;
+    for (const Result<Measure>& measure : measures) {
+      if (!measure)
+        return measure.error();
+      all.push_back(measure.value());
+    }
+    return all;
+  });
+}
+
+Result<Measure> measureLattice(const SrgbImage& result, const LatticeView& view) {
+  return withinMemory(exhausted, [&] {
+    return taken({"lattice_visibility",
+                  "",
+                  "how much the contrast follows the lattice",
+                  {},
+                  kLatticeVisibilityTarget,
+                  {}},
+                 latticeVisibility(result, view));
+  });
+}
+
+} // namespace lichen

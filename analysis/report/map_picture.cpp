@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Stored or decoded values of a map -> a picture; see map_picture.h.
+#include "tiling/value_encoding.h"
+
+#include <lichen/core_texture.h>
+#include <lichen/map_picture.h>
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+LinearImage decodedImage(const MapExemplar& exemplar) {
+  LinearImage image;
+  image.width = exemplar.width;
+  image.height = exemplar.height;
+  image.channels = int(exemplar.channels.size());
+  image.values = exemplar.values;
+  for (float& value : image.values)
+    value = tiling::decoded(value, exemplar.encoding);
+  return image;
+}
+
+std::vector<std::string> channelNamesOf(const MapExemplar& exemplar) {
+  if (exemplar.target == MapTarget::normal)
+    return {"normal x", "normal y", "normal z"};
+  std::vector<std::string> names;
+  for (const MapChannel channel : exemplar.channels)
+    names.emplace_back(nameOf(channel));
+  return names;
+}
+
+/// Two channels as red and green.
+LinearImage asRgb(const LinearImage& two) {
+  LinearImage rgb(two.width, two.height, 3);
+  for (std::size_t i = 0; i < two.pixelCount(); ++i)
+    std::copy_n(&two.values[2 * i], 2, &rgb.values[3 * i]);
+  return rgb;
+}
+
+} // namespace
+
+MapLook::MapLook(const MapExemplar& exemplar, ValueEncoding encoding)
+    : channelNames_(channelNamesOf(exemplar)) {
+  map_.target = exemplar.target;
+  map_.channels = exemplar.channels;
+  map_.encoding = encoding;
+  if (encoding == ValueEncoding::log2) {
+    const float stored = *std::max_element(exemplar.values.begin(), exemplar.values.end());
+    largest_ =
+        std::max(1.0f, tiling::encoded(tiling::decoded(stored, exemplar.encoding), encoding));
+  }
+}
+
+SrgbImage MapLook::picture(const MapExemplar& exemplar) const {
+  return picture(decodedImage(exemplar));
+}
+
+SrgbImage MapLook::picture(LinearImage decoded) const {
+  LinearImage texture = map_.target == MapTarget::normal ? coreTexture(map_, std::move(decoded))
+                        : decoded.channels == 2          ? asRgb(decoded)
+                                                         : std::move(decoded);
+  SrgbImage picture;
+  picture.width = texture.width;
+  picture.height = texture.height;
+  picture.channels = texture.channels;
+  picture.values = std::move(texture.values);
+  if (map_.encoding == ValueEncoding::srgb || map_.encoding == ValueEncoding::log2)
+    for (float& value : picture.values)
+      value = tiling::encoded(value, map_.encoding) / largest_;
+  return picture;
+}
+
+} // namespace lichen

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// Map of a bundle and its exemplar -> the JSON of its section of the report.
+#include "map_section.h"
+
+#include "data_uri.h"
+
+#include <lichen/noise_comparison.h>
+#include <lichen/spectrum.h>
+#include <lichen/suitability.h>
+#include <lichen/synthesize.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+constexpr int kShownExemplars = 2; // of the result, a side
+
+/// {"png": data URI}, or the encoder's refusal.
+template <class AnyImage>
+Result<JsonTree> picture(const AnyImage& image) {
+  Result<std::string> uri = pngDataUri(image);
+  if (!uri)
+    return uri.error();
+  return JsonTree{{"png", std::move(uri).value()}};
+}
+
+/// The mean of the block of pixels under each pixel of a smaller image.
+SrgbImage reduced(const SrgbImage& image, int width, int height) {
+  SrgbImage small(width, height, image.channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int left = x * image.width / width, right = (x + 1) * image.width / width;
+      const int top = y * image.height / height, bottom = (y + 1) * image.height / height;
+      for (int c = 0; c < image.channels; ++c) {
+        double sum = 0.0;
+        for (int v = top; v < bottom; ++v)
+          for (int u = left; u < right; ++u)
+            sum += double(image.pixel(u, v)[c]);
+        small.pixel(x, y)[c] = float(sum / (double(right - left) * double(bottom - top)));
+      }
+    }
+  return small;
+}
+
+JsonTree histogramsOf(const NoiseComparison& comparison) {
+  constexpr std::size_t kBins = 64;
+  const auto countsOf = [](const SrgbImage& image, std::size_t channel) {
+    std::array<double, kBins> counts{};
+    for (std::size_t i = channel; i < image.values.size(); i += std::size_t(image.channels)) {
+      const float place = std::clamp(image.values[i], 0.0f, 1.0f) * float(kBins);
+      counts[std::min(std::size_t(place), kBins - 1)] += 1.0 / double(image.pixelCount());
+    }
+    return counts;
+  };
+  JsonTree histograms = JsonTree::array();
+  const std::vector<std::string>& names = comparison.look.channelNames();
+  for (std::size_t c = 0; c < names.size(); ++c)
+    histograms.push_back({{"channel", names[c]},
+                          {"largest", comparison.look.largest()},
+                          {"exemplar", countsOf(comparison.exemplar, c)},
+                          {"result", countsOf(comparison.result, c)}});
+  return histograms;
+}
+
+/// In decibels by cycles per crop; null where the exemplar is too small for spectrum_distance_db.
+JsonTree spectrumOf(const NoiseComparison& comparison) {
+  const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
+  const int crop =
+      comparedCropSide(std::min(shorter(comparison.exemplar), shorter(comparison.result)));
+  if (crop < 2 * kLowestComparedCycles)
+    return {};
+  constexpr double kLeastPower = 1e-12; // of an image without variance
+  const auto decibels = [&](const SrgbImage& image) {
+    std::vector<double> power =
+        radialPowerSpectrum(luminancePlane(image), image.width, image.height, crop);
+    for (double& value : power)
+      value = 10.0 * std::log10(std::max(value, kLeastPower));
+    return power;
+  };
+  return {{"cropSide", crop},
+          {"exemplar", decibels(comparison.exemplar)},
+          {"result", decibels(comparison.result)}};
+}
+
+std::string_view verdictOn(const Measure& measure) {
+  if (!measure.value)
+    return "not measured";
+  if (!measure.target)
+    return "no target";
+  return measure.isMissed() ? "missed" : "met";
+}
+
+JsonTree measuresOf(const std::vector<Measure>& measures) {
+  JsonTree list = JsonTree::array();
+  for (const Measure& measure : measures)
+    list.push_back({{"name", measure.name},
+                    {"meaning", measure.meaning},
+                    {"unit", measure.unit},
+                    {"value", measure.value ? JsonTree(*measure.value) : JsonTree()},
+                    {"target", measure.target ? JsonTree(*measure.target) : JsonTree()},
+                    {"verdict", verdictOn(measure)},
+                    {"remark", measure.remark}});
+  return list;
+}
+
+JsonTree risksOf(const std::vector<Risk>& risks) {
+  JsonTree list = JsonTree::array();
+  for (const Risk& risk : risks)
+    list.push_back({{"name", risk.name},
+                    {"score", risk.score},
+                    {"level", nameOf(risk.level)},
+                    {"sentence", risk.sentence},
+                    {"remedy", risk.remedy}});
+  return list;
+}
+
+/// The finest level of the Gaussian image that is no larger than asked for.
+Result<JsonTree> gaussianPicture(const Table& table, int side) {
+  const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
+    return std::max(1u, extent >> level);
+  };
+  std::uint32_t level = 0;
+  while (level + 1 < table.mipLevels &&
+         std::max(shift(table.width, level), shift(table.height, level)) > std::uint32_t(side))
+    ++level;
+  const std::vector<float> texels = decodeLevel(table, level);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t colours = stored == 1 ? 1 : 3; // two are red and green
+  LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    std::copy_n(&texels[i * stored], std::min(stored, colours), &image.values[i * colours]);
+  return picture(image);
+}
+
+/// All slabs of a separable table, one below the other: a row for each axis, with what its values
+/// give where the others are at their mean.
+LinearImage axesPicture(const Table& table, const NoiseMap& map) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t channels = map.channels.size();
+  const std::size_t axes = map.tableBasis.size() / channels;
+  LinearImage image(int(table.width), int(table.height * axes), int(channels));
+  for (std::size_t slab = 0; slab < table.height; ++slab)
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      for (std::size_t x = 0; x < table.width; ++x)
+        for (std::size_t c = 0; c < channels; ++c)
+          image.pixel(int(x), int(slab * axes + axis))[c] =
+              std::max(0.0f, float(map.tableOffset[c] +
+                                   map.tableBasis[c * axes + axis] *
+                                       double(texels[(slab * table.width + x) * stored + axis])));
+  return image;
+}
+
+/// All slabs of a joint table: one below the other, their slices side by side.
+LinearImage slicesPicture(const Table& table, const NoiseMap& map, std::size_t slices) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t channels = map.channels.size();
+  const std::size_t layers = std::max(table.depth, 1u), width = table.width;
+  const std::size_t rows = table.height;
+  LinearImage image(int(width * slices), int(rows * (layers / slices)), int(channels));
+  for (std::size_t z = 0; z < layers; ++z)
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t x = 0; x < width; ++x)
+        std::copy_n(&texels[((z * rows + y) * width + x) * stored], std::min(channels, stored),
+                    image.pixel(int(z % slices * width + x), int(z / slices * rows + y)));
+  return image;
+}
+
+Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
+  const std::size_t slices = table.depth > 0 ? table.depth / map.levels.size() : 1;
+  Result<JsonTree> shown = picture(look.picture(
+      map.tableOffset.empty() ? slicesPicture(table, map, slices) : axesPicture(table, map)));
+  if (!shown)
+    return shown.error();
+  return JsonTree{
+      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", map.levels}};
+}
+
+std::string summaryOf(const MapExemplar& exemplar) {
+  std::string text;
+  for (const MapChannel channel : exemplar.channels)
+    text += (text.empty() ? "" : ", ") + std::string(nameOf(channel));
+  return text + "; " + std::string(nameOf(exemplar.encoding)) + "; " +
+         std::to_string(exemplar.width) + " x " + std::to_string(exemplar.height) + " pixels";
+}
+
+/// Extents of a picture of the exemplar with its proportions.
+std::array<int, 2> pictureSize(const MapExemplar& exemplar, int side) {
+  const double shrink =
+      std::min(1.0, double(side) / double(std::max(exemplar.width, exemplar.height)));
+  return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
+}
+
+/// Adds pictures of exemplar and result at one scale.
+Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
+                         const MapExemplar& exemplar, const NoiseComparison& comparison,
+                         int exemplarSide) {
+  const auto [width, height] = pictureSize(exemplar, exemplarSide);
+  SynthesisOptions options;
+  options.map = exemplar.target;
+  options.seed = seed;
+  options.texelsPerTile = width;
+  options.width = kShownExemplars * width;
+  options.height = kShownExemplars * height;
+  const Result<LinearImage> result = synthesize(bundle, options);
+  if (!result)
+    return result.error();
+  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, width, height));
+  Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
+  for (const Result<JsonTree>* shown : {&shownExemplar, &shownResult})
+    if (!*shown)
+      return shown->error();
+  section["exemplar"] = std::move(shownExemplar).value();
+  section["result"] = std::move(shownResult).value();
+  return {};
+}
+
+} // namespace
+
+Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
+                             bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
+  const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
+  if (!comparison)
+    return comparison.error();
+  const Result<std::vector<Risk>> risks = assessSuitability(exemplar, exemplarWasPeriodic);
+  if (!risks)
+    return risks.error();
+  const std::vector<NoiseMap>& maps = bundle.noises.front().maps;
+  const NoiseMap& map = *std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
+    return candidate.target == exemplar.target;
+  });
+  JsonTree section{{"target", nameOf(exemplar.target)},
+                   {"summary", summaryOf(exemplar)},
+                   {"measures", measuresOf(comparison.value().measures)},
+                   {"risks", risksOf(risks.value())},
+                   {"histograms", histogramsOf(comparison.value())},
+                   {"spectrum", spectrumOf(comparison.value())}};
+  if (Result<void> added =
+          addPictures(section, bundle, seed, exemplar, comparison.value(), exemplarSide);
+      !added)
+    return added.error();
+  Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);
+  if (!gaussian)
+    return gaussian.error();
+  section["gaussian"] = std::move(gaussian).value();
+  section["table"] = JsonTree();
+  if (map.inverseTable) {
+    Result<JsonTree> table =
+        tablePicture(bundle.tables[*map.inverseTable], map, comparison.value().look);
+    if (!table)
+      return table.error();
+    section["table"] = std::move(table).value();
+  }
+  return section;
+}
+
+} // namespace lichen

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Bundle and exemplar -> pictures of both and the measures between them.
+#include <lichen/noise_comparison.h>
+#include <lichen/synthesize.h>
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+constexpr int kResultExemplars = 4; // a side
+/// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
+constexpr int kLargestSide = 4096;
+
+/// The exemplars that the lattice is looked for in. Of large ones not every texel is evaluated;
+/// those that are keep their footprint, since a coarser one would show another noise, whose
+/// averaged texels are less Gaussian: its contrast follows the lattice three times as much.
+SynthesisOptions latticeOptions(SynthesisOptions options, const Table& gaussian) {
+  const int width = kLatticeExemplars * int(gaussian.width);
+  const int height = kLatticeExemplars * int(gaussian.height);
+  options.stride = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
+  options.width = std::max(1, width / options.stride);
+  options.height = std::max(1, height / options.stride);
+  return options;
+}
+
+LatticeView latticeView(const SynthesisOptions& options, const Table& gaussian) {
+  const double stride = options.stride;
+  const double firstTexel = 0.5 - 0.5 * stride; // a view's pixels have their centres in the middle
+  return {{},
+          stride / gaussian.width,
+          stride / gaussian.height,
+          firstTexel / gaussian.width,
+          firstTexel / gaussian.height};
+}
+
+/// The result's progress and the lattice's, by the pixels of each.
+Progress partOf(const Progress& whole, double begin, double end) {
+  if (!whole)
+    return {};
+  return [=](double fraction) { return whole(begin + (end - begin) * fraction); };
+}
+
+/// The noise's map that the exemplar is of.
+Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
+                              const MapExemplar& exemplar) {
+  if (noise >= bundle.noises.size())
+    return Error{ErrorKind::usage, "noise " + std::to_string(noise) + ": the bundle has " +
+                                       std::to_string(bundle.noises.size())};
+  const std::vector<NoiseMap>& maps = bundle.noises[noise].maps;
+  const auto map = std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
+    return candidate.target == exemplar.target;
+  });
+  if (map == maps.end())
+    return Error{ErrorKind::usage, "noise '" + bundle.noises[noise].name + "' has no map " +
+                                       std::string(nameOf(exemplar.target))};
+  if (map->channels != exemplar.channels)
+    return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
+                                          std::string(nameOf(map->target)) + " of noise '" +
+                                          bundle.noises[noise].name + "'"};
+  return &*map;
+}
+
+Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
+                                const MapExemplar& exemplar, SynthesisOptions options,
+                                const Progress& progress) {
+  const Table& gaussian = bundle.tables[map.gaussian];
+  options.map = map.target;
+  options.width = std::min(kResultExemplars * int(gaussian.width), kLargestSide);
+  options.height = std::min(kResultExemplars * int(gaussian.height), kLargestSide);
+  SynthesisOptions wide = latticeOptions(options, gaussian);
+  const double resultPixels = double(options.width) * options.height;
+  const double share = resultPixels / (resultPixels + double(wide.width) * wide.height);
+  options.progress = partOf(progress, 0.0, share);
+  wide.progress = partOf(progress, share, 1.0);
+
+  const Result<LinearImage> result = synthesize(bundle, options);
+  if (!result)
+    return result.error();
+  const MapLook look(exemplar, map.encoding);
+  NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}};
+  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  const Result<LinearImage> wideResult = synthesize(bundle, wide);
+  if (!wideResult)
+    return wideResult.error();
+  Result<Measure> lattice =
+      measureLattice(look.picture(wideResult.value()), latticeView(wide, gaussian));
+  if (!lattice)
+    return lattice.error();
+  comparison.measures.push_back(std::move(lattice).value());
+  return comparison;
+}
+
+} // namespace
+
+Result<NoiseComparison> compareNoise(const Bundle& bundle, std::size_t noise, std::uint32_t seed,
+                                     const MapExemplar& exemplar, const Progress& progress) {
+  return withinMemory([] { return "not enough memory to compare the noise with its exemplar"; },
+                      [&]() -> Result<NoiseComparison> {
+                        const Result<const NoiseMap*> map = mapOf(bundle, noise, exemplar);
+                        if (!map)
+                          return map.error();
+                        SynthesisOptions options;
+                        options.noise = noise;
+                        options.seed = seed;
+                        return compare(bundle, *map.value(), exemplar, options, progress);
+                      });
+}
+
+} // namespace lichen

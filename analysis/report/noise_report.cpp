@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A bake's record -> the bytes of its page.
+#include "map_section.h"
+#include "report_page.h"
+
+#include <lichen/escaped.h>
+#include <lichen/noise_report.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+/// Pixels of a map's pictures per pixel of its exemplar's: itself, the Gaussian image and a result
+/// of two by two.
+constexpr double kPicturePixels = 6.0;
+/// In all, of at most 4 bytes each in base64: a page below 14 MiB, and about half that for
+/// photographs, which compress.
+constexpr double kMostPixels = 3.5e6;
+constexpr int kLargestExemplarSide = 512;
+
+int exemplarSide(std::size_t maps) {
+  const double pixels = kMostPixels / (kPicturePixels * double(std::max<std::size_t>(maps, 1)));
+  return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
+}
+
+/// JSON consists of UTF-8: what is not becomes U+FFFD.
+std::string utf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t whole = characterBytes(text);
+    const bool isControl = static_cast<unsigned char>(text[0]) < ' ';
+    valid += whole > 0 || isControl ? text.substr(0, std::max<std::size_t>(whole, 1))
+                                    : std::string_view("\xEF\xBF\xBD");
+    text.remove_prefix(std::max<std::size_t>(whole, 1));
+  }
+  return valid;
+}
+
+/// Inside a script element nothing may look like its end: "<" is written as an escape.
+std::string scriptSafe(const std::string& json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  return safe;
+}
+
+JsonTree describe(const BakeRecord& record, JsonTree maps) {
+  JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
+  for (const auto& [name, value] : record.facts)
+    facts.push_back({utf8(name), utf8(value)});
+  for (const auto& [name, seconds] : record.timings)
+    timings.push_back({{"name", utf8(name)}, {"seconds", seconds}});
+  for (const std::string& note : record.notes)
+    notes.push_back(utf8(note));
+  return {{"name", utf8(record.bundle.noises.front().name)},
+          {"command", utf8(record.command)},
+          {"facts", facts},
+          {"timings", timings},
+          {"notes", notes},
+          {"maps", std::move(maps)}};
+}
+
+std::vector<std::byte> pageWith(const std::string& data) {
+  const std::size_t at = kReportPage.find(kReportDataMark);
+  std::string page(kReportPage.substr(0, at));
+  page += data;
+  page += kReportPage.substr(at + kReportDataMark.size());
+  const auto bytes = std::as_bytes(std::span(page));
+  return {bytes.begin(), bytes.end()};
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
+                                                 const Progress& progress) {
+  return withinMemory([] { return "not enough memory for the report"; },
+                      [&]() -> Result<std::vector<std::byte>> {
+                        const std::size_t count = record.exemplars.size();
+                        const std::uint32_t seed = record.bundle.materials.front()->seed;
+                        JsonTree maps = JsonTree::array();
+                        for (std::size_t m = 0; m < count; ++m) {
+                          const Progress part = [&](double fraction) {
+                            return !progress || progress((double(m) + fraction) / double(count));
+                          };
+                          Result<JsonTree> map =
+                              describeMap(record.bundle, seed, record.exemplars[m],
+                                          record.exemplarWasPeriodic, exemplarSide(count), part);
+                          if (!map)
+                            return map.error();
+                          maps.push_back(std::move(map).value());
+                        }
+                        return pageWith(scriptSafe(describe(record, std::move(maps)).compact()));
+                      });
+}
+
+} // namespace lichen

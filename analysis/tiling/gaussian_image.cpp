@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Map (width * height * n values) -> width * height Gaussian points.
+#include "gaussian_image.h"
+
+#include "borders.h"
+
+#include <Eigen/Cholesky>
+
+namespace lichen::tiling {
+
+Gaussianized gaussianImage(const MapExemplar& map, const Moments& moments, bool periodic,
+                           Precision precision) {
+  const auto n = Eigen::Index(map.channels.size());
+  const Eigen::LLT<ChannelMatrix> factor(moments.covariance);
+  std::vector<Point> points(map.values.size() / std::size_t(n));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ChannelVector centred(n);
+    for (Eigen::Index c = 0; c < n; ++c)
+      centred[c] = double(map.values[i * std::size_t(n) + std::size_t(c)]) - moments.mean[c];
+    const ChannelVector g = kGaussianDeviation * factor.matrixL().solve(centred);
+    const auto channel = [&](Eigen::Index c) { return c < n ? float(kGaussianMean + g[c]) : 0.0f; };
+    points[i] = {channel(0), channel(1), channel(2)};
+  }
+  if (!periodic)
+    points = crossFadeBorders(points, map.width, map.height);
+  return {map.width, map.height, int(n), whitenedForStorage(points, int(n), precision), {}};
+}
+
+} // namespace lichen::tiling

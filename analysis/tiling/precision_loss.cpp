@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Bundle and exemplar (width * height * channels) -> how far the one is from the other.
+#include "color_space.h"
+#include "value_encoding.h"
+
+#include <lichen/precision_loss.h>
+#include <lichen/quality.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using namespace tiling;
+
+/// Stored values as an image, for the measures of quality.h.
+SrgbImage imageOf(const MapExemplar& exemplar, std::vector<float> stored) {
+  // Two channels would be grey and alpha.
+  const auto channels = exemplar.channels.size();
+  SrgbImage image(exemplar.width, exemplar.height, channels == 1 ? 1 : 3);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t c = 0; c < channels; ++c)
+      image.values[i * std::size_t(image.channels) + c] = stored[i * channels + c];
+  return image;
+}
+
+Result<PrecisionLoss> compared(const MapExemplar& exemplar, const std::vector<float>& decodedTexels,
+                               bool periodic) {
+  const int channels = int(exemplar.channels.size());
+  std::vector<float> wantedValues(exemplar.values.size());
+  std::vector<float> stored(exemplar.values.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    wantedValues[i] = decoded(exemplar.values[i], exemplar.encoding);
+    stored[i] = encoded(decodedTexels[i], exemplar.encoding);
+    const double error = double(decodedTexels[i]) - double(wantedValues[i]);
+    squares += error * error;
+  }
+  const Moments wanted = momentsOf(wantedValues, channels);
+  const Moments found = momentsOf(decodedTexels, channels);
+  const double variance = wanted.covariance.trace();
+  if (variance <= 0.0)
+    return PrecisionLoss{};
+  PrecisionLoss loss;
+  loss.mean = (found.mean - wanted.mean).cwiseAbs().maxCoeff();
+  loss.variance = 1.0 - found.covariance.trace() / variance;
+  if (periodic)
+    loss.roundTrip = std::sqrt(squares / double(stored.size() / std::size_t(channels)) / variance);
+  const Result<double> distance =
+      colorDistance(imageOf(exemplar, exemplar.values), imageOf(exemplar, stored));
+  if (!distance)
+    return distance.error();
+  loss.colorDistance = distance.value();
+  return loss;
+}
+
+} // namespace
+
+Result<PrecisionLoss> precisionLoss(const Bundle& bundle, std::size_t noise, std::size_t map,
+                                    const MapExemplar& exemplar, bool periodic) {
+  const auto exhausted = [] { return "not enough memory to measure a map's tables"; };
+  return withinMemory(exhausted, [&]() -> Result<PrecisionLoss> {
+    const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, noise);
+    if (!evaluator)
+      return evaluator.error();
+    if (map >= evaluator.value().mapCount())
+      return Error{ErrorKind::usage, "map " + std::to_string(map) + ": the noise has " +
+                                         std::to_string(evaluator.value().mapCount())};
+    const NoiseMap& described = bundle.noises[noise].maps[map];
+    const Table& gaussian = bundle.tables[described.gaussian];
+    if (int(gaussian.width) != exemplar.width || int(gaussian.height) != exemplar.height ||
+        described.channels != exemplar.channels)
+      return Error{ErrorKind::usage, "an exemplar that the map was not baked from"};
+    const std::vector<float> texels = evaluator.value().decodedTexels(map);
+    return compared(exemplar, texels, periodic);
+  });
+}
+
+} // namespace lichen

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Bundles -> one bundle: tables renumbered, names made unique.
+#include <lichen/bundle_merge.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace lichen {
+namespace {
+
+/// `name`, or where that is taken the first of name-2, name-3, ... that is not.
+std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
+  std::string unique = name;
+  for (std::size_t number = 2; !taken.insert(unique).second; ++number)
+    unique = name + "-" + std::to_string(number);
+  return unique;
+}
+
+bool isSameImage(const Table& a, const Table& b) {
+  return a.format == b.format && a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         a.mipLevels == b.mipLevels && a.texels == b.texels;
+}
+
+/// Gathers bundles one after the other.
+class Merger {
+public:
+  Result<void> add(const NamedBundle& input);
+  [[nodiscard]] MergedBundle finish() && { return std::move(merged_); }
+
+private:
+  std::size_t place(Table table);
+  void addNoise(const NamedBundle& input, std::size_t index);
+
+  MergedBundle merged_;
+  std::set<std::string> noiseNames_, materialNames_;
+  /// Of the bundle being added: where its tables were placed, filled as maps need them.
+  std::map<std::size_t, std::size_t> places_;
+};
+
+/// The index of the table among those gathered.
+std::size_t Merger::place(Table table) {
+  std::vector<Table>& all = merged_.bundle.tables;
+  const auto same = std::find_if(all.begin(), all.end(),
+                                 [&](const Table& other) { return isSameImage(other, table); });
+  if (same != all.end())
+    return std::size_t(same - all.begin());
+  all.push_back(std::move(table));
+  return all.size() - 1;
+}
+
+void Merger::addNoise(const NamedBundle& input, std::size_t index) {
+  Bundle& bundle = merged_.bundle;
+  Noise noise = input.bundle.noises[index];
+  const std::string name = uniqueName(noise.name, noiseNames_);
+  if (name != noise.name)
+    merged_.notes.push_back(input.file + ": noise '" + noise.name + "' is named '" + name +
+                            "', since another has that name");
+  const auto placed = [&](std::size_t table) {
+    const auto [entry, isNew] = places_.try_emplace(table, 0);
+    if (isNew) {
+      Table copy = input.bundle.tables[table];
+      if (copy.name.starts_with(noise.name + "."))
+        copy.name.replace(0, noise.name.size(), name);
+      entry->second = place(std::move(copy));
+    }
+    return entry->second;
+  };
+  for (NoiseMap& map : noise.maps) {
+    map.gaussian = placed(map.gaussian);
+    if (map.inverseTable)
+      map.inverseTable = placed(*map.inverseTable);
+  }
+
+  MaterialNoise use;
+  std::string materialName = name;
+  std::size_t users = 0;
+  for (std::size_t m = 0; m < input.bundle.materials.size(); ++m) {
+    const std::optional<MaterialNoise>& material = input.bundle.materials[m];
+    if (!material || material->noise != index || users++ > 0)
+      continue;
+    use = *material;
+    if (const std::string& own = input.bundle.materialNames[m]; !own.empty() && own != noise.name)
+      materialName = own;
+  }
+  if (users > 1)
+    merged_.notes.push_back(input.file + ": " + std::to_string(users) + " materials use noise '" +
+                            noise.name + "'; the first one's parameters are kept");
+  use.noise = bundle.noises.size();
+  noise.name = name;
+  bundle.noises.push_back(std::move(noise));
+  bundle.materials.emplace_back(use);
+  bundle.materialNames.push_back(uniqueName(materialName, materialNames_));
+}
+
+Result<void> Merger::add(const NamedBundle& input) {
+  if (!input.bundle.ignoredNoises.empty()) {
+    const IgnoredNoise& ignored = input.bundle.ignoredNoises.front();
+    return Error{ErrorKind::badInput, input.file + ": noise '" + ignored.name +
+                                          "' is of revision " + std::to_string(ignored.revision) +
+                                          "; " + std::to_string(kTilingRevision) +
+                                          " is known: the version of lichen that wrote it can "
+                                          "merge it"};
+  }
+  if (input.bundle.noises.empty())
+    return Error{ErrorKind::badInput, input.file + ": has no noise; a bundle with one is accepted"};
+  places_.clear();
+  for (std::size_t n = 0; n < input.bundle.noises.size(); ++n)
+    addNoise(input, n);
+  return {};
+}
+
+} // namespace
+
+Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs) {
+  return withinMemory([] { return "not enough memory to merge the bundles"; },
+                      [&]() -> Result<MergedBundle> {
+                        Merger merger;
+                        for (const NamedBundle& input : inputs)
+                          if (Result<void> added = merger.add(input); !added)
+                            return added.error();
+                        return std::move(merger).finish();
+                      });
+}
+
+} // namespace lichen

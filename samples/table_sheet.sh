@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Contact sheet of the kinds of inverse table, one exemplar a row: the exemplar, and the noise with
+# a joint table, a separable one, and none where the exemplar spans all three dimensions of colour.
+# The last two rows are the first exemplar in grey, and in two colours.
+#   samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png...
+# Needs a release build and ImageMagick (Debian package imagemagick).
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")/.." && pwd)
+lichen=${LICHEN:-$here/build/release/bin/lichen}
+panel=192
+
+if [ $# -lt 2 ]; then
+  echo "usage: samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
+  exit 2
+fi
+command -v montage >/dev/null || { echo "table_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
+[ -x "$lichen" ] || { echo "table_sheet: $lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+
+output=$1
+shift
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+convert "$1" -colorspace Gray "PNG24:$work/grey.png"
+convert "$1" -colorspace Gray -threshold 45% -colorspace sRGB -type TrueColor +level-colors "#40342a","#c8b48a" "PNG24:$work/two.png"
+
+noise() { # exemplar, panel, options of bake
+  "$lichen" bake "$1" -o "$work/noise.glb" --name noise --preview none --quiet "${@:3}" &&
+    "$lichen" synth "$work/noise.glb" -o "$2" --size "${panel}x${panel}" --quiet
+}
+
+panels=()
+for exemplar in "$@" "$work/grey.png" "$work/two.png"; do
+  row=$work/${#panels[@]}
+  convert "$exemplar" -crop "${panel}x${panel}+0+0" +repage "$row-exemplar.png"
+  noise "$exemplar" "$row-joint.png" --gaussian no
+  noise "$exemplar" "$row-separable.png" --gaussian no --lut separable
+  noise "$exemplar" "$row-none.png" --gaussian yes 2>/dev/null ||
+    convert -size "${panel}x${panel}" xc:white "$row-none.png"
+  panels+=("$row-exemplar.png" "$row-joint.png" "$row-separable.png" "$row-none.png")
+done
+montage "${panels[@]}" -tile 4x -geometry +3+3 -background white -quality 78 "$output"
+echo "$output"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// What a map's blended Gaussian value (float3) stands for, where filtering has taken the fraction
+// `lostVariance` of its variance: the mean of the decoded quantity over what is missing. Of slopes,
+// z is the variance of a slope over what is missing.
+// [HN18] section 4.3; the three ways to decode are those of docs/gltf_extension/README.md, step 6.
+#ifndef LICHEN_TILING_DECODE_GLSL
+#define LICHEN_TILING_DECODE_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "gaussian_cdf.glsl"
+
+// 0 where no map has a separable table, or where none has no table. Literals, or the host's
+// specialization constants.
+#ifndef LICHEN_SEPARABLE_TABLES
+#define LICHEN_SEPARABLE_TABLES 1
+#endif
+#ifndef LICHEN_GAUSSIAN_ONLY
+#define LICHEN_GAUSSIAN_ONLY 1
+#endif
+
+// Cells of a three-channel inverse table along each axis.
+#define LICHEN_TABLE_CELLS 32.0
+
+/// The level of the table that is prefiltered for this loss. Levels are equidistant in kept
+/// amplitude.
+float lichenTableLevel(float lostVariance, LichenMap map) {
+  return (float(int(map.tableLevels)) - 1.0) * (1.0 - sqrt(max(0.0, 1.0 - lostVariance)));
+}
+
+/// One inverse table over all dimensions.
+vec4 lichenDecodeJoint(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+  // T^-1 as a table over the Gaussian's distribution function, eq. 22.
+  vec3 uniformValue = lichenGaussianCdf(gaussian);
+  float levels = float(int(map.tableLevels));
+  float level = lichenTableLevel(lostVariance, map);
+  // One and two channels: the third coordinate is the level, and one fetch filters it too. Three: a
+  // volume for each level, one behind the other; interpolation stays half a cell inside each.
+  bool isVolume = map.dimensions == 3u;
+  float slab = floor(level);
+  float depth = clamp(LICHEN_TABLE_CELLS * uniformValue.z, 0.5, LICHEN_TABLE_CELLS - 0.5);
+  vec3 place =
+      vec3(uniformValue.xy, (isVolume ? slab + depth / LICHEN_TABLE_CELLS : level + 0.5) / levels);
+  vec4 value = textureLod(table, place, 0.0);
+  if (isVolume && level > slab) {
+    place.z += 1.0 / levels;
+    value = mix(value, textureLod(table, place, 0.0), level - slab);
+  }
+  return value;
+}
+
+/// The affine map of separable and Gaussian decoding.
+vec3 lichenDecodeRows(vec3 value, LichenMap map) {
+  vec4 homogeneous = vec4(value, 1.0);
+  return vec3(dot(map.row0, homogeneous), dot(map.row1, homogeneous), dot(map.row2, homogeneous));
+}
+
+/// A table for each dimension, in a basis in which they are not correlated.
+vec4 lichenDecodeSeparable(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+  vec3 uniformValue = lichenGaussianCdf(gaussian);
+  float depth = (lichenTableLevel(lostVariance, map) + 0.5) / float(int(map.tableLevels));
+  vec3 along;
+  along.x = textureLod(table, vec3(uniformValue.x, 0.5, depth), 0.0).x;
+  along.y = textureLod(table, vec3(uniformValue.y, 0.5, depth), 0.0).y;
+  along.z = map.dimensions == 3u ? textureLod(table, vec3(uniformValue.z, 0.5, depth), 0.0).z : 0.0;
+  // Together the three may leave the gamut, which each alone does not.
+  const float kHalfMax = 65504.0; // the most light that a table holds
+  float most = map.encoding == uint(LICHEN_ENCODING_LOG2) ? kHalfMax : 1.0;
+  return vec4(clamp(lichenDecodeRows(along, map), 0.0, most), 1.0);
+}
+
+/// A stored value -> the quantity, inside the range of its encoding.
+vec3 lichenDecodeStored(vec3 stored, LichenMap map) {
+  const float kMostLog = 16.0; // a half float's most light is below 2^16 - 1
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return stored;
+  if (map.encoding == uint(LICHEN_ENCODING_LOG2))
+    return exp2(clamp(stored, 0.0, kMostLog)) - 1.0;
+  vec3 value = clamp(stored, 0.0, 1.0);
+  if (map.encoding == uint(LICHEN_ENCODING_LINEAR))
+    return value;
+  // IEC 61966-2-1.
+  return mix(value / 12.92, pow((value + 0.055) / 1.055, vec3(2.4)),
+             greaterThan(value, vec3(0.04045)));
+}
+
+/// No table: the stored values are Gaussian themselves.
+vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
+  vec3 stored = lichenDecodeRows(gaussian - 0.5, map);
+  // A row is six times the root of the covariance, for values of deviation 1/6.
+  const float kVariance = 1.0 / 36.0;
+  vec3 variance = lostVariance * kVariance *
+                  vec3(dot(map.row0.xyz, map.row0.xyz), dot(map.row1.xyz, map.row1.xyz),
+                       dot(map.row2.xyz, map.row2.xyz));
+  // Slopes decode linearly.
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return vec4(stored.xy, 0.5 * (variance.x + variance.y), 1.0);
+  // Three-point Gauss-Hermite quadrature over what is missing.
+  vec3 reach = sqrt(3.0 * variance);
+  return vec4((4.0 * lichenDecodeStored(stored, map) + lichenDecodeStored(stored - reach, map) +
+               lichenDecodeStored(stored + reach, map)) /
+                  6.0,
+              1.0);
+}
+
+/// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`
+/// is not fetched where the map has none.
+vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+  if (bool(LICHEN_SEPARABLE_TABLES) && map.decoding == uint(LICHEN_DECODING_SEPARABLE))
+    return lichenDecodeSeparable(table, gaussian, lostVariance, map);
+  if (bool(LICHEN_GAUSSIAN_ONLY) && map.decoding == uint(LICHEN_DECODING_GAUSSIAN))
+    return lichenDecodeGaussian(gaussian, lostVariance, map);
+  return lichenDecodeJoint(table, gaussian, lostVariance, map);
+}
+
+#endif

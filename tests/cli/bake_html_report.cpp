@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The page that `lichen bake --report` writes, as text; tests/cli/report_page looks at it.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <regex>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr const char* kDataStart = "<script type=\"application/json\" id=\"data\">";
+
+/// The page's data.
+nlohmann::json dataOf(const std::string& page) {
+  const std::size_t start = page.find(kDataStart);
+  REQUIRE(start != std::string::npos);
+  const std::size_t begin = start + std::string(kDataStart).size();
+  const std::string data = page.substr(begin, page.find("</script>", begin) - begin);
+  CHECK(data.find('<') == std::string::npos);
+  return nlohmann::json::parse(data);
+}
+
+std::string reportOf(const Workplace& workplace, const std::string& input,
+                     const Arguments& more = {}) {
+  Arguments arguments{"--report", workplace.path("report.html")};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  bake(workplace, input, "noise.glb", arguments);
+  return workplace.read("report.html");
+}
+
+} // namespace
+
+TEST_CASE("a report holds the measures that compare finds, and nothing from elsewhere") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(64));
+  const std::string page = reportOf(workplace, input, {"--seed", "3"});
+  const nlohmann::json data = dataOf(page);
+  CHECK(data.at("name") == "moss");
+  REQUIRE(data.at("maps").size() == 1);
+  const nlohmann::json& map = data["maps"][0];
+  CHECK(map.at("target") == "baseColor");
+  CHECK(map.at("histograms").size() == 3);
+  CHECK(map.at("risks").size() > 0);
+  CHECK(map.at("table").at("slices") == 32);
+  const nlohmann::json compared = nlohmann::json::parse(
+      runLichen({"compare", input, workplace.path("noise.glb"), "--json"}).output);
+  REQUIRE(map.at("measures").size() == compared.at("measures").size());
+  for (std::size_t m = 0; m < compared["measures"].size(); ++m) {
+    CHECK(map["measures"][m].at("name") == compared["measures"][m].at("name"));
+    CHECK(map["measures"][m].at("value") == compared["measures"][m].at("value"));
+  }
+  static const std::regex address("[a-z]+://[^\"' ]+");
+  for (std::sregex_iterator at(page.begin(), page.end(), address), end; at != end; ++at)
+    CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a vocabulary
+}
+
+TEST_CASE("each histogram of a report counts every pixel once") {
+  const Workplace workplace;
+  const nlohmann::json data = dataOf(reportOf(workplace, workplace.write("a.png", smooth(32))));
+  for (const nlohmann::json& histogram : data["maps"][0]["histograms"])
+    for (const char* side : {"exemplar", "result"}) {
+      double sum = 0.0;
+      for (const nlohmann::json& share : histogram.at(side))
+        sum += share.get<double>();
+      CHECK(sum == Approx(1.0));
+    }
+}
+
+TEST_CASE("a report's command can be given to a shell, whatever the names in it") {
+  const Workplace workplace;
+  const std::string name = "it's </script><b> $HOME \\ \"x\"\n";
+  const nlohmann::json data =
+      dataOf(reportOf(workplace, workplace.write("moss.png", smoothGrey(16)), {"--name", name}));
+  CHECK(data.at("name") == name);
+  const std::string command = data.at("command");
+  std::filesystem::remove(workplace.path("noise.glb"));
+  const std::string line = "lichen() { " LICHEN_BINARY_DIR "/bin/lichen \"$@\"; }; ";
+  const Ended ended = run("/bin/sh", {"-c", line + command});
+  INFO(ended.errors);
+  CHECK(ended.code == 0);
+  CHECK(dataOf(workplace.read("report.html")).at("name") == name);
+}
+
+TEST_CASE("a report is the same every time but for its times") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
+  const auto withoutTimes = [&](const char* threads) {
+    nlohmann::json data = dataOf(reportOf(workplace, input, {"--threads", threads}));
+    data.erase("timings");
+    data.erase("command"); // has the number of threads
+    return data;
+  };
+  CHECK((withoutTimes("1") == withoutTimes("2")));
+}
+
+TEST_CASE("images of any kind have a report") {
+  const Workplace workplace;
+  LinearImage light(40, 20, 3);
+  for (std::size_t i = 0; i < light.values.size(); ++i)
+    light.values[i] = float((i * 37) % 101) / 25.0f;
+  for (const std::string& input :
+       {workplace.write("one.png", SrgbImage(1, 1, 3)),
+        workplace.write("flat.png", SrgbImage(64, 64, 3)),
+        workplace.write("thin.png", speckled(300, 2, 1)), workplace.write("lamp.exr", light)}) {
+    INFO(input);
+    const nlohmann::json data = dataOf(reportOf(workplace, input));
+    CHECK(data["maps"][0]["measures"].size() == 5);
+  }
+}
+
+TEST_CASE("every map of a set is in its report") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("rock"));
+  workplace.write("rock/rock_color.png", smooth(16));
+  workplace.write("rock/rock_normal.png", smooth(16));
+  workplace.write("rock/rock_rough.png", smoothGrey(16));
+  const nlohmann::json data = dataOf(reportOf(workplace, workplace.path("rock")));
+  std::vector<std::string> targets;
+  for (const nlohmann::json& map : data.at("maps"))
+    targets.push_back(map.at("target"));
+  CHECK(targets == std::vector<std::string>{"baseColor", "normal", "occlusionRoughnessMetallic"});
+  CHECK(data["maps"][1]["histograms"][2]["channel"] == "normal z");
+  CHECK(data["maps"][2]["histograms"].size() == 1);
+  CHECK(data["maps"][2]["histograms"][0]["channel"] == "roughness");
+}
+
+TEST_CASE("a report that cannot be is refused before the work") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smoothGrey(8));
+  const std::string bundle = workplace.path("noise.glb");
+  checkRefusal({"bake", input, "-o", bundle, "--report", workplace.path("r.txt")},
+               int(ErrorKind::usage), {"r.txt", ".html"});
+  checkRefusal({"bake", input, "-o", bundle, "--report", workplace.path("absent/r.html")},
+               int(ErrorKind::environment), {"absent", "does not exist"});
+  CHECK(workplace.names() == std::vector<std::string>{"moss.png"});
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// What `lichen compare` says of results whose distance from their exemplar is known.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kFound = 1;
+
+/// Measures by name, and how the command ended.
+struct Compared {
+  int code = -1;
+  std::map<std::string, nlohmann::json> measures;
+
+  [[nodiscard]] double value(const std::string& name) const {
+    return measures.at(name).at("value").get<double>();
+  }
+};
+
+Compared compared(const std::string& exemplar, const std::string& result,
+                  const Arguments& more = {}) {
+  Arguments arguments{"compare", exemplar, result, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = runLichen(arguments);
+  INFO(ended.errors);
+  Compared compared{ended.code, {}};
+  REQUIRE((ended.code == 0 || ended.code == kFound));
+  const nlohmann::json report = nlohmann::json::parse(ended.output);
+  for (const nlohmann::json& measure : report.at("measures"))
+    compared.measures[measure.at("name").get<std::string>()] = measure;
+  return compared;
+}
+
+/// The image, `times` times along each side.
+SrgbImage repeated(const SrgbImage& image, int times) {
+  SrgbImage large(image.width * times, image.height * times, image.channels);
+  for (int y = 0; y < large.height; ++y)
+    for (int x = 0; x < large.width; ++x)
+      std::copy_n(image.pixel(x % image.width, y % image.height), image.channels,
+                  large.pixel(x, y));
+  return large;
+}
+
+/// Vertical stripes of random grey.
+SrgbImage stripes(int side) {
+  SrgbImage image(side, side, 1);
+  std::uint32_t state = 1;
+  for (int x = 0; x < side; ++x) {
+    state = state * 1664525u + 1013904223u;
+    for (int y = 0; y < side; ++y)
+      image.pixel(x, y)[0] = float(state >> 24u) / 255.0f;
+  }
+  return image;
+}
+
+} // namespace
+
+TEST_CASE("an exemplar compared with itself is at no distance, in every measure") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
+  const Compared self = compared(image, image);
+  CHECK(self.code == 0);
+  CHECK(self.measures.size() == 4);
+  CHECK(self.value("color_distance") == 0.0);
+  CHECK(self.value("spectrum_distance_db") == 0.0);
+  CHECK(self.value("autocovariance_error") == 0.0);
+  CHECK(self.value("seam_visibility") == 1.0);
+}
+
+TEST_CASE("a shift of all colours is found by the colour distance alone, and misses its target") {
+  const Workplace workplace;
+  SrgbImage image = speckled(64, 64, 3);
+  for (float& value : image.values)
+    value = 0.25f + 0.5f * value;
+  const std::string exemplar = workplace.write("moss.png", image);
+  constexpr float kShift = 20.0f / 255.0f;
+  for (std::size_t i = 0; i < image.values.size(); i += 3) // red
+    image.values[i] += kShift;
+  const Compared shifted = compared(exemplar, workplace.write("red.png", image));
+  CHECK(shifted.code == kFound);
+  // quality.h: a shift by a vector of length d gives d / sqrt(3), up to its 2^-16 steps; 256
+  // directions know the mean square of a component to a few per cent.
+  CHECK(shifted.value("color_distance") == Approx(double(kShift) / std::sqrt(3.0)).epsilon(0.05));
+  CHECK(shifted.measures.at("color_distance").at("met") == false);
+  CHECK(shifted.value("spectrum_distance_db") < 0.01);
+  CHECK(shifted.measures.at("spectrum_distance_db").at("met") == true);
+}
+
+TEST_CASE("the result may have another size than the exemplar") {
+  const Workplace workplace;
+  const SrgbImage image = speckled(64, 64, 3);
+  const Compared same =
+      compared(workplace.write("moss.png", image), workplace.write("wall.png", repeated(image, 3)));
+  CHECK(same.value("color_distance") == 0.0);
+}
+
+TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smooth(64));
+  const std::string bundle = bake(workplace, image);
+  const Compared first = compared(image, bundle);
+  REQUIRE(first.measures.size() == 5);
+  CHECK(first.measures.at("lattice_visibility").at("target") == 0.03);
+  CHECK(first.value("lattice_visibility") >= 0.0);
+  CHECK(first.value("color_distance") < 0.02);
+  // The same image as synth makes of the bundle, but for its rounding to 8 bits.
+  synth(workplace, bundle, {"--size", "256x256"});
+  const Compared again = compared(image, workplace.path("synth.png"));
+  CHECK(again.value("color_distance") == Approx(first.value("color_distance")).margin(0.5 / 255.0));
+  CHECK(again.value("autocovariance_error") ==
+        Approx(first.value("autocovariance_error")).margin(0.01));
+}
+
+TEST_CASE("another noise of the bundle is compared when it is named") {
+  const Workplace workplace;
+  const std::string moss = workplace.write("moss.png", smooth(32));
+  const std::string grey = workplace.write("grey.png", smoothGrey(32));
+  const std::string both = workplace.path("both.glb");
+  REQUIRE(runLichen(
+              {"merge", bake(workplace, moss, "a.glb"), bake(workplace, grey, "b.glb"), "-o", both})
+              .code == 0);
+  CHECK(compared(grey, both, {"--noise", "grey"}).value("color_distance") <
+        compared(grey, both).value("color_distance"));
+  checkRefusal({"compare", grey, both, "--noise", "rust"}, int(ErrorKind::usage),
+               {"--noise rust: ", "moss, grey"});
+  checkRefusal({"compare", grey, moss, "--noise", "grey"}, int(ErrorKind::usage),
+               {"--noise grey: ", "is an image"});
+}
+
+TEST_CASE("an exemplar with a strong grain has the wider target for its spectrum") {
+  const Workplace workplace;
+  const std::string wood = workplace.write("wood.png", stripes(64));
+  const Compared self = compared(wood, wood);
+  CHECK(self.measures.at("spectrum_distance_db").at("target") == 1.2);
+  CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
+             Catch::Contains("anisotropic"));
+  const std::string moss = workplace.write("moss.png", speckled(64, 64, 1));
+  CHECK(compared(moss, moss).measures.at("spectrum_distance_db").at("target") == 0.6);
+}
+
+TEST_CASE("a measure that images are too small for says so and counts as none") {
+  const Workplace workplace;
+  const std::string small = workplace.write("small.png", smooth(16));
+  const Compared self = compared(small, small);
+  CHECK(self.code == 0);
+  CHECK(self.measures.at("spectrum_distance_db").at("value").is_null());
+  CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
+             Catch::Contains("at least 32"));
+  CHECK_THAT(runLichen({"compare", small, small}).output,
+             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16"));
+}
+
+TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {
+  const Workplace workplace;
+  LinearImage light(40, 40, 3);
+  for (std::size_t i = 0; i < light.values.size(); ++i)
+    light.values[i] = float((i * 37) % 101) / 25.0f;
+  const std::string exemplar = workplace.write("lamp.exr", light);
+  CHECK(compared(exemplar, exemplar).value("color_distance") == 0.0);
+  const std::string dark = workplace.write("dark.png", SrgbImage(40, 40, 3));
+  CHECK(compared(exemplar, dark).value("color_distance") > 0.1);
+}
+
+TEST_CASE("compare prints a line a measure with target and verdict, and nothing when quiet") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
+  const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
+  const std::string page = runLichen({"compare", image, image}).output;
+  CHECK_THAT(page, Catch::Contains("color_distance"));
+  CHECK_THAT(page, Catch::Contains("met: 0.003"));
+  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("MISSED: 0.003"));
+  const Ended quiet = runLichen({"compare", image, dark, "--quiet"});
+  CHECK(quiet.code == kFound);
+  CHECK(quiet.output.empty());
+  CHECK(quiet.errors.empty());
+}
+
+TEST_CASE("compare refuses broken images and bundles in one line") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smooth(16));
+  const std::string bundle = bake(workplace, image);
+  const std::string whole = workplace.read("noise.glb");
+  const std::string picture = workplace.read("moss.png");
+  const std::string half = workplace.write("half.glb", whole.substr(0, whole.size() / 2));
+  const std::string cut = workplace.write("half.png", picture.substr(0, picture.size() / 2));
+  const int bad = int(ErrorKind::badInput);
+  checkRefusal({"compare", image, half}, bad, {"half.glb: "});
+  checkRefusal({"compare", image, cut}, bad, {"half.png"});
+  checkRefusal({"compare", cut, bundle}, bad, {"half.png"});
+  checkRefusal({"compare", workplace.path("absent.png"), bundle}, bad, {"absent.png"});
+  checkRefusal({"compare", bundle, image}, bad, {"noise.glb", "PNG"});
+  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT is required"});
+}

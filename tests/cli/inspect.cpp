@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What `lichen inspect` tells of a bundle, against what is known of how it was made.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kSide = 24;
+
+nlohmann::json inspected(const std::string& bundle) {
+  const Ended ended = runLichen({"inspect", bundle, "--json"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK(ended.errors.empty());
+  return nlohmann::json::parse(ended.output);
+}
+
+} // namespace
+
+TEST_CASE("inspect --json tells size, precision, mean and parameters of what was baked") {
+  const Workplace workplace;
+  const SrgbImage image = smooth(kSide);
+  const std::string bundle = bake(workplace, workplace.write("moss.png", image), "moss.glb",
+                                  {"--seed", "7", "--tile", "2.5", "--precision", "16"});
+  const nlohmann::json report = inspected(bundle);
+  CHECK(report.at("file") == bundle);
+  CHECK(report.at("bytesOnDisk") == std::filesystem::file_size(bundle));
+  REQUIRE(report.at("noises").size() == 1);
+  const nlohmann::json& noise = report["noises"][0];
+  CHECK(noise.at("name") == "moss");
+  CHECK(noise.at("method") == "tiling");
+  CHECK(noise.at("tileSize") == 2.5);
+  REQUIRE(noise.at("maps").size() == 1);
+  const nlohmann::json& map = noise["maps"][0];
+  CHECK(map.at("target") == "baseColor");
+  CHECK(map.at("encoding") == "srgb");
+  CHECK(map.at("channels") == nlohmann::json{"red", "green", "blue"});
+  CHECK(map.at("width") == kSide);
+  CHECK(map.at("height") == kSide);
+  CHECK(map.at("bits") == 16);
+  const std::vector<double> mean = meanOf(image);
+  for (std::size_t c = 0; c < 3; ++c) // codes are rounded to 8 bits in the file
+    CHECK(map.at("mean")[c].get<double>() == Approx(mean[c]).margin(0.5 / 255.0));
+  REQUIRE(noise.at("materials").size() == 1);
+  CHECK(noise["materials"][0].at("seed") == 7);
+  CHECK(noise["materials"][0].at("mapping") == "uv");
+}
+
+TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk") {
+  const Workplace workplace;
+  // Grey: one channel of 8 bits. 24 x 24 with its mips is 24, 12, 6, 3 and 1 a side.
+  const std::string input = workplace.write("moss.png", smoothGrey(kSide));
+  const nlohmann::json report =
+      inspected(bake(workplace, input, "moss.gltf", {"--preview", "none"}));
+  const nlohmann::json& tables = report.at("tables");
+  REQUIRE(tables.size() == 2);
+  CHECK(report.at("noises")[0].at("fetchesPerPixel") == 4); // no volume
+  CHECK(tables[0].at("bytes") == 24 * 24 + 12 * 12 + 6 * 6 + 3 * 3 + 1);
+  CHECK(tables[0].at("mipLevels") == 5);
+  std::size_t sum = 0;
+  for (const nlohmann::json& table : tables)
+    sum += table.at("bytes").get<std::size_t>();
+  CHECK(report.at("bytesOnGpu") == sum);
+  std::uintmax_t onDisk = 0;
+  for (const std::string& name : workplace.names())
+    onDisk += name == "moss.png" ? 0 : std::filesystem::file_size(workplace.path(name));
+  CHECK(report.at("bytesOnDisk") == onDisk);
+}
+
+TEST_CASE("inspect's page has names and numbers in lines of at most 80 characters") {
+  const Workplace workplace;
+  const std::string bundle =
+      bake(workplace, workplace.write("moss.png", smooth(kSide)), "moss.glb", {"--seed", "7"});
+  const std::filesystem::path folder = std::filesystem::path(bundle).parent_path();
+  const Ended ended = runLichen({"inspect", bundle});
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  for (const char* word : {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb",
+                           "5 fetches a pixel", "uv, seed 7", "moss.baseColor.inverse"})
+    CHECK_THAT(ended.output, Catch::Contains(word));
+  std::istringstream lines(ended.output);
+  std::string line;
+  std::getline(lines, line); // the file's path, however long
+  while (std::getline(lines, line))
+    CHECK(line.size() <= 80);
+  CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
+}
+
+TEST_CASE("inspect refuses what is not a bundle in one line") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smoothGrey(8));
+  const std::string whole =
+      workplace.read(std::filesystem::path(bake(workplace, image)).filename().string());
+  const std::string plain =
+      workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));
+  for (const std::string& bundle : {workplace.path("absent.glb"), image, plain})
+    checkRefusal({"inspect", bundle}, int(ErrorKind::badInput),
+                 {std::filesystem::path(bundle).filename().string()});
+  for (std::size_t bytes = 0; bytes < whole.size(); bytes += whole.size() / 16)
+    checkRefusal({"inspect", workplace.write("half.glb", whole.substr(0, bytes))},
+                 int(ErrorKind::badInput), {"half.glb: "});
+}
+
+TEST_CASE("inspect passes over buffers that hold no table, whatever they are") {
+  const Workplace workplace;
+  bake(workplace, workplace.write("moss.png", smoothGrey(8)), "moss.gltf", {"--preview", "none"});
+  nlohmann::json gltf = nlohmann::json::parse(workplace.read("moss.gltf"));
+  for (const char* buffer :
+       {"3", "{}", R"({"uri": 4, "byteLength": 5})", R"({"uri": "gone.bin", "byteLength": -1})"})
+    gltf["buffers"].push_back(nlohmann::json::parse(buffer));
+  const std::string odd = workplace.write("odd.gltf", gltf.dump());
+  CHECK(inspected(odd).at("noises").size() == 1);
+}

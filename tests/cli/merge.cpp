@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// What `lichen merge` makes of several bundles.
+#include "command_run.h"
+
+#include <lichen/bundle.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+Ended merge(const Workplace& workplace, Arguments bundles, const Arguments& more = {}) {
+  bundles.insert(bundles.begin(), "merge");
+  bundles.insert(bundles.end(), {"-o", workplace.path("all.glb")});
+  bundles.insert(bundles.end(), more.begin(), more.end());
+  return runLichen(bundles);
+}
+
+Bundle merged(const Workplace& workplace, const Arguments& bundles, const Arguments& more = {}) {
+  const Ended ended = merge(workplace, bundles, more);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK(runLichen({"check", workplace.path("all.glb")}).code == 0);
+  return readBundle(workplace.path("all.glb")).value();
+}
+
+/// The image that a table holds is the same; its name may differ.
+bool isSameImage(const Table& a, const Table& b) {
+  return a.format == b.format && a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         a.mipLevels == b.mipLevels && a.texels == b.texels;
+}
+
+} // namespace
+
+TEST_CASE("merge keeps order, tables, parameters and pictures of the noises") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(24)), "moss.glb",
+                                {"--seed", "5", "--tile", "3"});
+  const std::string sand = bake(workplace, workplace.write("sand.png", speckled(16, 32, 3)),
+                                "sand.gltf", {"--seed", "9"});
+  const Bundle all = merged(workplace, {sand, moss});
+  REQUIRE(all.noises.size() == 2);
+  CHECK(all.noises[0].name == "sand");
+  CHECK(all.noises[1].name == "moss");
+  CHECK(all.noises[1].tileSizeMetres == 3.0);
+  CHECK(all.materialNames == std::vector<std::string>{"sand", "moss"});
+  CHECK(all.materials[0]->seed == 9);
+  CHECK(all.materials[1]->noise == 1);
+  CHECK(all.materials[1]->seed == 5);
+  const Bundle alone = readBundle(moss).value();
+  const NoiseMap& before = alone.noises[0].maps[0];
+  const NoiseMap& after = all.noises[1].maps[0];
+  CHECK(isSameImage(alone.tables[before.gaussian], all.tables[after.gaussian]));
+  CHECK(isSameImage(alone.tables[*before.inverseTable], all.tables[*after.inverseTable]));
+  CHECK(after.covariance == before.covariance);
+  CHECK(after.mipLoss == before.mipLoss);
+
+  const SrgbImage picture = synth(workplace, moss, {"--size", "40x30"});
+  const SrgbImage same =
+      synth(workplace, workplace.path("all.glb"), {"--size", "40x30", "--noise", "moss"});
+  CHECK(same.values == picture.values);
+}
+
+TEST_CASE("a merged bundle of one is the bake itself, byte for byte") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb");
+  static_cast<void>(merged(workplace, {moss}));
+  CHECK((workplace.read("all.glb") == workplace.read("moss.glb")));
+}
+
+TEST_CASE("a name that is taken gets a number, with a note") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(16));
+  const std::string first = bake(workplace, input, "a.glb");
+  const std::string second = bake(workplace, input, "b.glb", {"--seed", "2"});
+  const Ended ended = merge(workplace, {first, second, first});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("note: " + second +
+                                           ": noise 'moss' is named 'moss-2', since another has"));
+  CHECK_THAT(ended.errors, Catch::Contains("'moss-3'"));
+  const Bundle all = readBundle(workplace.path("all.glb")).value();
+  CHECK(all.materialNames == std::vector<std::string>{"moss", "moss-2", "moss-3"});
+  CHECK(all.materials[1]->seed == 2);
+  CHECK(all.tables.size() == 2); // of one exemplar, three times
+}
+
+TEST_CASE("what was merged can be merged again, and names stay unique") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(16)), "m.glb");
+  REQUIRE(merge(workplace, {moss, moss}).code == 0);
+  std::filesystem::rename(workplace.path("all.glb"), workplace.path("two.glb"));
+  const Bundle all = merged(workplace, {moss, workplace.path("two.glb")});
+  REQUIRE(all.noises.size() == 3);
+  CHECK(all.noises[1].name == "moss-2");
+  CHECK(all.noises[2].name == "moss-2-2");
+}
+
+TEST_CASE("every preview shape shows merged noises, and a plane no more than it has parts for") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(4)), "m.glb");
+  for (const char* shape : {"sphere", "plane", "none"})
+    CHECK(merged(workplace, {moss, moss}, {"--preview", shape}).noises.size() == 2);
+  const Arguments many(49, moss);
+  CHECK(merge(workplace, many, {"--preview", "plane"}).code == int(ErrorKind::usage));
+  CHECK_THAT(merge(workplace, many, {"--preview", "plane"}).errors,
+             Catch::Contains("49 noises; a preview plane shows at most 48"));
+  CHECK(merged(workplace, Arguments(48, moss), {"--preview", "plane"}).noises.size() == 48);
+}
+
+TEST_CASE("merge --json gives one object with its notes") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(8)), "m.glb");
+  const Ended ended = merge(workplace, {moss, moss}, {"--json"});
+  CHECK(ended.errors.empty());
+  const nlohmann::json report = nlohmann::json::parse(ended.output);
+  CHECK(report.at("noises") == nlohmann::json{"moss", "moss-2"});
+  CHECK(report.at("tables") == 2);
+  CHECK(report.at("notes").size() == 1);
+}
+
+TEST_CASE("merge refuses what it cannot carry over, and leaves no file") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smoothGrey(8));
+  const std::string moss = bake(workplace, image, "moss.gltf", {"--preview", "none"});
+  const nlohmann::json gltf = nlohmann::json::parse(workplace.read("moss.gltf"));
+  const auto altered = [&](const char* name, const auto& alter) {
+    nlohmann::json other = gltf;
+    alter(other["extensions"]["LICHEN_materials_exemplar_noise"],
+          other["materials"][0]["extensions"]["LICHEN_materials_exemplar_noise"]);
+    return workplace.write(name, other.dump());
+  };
+  const std::string later =
+      altered("later.gltf", [](auto& root, auto&) { root["noises"][0]["revision"] = 99; });
+  const std::string second = altered("uv1.gltf", [](auto&, auto& use) { use["texCoord"] = 1; });
+  const std::string whole = workplace.read("moss.gltf");
+  const std::string half = workplace.write("half.gltf", whole.substr(0, whole.size() / 2));
+  const std::string output = workplace.path("all.glb");
+  const int bad = int(ErrorKind::badInput), usage = int(ErrorKind::usage);
+  checkRefusal({"merge", moss, later, "-o", output}, bad, {"later.gltf: noise 'moss'", "99"});
+  checkRefusal({"merge", moss, half, "-o", output}, bad, {"half.gltf: "});
+  checkRefusal({"merge", moss, image, "-o", output}, bad, {"moss.png: "});
+  checkRefusal({"merge", second, "-o", output}, usage,
+               {"material 'moss' uses texture coordinates 1", "--preview none"});
+  checkRefusal({"merge", "-o", output}, usage, {"BUNDLE is required"});
+  checkRefusal({"merge", moss, "-o", workplace.path("all.png")}, usage, {".glb", ".gltf"});
+  CHECK(!std::filesystem::exists(output));
+  CHECK(merged(workplace, {moss, second}, {"--preview", "none"}).materials[1]->texCoord == 1);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What 8 and 16 bits lose of an exemplar.
+#include "example_exemplar.h"
+
+#include <lichen/precision_loss.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lichen;
+
+namespace {
+
+Bundle bakedWith(const MapExemplar& map, int bits) {
+  TilingOptions options;
+  options.bits = bits;
+  options.periodic = Periodic::yes;
+  Result<TilingBake> bake = bakeTiling("precision", {&map, 1}, options);
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  return bundle;
+}
+
+PrecisionLoss lossOf(const Bundle& bundle, const MapExemplar& map) {
+  const Result<PrecisionLoss> loss = precisionLoss(bundle, 0, 0, map, true);
+  REQUIRE(loss);
+  REQUIRE(loss.value().roundTrip.has_value());
+  return loss.value();
+}
+
+} // namespace
+
+TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure") {
+  const MapExemplar map = test::threeMaterials(128, 128, 12);
+  const PrecisionLoss eight = lossOf(bakedWith(map, 8), map);
+  const PrecisionLoss sixteen = lossOf(bakedWith(map, 16), map);
+  INFO("8 bits: " << eight.mean << ", " << eight.variance << ", " << eight.colorDistance << ", "
+                  << *eight.roundTrip << "; 16 bits: " << sixteen.mean << ", " << sixteen.variance
+                  << ", " << sixteen.colorDistance << ", " << *sixteen.roundTrip);
+  for (const PrecisionLoss& loss : {eight, sixteen}) {
+    CHECK(loss.mean < 0.002);
+    CHECK(std::abs(loss.variance) < 0.02);
+    // Three colours with nothing between them are hard on interpolation: 0.0096 measured.
+    CHECK(loss.colorDistance < 0.015);
+    CHECK(*loss.roundTrip < 0.25);
+  }
+  // A step of 8 bits is 1/42 of a deviation of G, and 1/255 of a colour.
+  CHECK(eight.colorDistance < sixteen.colorDistance + 0.5 / 255.0);
+  CHECK(*eight.roundTrip < *sixteen.roundTrip + 0.05);
+}
+
+TEST_CASE("an image that is stored in fewer steps has lost more") {
+  const MapExemplar map = test::threeMaterials(96, 96, 12);
+  Bundle bundle = bakedWith(map, 8);
+  const PrecisionLoss before = lossOf(bundle, map);
+  Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];
+  for (std::byte& texel : gaussian.texels) // four bits
+    texel = std::byte(unsigned(texel) / 16 * 17);
+  const PrecisionLoss after = lossOf(bundle, map);
+  CHECK(*after.roundTrip > 1.5 * *before.roundTrip);
+}
+
+TEST_CASE("the measures are those of the decoded texels") {
+  // A table that says the same everywhere: the whole variance is lost, and the distance is that of
+  // the exemplar to a single colour.
+  const MapExemplar map = test::threeMaterials(64, 64, 3);
+  Bundle bundle = bakedWith(map, 16);
+  Table& table = bundle.tables[*bundle.noises[0].maps[0].inverseTable];
+  const std::vector<float> black(table.texels.size() / 2, 0.0f);
+  table.texels.clear();
+  appendTexels(table.texels, table.format, black);
+  const PrecisionLoss loss = lossOf(bundle, map);
+  CHECK(loss.variance == Approx(1.0));
+  double squares = 0.0;
+  for (const float value : map.values)
+    squares += double(value) * double(value);
+  // Over directions on the sphere a component has the mean square 1/3.
+  CHECK(loss.colorDistance ==
+        Approx(std::sqrt(squares / double(map.values.size() / 3) / 3.0)).epsilon(0.05));
+}
+
+TEST_CASE("an exemplar of another shape is refused") {
+  const MapExemplar map = test::threeMaterials(32, 32, 3);
+  const Bundle bundle = bakedWith(map, 8);
+  CHECK_FALSE(precisionLoss(bundle, 0, 0, test::threeMaterials(32, 16, 3), true));
+  CHECK_FALSE(precisionLoss(bundle, 0, 1, map, true));
+  CHECK_FALSE(precisionLoss(bundle, 1, 0, map, true));
+}
+
+TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels") {
+  const MapExemplar map = test::threeMaterials(128, 128, 12);
+  const Bundle bundle = bakedWith(map, 8);
+  const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];
+  const std::vector<float> texels = decodeLevel(gaussian, 0);
+  std::array<std::size_t, 256> codes{};
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    if (i % 4 < 3)
+      ++codes[std::size_t(std::lround(255.0f * texels[i]))];
+  const double count = 3.0 * 128.0 * 128.0;
+  CHECK(std::count(codes.begin(), codes.end(), std::size_t(0)) == 0);
+  // Beyond three deviations lies 0.135 % at each end; half a step more is rounded to the end, and
+  // restoring the variance moves a few more there.
+  CHECK(double(codes.front()) / count < 0.003);
+  CHECK(double(codes.back()) / count < 0.003);
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The variance of slopes that a slope map's table holds beside them.
+#include "baked_exemplar.h"
+
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+#include <tiling/mip_chain.h>
+#include <tiling/prefilter.h>
+#include <tiling/slab_means.h>
+#include <tiling/slope_variance.h>
+#include <tiling/table_lookup.h>
+#include <transport/random.h>
+
+using namespace lichen;
+using namespace lichen::test;
+using namespace lichen::tiling;
+
+namespace {
+
+/// Slopes of three kinds of ground: far from Gaussian. On a line when `flatAcross`.
+MapExemplar slopes(bool flatAcross = false) {
+  const MapExemplar colours = threeMaterials(96, 96, 21);
+  MapExemplar map;
+  map.target = MapTarget::normal;
+  map.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  map.encoding = ValueEncoding::slope;
+  map.width = colours.width;
+  map.height = colours.height;
+  for (std::size_t i = 0; i < colours.values.size(); i += 3)
+    map.values.insert(map.values.end(), {2.0f * colours.values[i] - 1.0f,
+                                         flatAcross ? 0.25f : 2.0f * colours.values[i + 2] - 0.5f});
+  return map;
+}
+
+struct SlopeTable {
+  InverseTable table;
+  std::vector<ChannelMatrix> lost;
+  std::vector<InverseTable> slabs;
+  Table gaussian;
+};
+
+/// `shuffled`: the pixels of the Gaussian image lie anywhere, so that its mips are Gaussian.
+SlopeTable slopeTable(const MapExemplar& map, bool shuffled) {
+  Baked b = baked(map);
+  SlopeTable result;
+  result.table = fitInverseTable(b.gaussian, b.points, map.values, 2, {});
+  for (std::size_t i = b.gaussian.image.size(); shuffled && i-- > 1;)
+    std::swap(b.gaussian.image[i], b.gaussian.image[transport::randomBits(3, i) % (i + 1)]);
+  result.gaussian = gaussianTable(b.gaussian, 16);
+  result.lost = lostVariance(result.gaussian);
+  result.slabs = prefilteredSlabs(result.table, result.lost);
+  restoreSlabMeans(result.slabs, result.gaussian, result.lost);
+  appendSlopeVariance(result.slabs, result.table, result.gaussian, result.lost);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the third channel of a slope table is the variance of what a fetch has lost") {
+  const SlopeTable t = slopeTable(slopes(), true);
+  const double whole = interpolatedMoments(t.table).covariance.trace() / 2.0;
+  std::mt19937 random(5);
+  std::normal_distribution<double> deviate;
+  constexpr int kSamples = 1000;
+  for (const std::size_t k : {std::size_t(1), std::size_t(3), std::size_t(6)})
+    for (const std::size_t cell : {std::size_t(2080), std::size_t(700), std::size_t(3300)}) {
+      const double level = tableLevels()[k]; // of white noise, along all directions alike
+      double sum[2] = {}, squares[2] = {};
+      for (int s = 0; s < kSamples; ++s) {
+        std::array<double, 3> g{};
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          g[axis] = gaussianQuantile((double(axis == 0 ? cell % 64 : cell / 64) + 0.5) / 64.0) +
+                    std::sqrt(level) * deviate(random) / 6.0;
+        for (int c = 0; c < 2; ++c) {
+          const double value = slowLookup(t.table, g, c);
+          sum[c] += value / kSamples;
+          squares[c] += value * value / kSamples;
+        }
+      }
+      const double variance = 0.5 * (squares[0] - sum[0] * sum[0] + squares[1] - sum[1] * sum[1]);
+      INFO("slab " << k << ", cell " << cell << ", whole variance " << whole);
+      // Of values in two or three clusters, a variance of 1000 samples has a standard error below
+      // that of a Gaussian's, 4.5 % of it. Two of the whole; parts of it have less.
+      CHECK(double(t.slabs[k].values[3 * cell + 2]) == Approx(variance).margin(0.1 * whole));
+    }
+}
+
+TEST_CASE("on every slab shown and hidden variance of the slopes add up to the exemplar's") {
+  for (const bool flatAcross : {false, true}) {
+    const MapExemplar map = slopes(flatAcross);
+    const SlopeTable t = slopeTable(map, true);
+    const double whole = momentsOf(map.values, 2).covariance.trace() / 2.0;
+    std::mt19937 random(9);
+    std::normal_distribution<double> deviate;
+    constexpr int kSamples = 20000;
+    for (std::size_t k = 0; k < t.slabs.size(); ++k) {
+      REQUIRE(t.slabs[k].channels == 3);
+      const double kept = std::sqrt(1.0 - tableLevels()[k]);
+      const TableLookup<1> onLine(flatAcross ? t.slabs[k] : InverseTable{});
+      const TableLookup<2> inPlane(flatAcross ? InverseTable{2, 2, 3, std::vector<float>(12)}
+                                              : t.slabs[k]);
+      std::array<double, 3> sum{}, squares{};
+      for (int s = 0; s < kSamples; ++s) {
+        const std::array<float, 3> g{float(0.5 + kept * deviate(random) / 6.0),
+                                     float(0.5 + kept * deviate(random) / 6.0), 0.5f};
+        const std::array<float, 4> value = flatAcross ? onLine(g) : inPlane(g);
+        for (std::size_t c = 0; c < 3; ++c) {
+          sum[c] += double(value[c]) / kSamples;
+          squares[c] += double(value[c]) * double(value[c]) / kSamples;
+        }
+      }
+      const double shown = 0.5 * (squares[0] - sum[0] * sum[0] + squares[1] - sum[1] * sum[1]);
+      INFO("slab " << k << (flatAcross ? ", on a line" : "") << ": shown " << shown << ", hidden "
+                   << sum[2] << " of " << whole);
+      // Bounded slopes in clusters: their sample variance has at most the relative error of a
+      // Gaussian's, sqrt(2 / 20000) = 1 % of what is shown. Four of them.
+      CHECK(shown + sum[2] == Approx(whole).epsilon(0.04));
+      if (k == 0)
+        CHECK(sum[2] == 0.0);
+      if (k + 1 == t.slabs.size())
+        CHECK(sum[2] == Approx(whole).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("over the fetches of mips that are not Gaussian they add up too") {
+  const SlopeTable t = slopeTable(slopes(), false);
+  const double whole = interpolatedMoments(t.table).covariance.trace() / 2.0;
+  for (std::size_t k = 1; k + 1 < t.slabs.size(); ++k) {
+    const FetchMoments f = fetchMoments(t.slabs[k], t.gaussian, tableLevels()[k], t.lost);
+    const double shown =
+        0.5 * (f.square[0] - f.mean[0] * f.mean[0] + f.square[1] - f.mean[1] * f.mean[1]);
+    CHECK(shown + f.mean[2] == Approx(whole).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("magnified slopes hide nothing, and far away they hide everything") {
+  const MapExemplar map = slopes();
+  Result<TilingBake> bake = bakeTiling("slopes", {&map, 1}, {});
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, 0);
+  REQUIRE(evaluator);
+  const shader::LichenNoise noise = shaderNoise(bundle, MaterialNoise{}, Placement{});
+  const double whole = momentsOf(map.values, 2).covariance.trace() / 2.0;
+  double half = 0.0;
+  constexpr int kPlaces = 500;
+  for (int k = 0; k < kPlaces; ++k) {
+    TileFootprint at;
+    at.position = {0.0137f * float(k), 0.0291f * float(k)};
+    at.dx[0] = at.dy[1] = 0.3f / 96.0f;
+    REQUIRE(evaluator.value().evaluate(0, noise, at)[2] == 0.0f);
+    at.dx[0] = at.dy[1] = 8.0f / 96.0f;
+    half += double(evaluator.value().evaluate(0, noise, at)[2]) / kPlaces;
+    at.dx[0] = at.dy[1] = 8.0f;
+    REQUIRE(double(evaluator.value().evaluate(0, noise, at)[2]) == Approx(whole).epsilon(0.01));
+  }
+  CHECK(half > 0.3 * whole);
+  CHECK(half < whole);
+}

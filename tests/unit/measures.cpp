@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The list of measures beside their targets, and the anisotropy that chooses one of them.
+#include <lichen/lattice.h>
+#include <lichen/measures.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+using namespace lichen;
+
+namespace {
+
+constexpr int kSide = 64;
+
+SrgbImage grey(int side, const std::function<double(int, int)>& value) {
+  SrgbImage image(side, side, 1);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      *image.pixel(x, y) = float(value(x, y));
+  return image;
+}
+
+double hashed(int x, int y) {
+  return pcg3d({std::uint32_t(x), std::uint32_t(y), 1u})[0] / std::exp2(32.0);
+}
+
+const Measure& named(const std::vector<Measure>& measures, const std::string& name) {
+  for (const Measure& measure : measures)
+    if (measure.name == name)
+      return measure;
+  FAIL(name);
+  return measures.front();
+}
+
+} // namespace
+
+TEST_CASE("stripes have an anisotropy of 1, whatever their direction") {
+  for (const double degrees : {0.0, 30.0, 45.0, 90.0, 117.0}) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const double u = 0.3 * std::cos(angle), v = 0.3 * std::sin(angle); // radians a pixel
+    const SrgbImage stripes =
+        grey(kSide, [=](int x, int y) { return 0.5 + 0.4 * std::sin(u * x + v * y); });
+    INFO(degrees);
+    // The two differences of a plane wave are tan(u/2) cos(v/2)... times one function of place, so
+    // the tensor has rank one but for float rounding.
+    CHECK(gradientAnisotropy(stripes) == Approx(1.0).margin(1e-6));
+  }
+}
+
+TEST_CASE(
+    "two equal gratings across each other have no anisotropy, of unequal ones the closed form") {
+  const auto crossed = [](double amplitude) {
+    const double step = 2.0 * std::numbers::pi / 16.0; // whole periods over the 64 squares
+    return grey(kSide + 1, [=](int x, int y) {
+      return 0.5 + 0.2 * std::sin(step * x) + 0.2 * amplitude * std::sin(step * y);
+    });
+  };
+  CHECK(gradientAnisotropy(crossed(1.0)) == Approx(0.0).margin(1e-6));
+  // Energies go with the squared amplitudes: (1 - a^2) / (1 + a^2).
+  CHECK(gradientAnisotropy(crossed(0.5)) == Approx(0.75 / 1.25).margin(1e-6));
+  CHECK(gradientAnisotropy(grey(kSide, [](int, int) { return 0.3; })) == 0.0);
+}
+
+TEST_CASE("white noise has hardly any anisotropy") {
+  // Of 64^2 gradients each term of the tensor is known to a standard error of about sqrt(2 / 64^2)
+  // = 0.02; three times that, with a false alarm below one in a hundred.
+  CHECK(gradientAnisotropy(grey(kSide, hashed)) < 0.06);
+}
+
+TEST_CASE("every measure of an image against itself is met, and has the stated target") {
+  const SrgbImage noise = grey(kSide, hashed);
+  const auto measures = measureResult(noise, noise).value();
+  CHECK(measures.size() == 4);
+  for (const Measure& measure : measures) {
+    CHECK(measure.value.has_value());
+    CHECK(!measure.isMissed());
+  }
+  CHECK(named(measures, "color_distance").target == 0.003);
+  CHECK(named(measures, "spectrum_distance_db").target == 0.6);
+  CHECK(named(measures, "seam_visibility").target == 1.1);
+  CHECK(!named(measures, "autocovariance_error").target);
+}
+
+TEST_CASE("a measure is missed when it is over its target, not when it has no value or no target") {
+  Measure measure;
+  CHECK(!measure.isMissed());
+  measure.value = 2.0;
+  CHECK(!measure.isMissed());
+  measure.target = 2.0;
+  CHECK(!measure.isMissed());
+  measure.target = 1.9;
+  CHECK(measure.isMissed());
+  measure.value.reset();
+  CHECK(!measure.isMissed());
+}
+
+TEST_CASE("images that are too small leave a remark, images that do not fit are refused") {
+  const SrgbImage small = grey(8, hashed);
+  const auto measures = measureResult(small, small).value();
+  CHECK(named(measures, "color_distance").value == 0.0);
+  CHECK(!named(measures, "seam_visibility").value);
+  CHECK_THAT(named(measures, "seam_visibility").remark, Catch::Contains("at least 49"));
+  CHECK(named(measures, "autocovariance_error").value == 0.0); // in a smaller support
+  CHECK(measureResult(small, SrgbImage(8, 8, 3)).error().kind == ErrorKind::badInput);
+  CHECK(measureResult(SrgbImage(), small).error().kind == ErrorKind::badInput);
+}
