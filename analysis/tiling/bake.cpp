@@ -81,13 +81,18 @@ struct PlannedMap {
   MapKind kind;
 };
 
+/// Without a table a map cannot go with others: those of a set keep theirs unless told.
+bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
+  return maps == 1 && wanted == GaussianOnly::detect;
+}
+
 MapKind kindOf(const MapExemplar& map, const ColorSpace& space, const TilingOptions& options,
-               ProgressPart progress) {
+               bool mayBeGaussian, ProgressPart progress) {
   if (options.gaussian == GaussianOnly::yes)
     return MapKind::gaussianOnly;
   if (space.dimensions() == 0)
     return MapKind::constant;
-  if (options.gaussian == GaussianOnly::detect && spansAll(space) && isGaussian(map, progress))
+  if (mayBeGaussian && spansAll(space) && isGaussian(map, progress))
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
@@ -107,10 +112,11 @@ struct MapWork {
   [[nodiscard]] double whole() const { return fit + rest; }
 };
 
-/// Of choosing the kind of a map whose values may be Gaussian, per pixel: measured.
-constexpr double kKindWork = 0.1;
+/// Of choosing the kind of a map whose values may be Gaussian, over all its bake: 16 projections of
+/// 6 ns a pixel on two cores. Twenty times as much where surrogates decide, which is rare.
+constexpr double kKindWork = 0.02;
 
-MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort) {
+MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
   constexpr double kSlabs = 0.4 * 65536.0;
@@ -141,6 +147,18 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort)
                           : effort == TransportEffort::exact ? kExact
                                                              : 1.0;
   return {kTable + matching * matchings, kSlabs + rest};
+}
+
+/// Of a map that may have `others` before it, to go with.
+MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
+  MapWork work = workAlone(planned, periodic, effort);
+  const bool isJoint = planned.kind == MapKind::sorted || planned.kind == MapKind::transported;
+  if (!others || !isJoint || effort == TransportEffort::fast)
+    return work;
+  const double standard = workAlone(planned, periodic, TransportEffort::standard).fit;
+  // An exact transport comes after one of the default effort.
+  work.fit += (kJoiningWork + (effort == TransportEffort::exact ? 1.0 : 0.0)) * standard;
+  return work;
 }
 
 /// The tables of a map and what the bundle says of them.
@@ -212,24 +230,29 @@ void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
 }
 
 /// The joint fit. The first map that chooses a share of the surroundings chooses it for all, in
-/// `fitting`: their Gaussian images stay alike where the maps are.
-MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, ProgressPart progress,
-                TilingBake& bake) {
+/// `fitting`: their Gaussian images stay alike where the maps are. Where others are to go with the
+/// map, it is one of the `settled` after.
+MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<SettledMap>* settled,
+                ProgressPart progress, TilingBake& bake) {
   fitting.progress = progress;
   MapFit fit = fitMap(planned.map, planned.space, fitting);
   const bool isSorted = planned.space.dimensions() == 1;
   if (!isSorted)
     fitting.share = fit.share;
+  if (settled != nullptr)
+    settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
   for (const TransportBound& bound : fit.gaussian.bounds)
     bake.transportBounds.push_back({planned.map.target, bound, isSorted});
   return fit;
 }
 
-/// The map's tables, of the kind that was planned.
+/// The map's tables, of the kind that was planned. Only a map with a joint table is `settled` and
+/// goes with those that are; nullptr where no map is to come.
 MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
-                   ProgressPart progress, TilingBake& bake) {
+                   std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
   const MapExemplar& map = planned.map;
-  const MapWork work = workOf(planned, fitting.periodic, fitting.transport);
+  const MapWork work =
+      workOf(planned, fitting.periodic, fitting.transport, !fitting.settled.empty());
   const double fitted = work.fit / work.whole();
   const ProgressPart first = progress.part(0.0, fitted), rest = progress.part(fitted, 1.0);
   first.reach(0.0);
@@ -249,20 +272,21 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
     if (fit.dimensions() > 1)
       return separableTables(map, fit, bits, rest);
   }
-  return jointTables(map, fitJoint(planned, fitting, first, bake), bits, rest);
+  return jointTables(map, fitJoint(planned, fitting, settled, first, bake), bits, rest);
 }
 
 /// What each map is going to be; the part of `progress` that this takes is where the bakes begin.
 std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps, const TilingOptions& options,
                                     ProgressPart progress) {
   std::vector<PlannedMap> planned;
+  const bool mayBeGaussian = detectsGaussian(maps.size(), options.gaussian);
   const auto count = double(maps.size());
   for (const MapExemplar& map : maps) {
     const double begin = double(planned.size()) / count;
     const ProgressPart part = progress.part(begin, begin + 1.0 / count);
     part.reach(0.0);
     const ColorSpace space = colorSpaceOf(map);
-    planned.push_back({map, space, kindOf(map, space, options, part)});
+    planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian, part)});
   }
   return planned;
 }
@@ -277,11 +301,12 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     bake.noise.name = name;
     bake.exemplarWasPeriodic = bordersFit(maps, options.periodic);
     const ProgressPart progress(options.progress);
-    const bool mayBeGaussian = options.gaussian == GaussianOnly::detect;
-    const double begin = mayBeGaussian ? kKindWork / (kKindWork + 1.0) : 0.0;
+    const bool detects = detectsGaussian(maps.size(), options.gaussian);
+    const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;
     const std::vector<PlannedMap> planned = plannedMaps(maps, options, progress.part(0.0, begin));
     const auto workOfMap = [&](const PlannedMap& map) {
-      return workOf(map, bake.exemplarWasPeriodic, options.transport).whole();
+      return workOf(map, bake.exemplarWasPeriodic, options.transport, &map != &planned.front())
+          .whole();
     };
     double whole = 0.0;
     for (const PlannedMap& map : planned)
@@ -291,13 +316,17 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
     fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
+    std::vector<SettledMap> settled;
+    const bool joins = options.transport != TransportEffort::fast;
     double done = 0.0;
     const ProgressPart bakes = progress.part(begin, 1.0);
     for (const PlannedMap& map : planned) {
       const double after = done + workOfMap(map);
+      fitting.settled = settled;
       const ProgressPart part = bakes.part(done / whole, after / whole);
-      appendMap(map.map, map.space.moments, tablesOf(map, options.bits, fitting, part, bake), name,
-                bake);
+      std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
+      appendMap(map.map, map.space.moments,
+                tablesOf(map, options.bits, fitting, joined, part, bake), name, bake);
       part.reach(1.0);
       done = after;
     }

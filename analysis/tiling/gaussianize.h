@@ -36,4 +36,10 @@ struct Gaussianized {
                                        const transport::TransportOptions& options,
                                        double certificateStep = 0.0);
 
+/// What gaussianize() makes of points close to those that `near` was made from, one to one: by
+/// exchanges that start from its matching.
+[[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
+                                           const std::vector<Point>& points, bool periodic,
+                                           const transport::TransportOptions& options);
+
 } // namespace lichen::tiling

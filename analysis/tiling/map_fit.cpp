@@ -36,6 +36,12 @@ constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 /// one of 512 x 512.
 constexpr double kTrialsOfProgress = 0.25;
 
+/// Of the progress of a default fit, where other maps are settled.
+constexpr double kAloneOfProgress = 1.0 / (1.0 + kJoiningWork);
+
+/// Of the progress, where an exact transport follows one of the default effort.
+constexpr double kStandardOfExact = 0.1;
+
 /// Of the certificate of an exact transport: the bound ends up about half a step below the optimum,
 /// where the target is to be within 3e-4 of it.
 constexpr double kCertificateStep = 1e-4;
@@ -60,22 +66,30 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
-               const MapFitOptions& options) {
+/// Gaussian image and table from `sources`, one for each pixel.
+MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vector<Point>& sources,
+               int dimensions, const MapFitOptions& options) {
   transport::TransportOptions transport = transport::optionsFor(options.transport);
   MapFit fit;
-  fit.share = share;
-  fit.points = transportPoints(map, space, share);
+  fit.points = std::move(points);
   transport.progress = options.progress.part(0.0, 0.7);
   fit.gaussian =
-      gaussianize(map, fit.points, space.dimensions(), options.periodic, options.precision,
-                  transport, options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
+      gaussianize(map, sources, dimensions, options.periodic, options.precision, transport,
+                  options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
                  [&](float value) { return decoded(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
       fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
+  return fit;
+}
+
+MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
+               const MapFitOptions& options) {
+  const std::vector<Point> points = transportPoints(map, space, share);
+  MapFit fit = fitFrom(map, points, points, space.dimensions(), options);
+  fit.share = share;
   return fit;
 }
 
@@ -114,9 +128,8 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
   return best;
 }
 
-} // namespace
-
-MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+/// The map by itself.
+MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
   if (options.transport == TransportEffort::fast || !hasSpectrum(map))
@@ -133,7 +146,40 @@ MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptio
   MapFitOptions whole = options;
   whole.progress = options.progress.part(kTrialsOfProgress, 1.0);
   whole.share = bestTrial(onMiddle ? middleOf(map) : map, space, trial).share;
-  return fitMap(map, space, whole);
+  return fitWith(map, space, *whole.share, whole);
+}
+
+/// The map and those before it. An exact transport comes last and is certified: of the points as
+/// they are to go with the settled maps.
+MapFit fitJoined(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  const bool exact = options.transport == TransportEffort::exact;
+  const double whole = exact ? kStandardOfExact : 1.0;
+  MapFitOptions alone = options;
+  alone.progress = options.progress.part(0.0, whole * kAloneOfProgress);
+  if (exact)
+    alone.transport = TransportEffort::standard;
+  MapFit fit = fitAlone(map, space, alone);
+  JoinedImage joined = withCrossCovariances(map, space, options.settled, std::move(fit.gaussian),
+                                            fit.table, options.periodic,
+                                            options.progress.part(whole * kAloneOfProgress, whole));
+  if (exact) {
+    MapFitOptions last = options;
+    last.progress = options.progress.part(whole, 1.0);
+    const std::vector<Point>& sources = joined.points.empty() ? fit.points : joined.points;
+    MapFit certified = fitFrom(map, fit.points, sources, space.dimensions(), last);
+    certified.share = fit.share;
+    return certified;
+  }
+  fit.gaussian = std::move(joined.gaussian);
+  return fit;
+}
+
+} // namespace
+
+MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  if (options.settled.empty() || options.transport == TransportEffort::fast)
+    return fitAlone(map, space, options);
+  return fitJoined(map, space, options);
 }
 
 } // namespace lichen::tiling

@@ -125,6 +125,17 @@ TEST_CASE("what a table has lost is not told where memory runs out, whichever al
   CHECK(exhaustMemory(First::each, [&] { return precisionLoss(bundle, 0, 0, map, true); }) > 5);
 }
 
+TEST_CASE("a bake of a set that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  MapExemplar height = grey;
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  std::reverse(height.values.begin(), height.values.end());
+  const std::vector<MapExemplar> maps{grey, height};
+  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", maps, {}); }) > 64);
+}
+
 TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
   const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
   CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
