@@ -121,6 +121,20 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
         Approx(first.value("autocovariance_error")).margin(0.01));
 }
 
+TEST_CASE("an exemplar of another size than was baked is noted, with the options that mend it") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smooth(64));
+  const std::string bundle = bake(workplace, image, "noise.glb", {"--size", "32"});
+  const Ended differs = runLichen({"compare", image, bundle});
+  CHECK_THAT(differs.errors, Catch::Contains("note: ") && Catch::Contains("64 x 64") &&
+                                 Catch::Contains("32 x 32") && Catch::Contains("--size"));
+  CHECK_THAT(runLichen({"compare", image, bundle, "--size", "32"}).errors,
+             !Catch::Contains("64 x 64"));
+  const nlohmann::json report =
+      nlohmann::json::parse(runLichen({"compare", image, bundle, "--json"}).output);
+  CHECK(report.at("notes").size() == 1);
+}
+
 TEST_CASE("another noise of the bundle is compared when it is named") {
   const Workplace workplace;
   const std::string moss = workplace.write("moss.png", smooth(32));
@@ -177,8 +191,8 @@ TEST_CASE("compare prints a line a measure with target and verdict, and nothing 
   const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
   const std::string page = runLichen({"compare", image, image}).output;
   CHECK_THAT(page, Catch::Contains("color_distance"));
-  CHECK_THAT(page, Catch::Contains("met: 0.003"));
-  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("MISSED: 0.003"));
+  CHECK_THAT(page, Catch::Contains("target 0.003, met"));
+  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("target 0.003, MISSED"));
   const Ended quiet = runLichen({"compare", image, dark, "--quiet"});
   CHECK(quiet.code == kFound);
   CHECK(quiet.output.empty());
