@@ -171,7 +171,8 @@ TEST_CASE("a measure that images are too small for says so and counts as none") 
   CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
              Catch::Contains("at least 32"));
   CHECK_THAT(runLichen({"compare", small, small}).output,
-             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16"));
+             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16; this "
+                             "measure takes sides of at least 32 pixels"));
 }
 
 TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {
