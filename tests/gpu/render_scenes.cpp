@@ -274,7 +274,9 @@ TEST_CASE("a camera is found by the name of its node or its own, and a refusal l
   const Scene loaded = load(scene);
   const renderer::Sphere subject = renderer::subjectOf(loaded).value();
   const auto placeOf = [&](const char* name) {
-    return renderer::chooseCamera(loaded, subject, name, 1.0f).value().worldFromCamera[3].x;
+    const auto chosen = renderer::chooseCamera(loaded, subject, name, 1.0f);
+    REQUIRE(chosen.ok());
+    return chosen.value().worldFromCamera[3].x;
   };
   CHECK(placeOf("Camera.left") == 0.0f);
   CHECK(placeOf("Camera.right") == 5.0f);

@@ -16,7 +16,8 @@ namespace lichen {
 /// metallic take red, green and blue, with 1 for those that are absent; others stay.
 [[nodiscard]] LinearImage coreTexture(const NoiseMap& map, LinearImage values);
 
-/// The 8-bit PNG of a core texture: light in sRGB code, and data, which alpha is too, as it is.
+/// The PNG of a core texture: light in sRGB code, and data, which alpha is too, as it is. Of 8
+/// bits; of 16 for a height, which no core material has but synth shows.
 /// Errors as encodePng().
 [[nodiscard]] Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target,
                                                                LinearImage texture);
