@@ -49,24 +49,30 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
 
 } // namespace
 
-Result<void> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
-                           Periodic periodic, const SharedOptions& options,
-                           std::vector<std::string>& notes) {
-  if (!told.automatic && told.periodPixels == 0.0)
-    return {};
+Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
+                                Periodic periodic, const SharedOptions& options,
+                                std::vector<std::string>& notes) {
+  if (!told.isWanted())
+    return Flattened{};
   const bool fit = bordersFit(maps, periodic);
   ProgressLine line("flatten", options);
   const Progress progress = line.asProgress();
   if (!told.automatic) {
     notes.push_back(
         fmt::format("variation slower than {:.0f} pixels is removed", told.periodPixels));
-    return flatten(maps, told.periodPixels, fit, progress);
+    Flattened flattened{{}, told.periodPixels};
+    for (const MapExemplar& map : maps)
+      if (map.target != MapTarget::opacity) // flatten() leaves it as it is
+        flattened.maps.push_back(map.target);
+    if (Result<void> done = flatten(maps, told.periodPixels, fit, progress); !done)
+      return done.error();
+    return flattened;
   }
   const Result<FlatteningChoice> choice = flattenAutomatically(maps, fit, progress);
   if (!choice)
     return choice.error();
   notes.push_back(sentenceOn(choice.value(), maps.size()));
-  return {};
+  return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
 }
 
 Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,

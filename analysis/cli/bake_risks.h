@@ -21,14 +21,23 @@ namespace lichen::cli {
 struct Flattening {
   bool automatic = false;
   double periodPixels = 0.0; ///< of the first map; 0 for none
+
+  [[nodiscard]] bool isWanted() const { return automatic || periodPixels > 0.0; }
 };
 [[nodiscard]] Accepted<Flattening> flattening();
 
+/// The maps that were flattened, and by which period, pixels of the first map.
+struct Flattened {
+  std::vector<MapTarget> maps;
+  double periodPixels = 0.0;
+};
+
 /// Flattens the maps as told; `auto` as flattenAutomatically(). What was done, or why nothing, is
 /// in a sentence of `notes`.
-[[nodiscard]] Result<void> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
-                                         Periodic periodic, const SharedOptions& options,
-                                         std::vector<std::string>& notes);
+[[nodiscard]] Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps,
+                                              const Flattening& told, Periodic periodic,
+                                              const SharedOptions& options,
+                                              std::vector<std::string>& notes);
 
 /// The risks of each map, in their order.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>>

@@ -3,14 +3,13 @@
 #include "bake_report.h"
 #include "bake_risks.h"
 #include "command.h"
+#include "exemplar_options.h"
 #include "html_report.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
-#include <lichen/image_io.h>
-#include <lichen/material_set.h>
 #include <lichen/precision_loss.h>
 #include <lichen/tiling.h>
 
@@ -33,24 +32,11 @@ struct Arguments {
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
-  MaterialSetOptions set;
-  std::optional<std::array<int, 4>> crop;
-  Flattening flattening;
+  ExemplarOptions exemplar;
   TilingOptions tiling;
   PreviewShape preview{};
   std::string report;
 };
-
-Result<MaterialSet> readInputs(const Arguments& arguments) {
-  MaterialSetOptions options = arguments.set;
-  options.periodic = arguments.tiling.periodic;
-  if (arguments.crop) {
-    const auto [x, y, width, height] = *arguments.crop;
-    options.crop = PixelRectangle{x, y, width, height};
-  }
-  const std::vector<std::filesystem::path> inputs(arguments.inputs.begin(), arguments.inputs.end());
-  return readMaterialSet(inputs, options);
-}
 
 /// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
 std::string asUtf8(const std::string& text) {
@@ -95,34 +81,34 @@ struct Judged {
   std::vector<MapExemplar> maps;
   std::vector<std::vector<Risk>> assessed; ///< of each map
   std::vector<MapRisk> risks;              ///< leadingRisks()
+  std::vector<ExemplarOrigin> origins;     ///< of each map
 };
 
 Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
-  Result<MaterialSet> set = readInputs(arguments);
-  if (!set)
-    return set.error();
-  std::vector<MapExemplar>& maps = set.value().maps;
-  const Periodic borders = arguments.tiling.periodic;
-  if (Result<void> done =
-          flattenAsTold(maps, arguments.flattening, borders, arguments.shared, set.value().notes);
-      !done)
-    return done.error();
+  Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
+  if (!read)
+    return read.error();
+  MaterialSet& set = read.value().set;
+  std::vector<MapExemplar>& maps = set.maps;
+  const Periodic borders = arguments.exemplar.set.periodic;
   Result<std::vector<std::vector<Risk>>> assessed =
       assessMaps(maps, bordersFit(maps, borders), arguments.shared);
   if (!assessed)
     return assessed.error();
   std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
-  for (std::string& line : set.value().notes)
+  for (std::string& line : set.notes)
     notes.add(std::move(line));
   for (std::string& line : riskNotes(risks, maps.size() > 1))
     notes.add(std::move(line));
-  const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  return Judged{name, std::move(maps), std::move(assessed).value(), std::move(risks)};
+  const std::string name = arguments.name.empty() ? asUtf8(set.name) : arguments.name;
+  return Judged{name, std::move(maps), std::move(assessed).value(), std::move(risks),
+                std::move(read).value().origins};
 }
 
 Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
                         ProgressLine& progress) {
   TilingOptions options = arguments.tiling;
+  options.periodic = arguments.exemplar.set.periodic;
   options.progress = progress.asProgress();
   Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
   if (!baked)
@@ -153,12 +139,13 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   return file;
 }
 
-Result<int> run(const Arguments& arguments) {
+Result<int> run(Arguments& arguments) {
   StepTimes times;
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
+  arguments.exemplar.keepsOriginals = !arguments.report.empty();
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)
@@ -189,32 +176,23 @@ Result<int> run(const Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedBake reported{
-      arguments.inputs,          arguments.output, bundle,        maps,
-      exemplar.value().assessed, periodic,         notes.lines(), times.steps()};
+  const ReportedBake reported{arguments.inputs,
+                              arguments.output,
+                              bundle,
+                              maps,
+                              exemplar.value().assessed,
+                              exemplar.value().origins,
+                              periodic,
+                              notes.lines(),
+                              times.steps()};
   if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();
+  if (!arguments.report.empty())
+    times.end("Report");
   reportBake(arguments.shared, {arguments.output, bundle, periodic, loss.value(), notes.lines(),
                                 exemplar.value().risks, bounds, times.sum()});
   return kDone;
-}
-
-/// Options of reading the images.
-void addInputOptions(CLI::App& verb, Arguments& arguments) {
-  addValue(verb, "--crop", arguments.crop, optional(pixelRectangle(kMaxImageSide)), "",
-           "Bake only this part; in pixels of the largest map");
-  addValue(verb, "--size", arguments.set.size, optional(imageSize(kMaxImageSide)), "",
-           "Resample every map to this size");
-  const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
-                                              {"dx", NormalConvention::directX}};
-  addValue(verb, "--normal", arguments.set.normal, oneOf(conventions), "gl",
-           "Whether green points up in normal maps whose names do not say, or down");
-  const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
-  addValue(verb, "--alpha", arguments.set.alpha, oneOf(uses), "ignore",
-           "What the alpha of the base colour is");
-  addValue(verb, "--flatten", arguments.flattening, flattening(), "none",
-           "Remove variation slower than PERIOD pixels, or what clouds the noise");
 }
 
 } // namespace
@@ -232,11 +210,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
-  addInputOptions(verb, *arguments);
-  const Choices<Periodic> periodic{
-      {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
-  addValue(verb, "--periodic", arguments->tiling.periodic, oneOf(periodic), "auto",
-           "Whether the exemplar's opposite borders fit together");
+  addExemplarOptions(verb, arguments->exemplar);
   const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
                                          {"default", TransportEffort::standard},
                                          {"exact", TransportEffort::exact}};

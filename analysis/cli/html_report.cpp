@@ -50,9 +50,8 @@ Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
   if (path.empty())
     return {};
   ProgressLine progress("report", options);
-  const BakeRecord record{
-      bake.bundle,         bake.exemplars, bake.risks,   bake.exemplarWasPeriodic,
-      options.commandLine, factsOf(bake),  bake.timings, bake.notes};
+  const BakeRecord record{bake.bundle,         bake.exemplars, bake.risks,   bake.origins,
+                          options.commandLine, factsOf(bake),  bake.timings, bake.notes};
   const Result<std::vector<std::byte>> page = encodeNoiseReport(record, progress.asProgress());
   if (!page)
     return page.error();

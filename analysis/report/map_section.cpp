@@ -188,36 +188,41 @@ Extents resultExtents(const Extents& exemplar, int side) {
   return extents;
 }
 
-/// Adds pictures of exemplar and result at one scale.
+/// Adds pictures of original, exemplar and result at one scale; the first is null where the
+/// exemplar is as it was.
 Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
-                         const MapExemplar& exemplar, const NoiseComparison& comparison,
+                         const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
-  const Extents shown = exemplarExtents(exemplar, exemplarSide);
+  const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
   SynthesisOptions options;
-  options.map = exemplar.target;
+  options.map = shown.exemplar.target;
   options.seed = seed;
-  options.texelsPerTile = shown[0];
-  const Extents extents = resultExtents(shown, exemplarSide);
+  options.texelsPerTile = width;
+  const Extents extents = resultExtents({width, height}, exemplarSide);
   options.width = extents[0];
   options.height = extents[1];
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, shown[0], shown[1]));
+  Result<JsonTree> original = JsonTree();
+  if (const std::optional<MapExemplar>& before = shown.origin.original; before)
+    original = picture(reduced(comparison.look.picture(*before), width, height));
+  Result<JsonTree> exemplar = picture(reduced(comparison.exemplar, width, height));
   Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
-  for (const Result<JsonTree>* made : {&shownExemplar, &shownResult})
+  for (const Result<JsonTree>* made : {&original, &exemplar, &shownResult})
     if (!*made)
       return made->error();
-  section["exemplar"] = std::move(shownExemplar).value();
+  section["original"] = std::move(original).value();
+  section["exemplar"] = std::move(exemplar).value();
   section["result"] = std::move(shownResult).value();
   return {};
 }
 
 } // namespace
 
-Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
-                             const std::vector<Risk>& risks, int exemplarSide,
-                             const Progress& progress) {
+Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const ShownExemplar& shown,
+                             int exemplarSide, const Progress& progress) {
+  const MapExemplar& exemplar = shown.exemplar;
   const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
   if (!comparison)
     return comparison.error();
@@ -226,11 +231,12 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Map
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
                    {"measures", listOf(comparison.value().measures)},
-                   {"risks", listOf(risks)},
+                   {"risks", listOf(shown.risks)},
+                   {"steps", shown.origin.steps},
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
-          addPictures(section, bundle, seed, exemplar, comparison.value(), exemplarSide);
+          addPictures(section, bundle, seed, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
   Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);

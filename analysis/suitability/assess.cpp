@@ -12,10 +12,12 @@
 #include "slow_variation.h"
 #include "tiling/map_ranges.h"
 
+#include <lichen/flatten.h>
 #include <lichen/suitability.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lichen {
 namespace {
@@ -45,12 +47,19 @@ enum class SlowCause {
   object, ///< it leaves the outline
 };
 
-/// The option that helps and "or ", if one does. --flatten auto goes by the base colour; a period
-/// can be given for every map.
-std::string flattenOr(const MapExemplar& map, SlowCause cause) {
-  if (cause == SlowCause::object)
+/// Periods that are advised, of the longer side. The longest leaves 1 - 2^(-1/9), a fourteenth, of
+/// a wave as long as that (highPassGain).
+constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
+
+/// The option that helps and "or ", if one does. --flatten auto goes by the base colour; for the
+/// other maps it is told a period, in pixels. Opacity is never flattened.
+std::string flattenOr(const MapExemplar& map, SlowCause cause, double period) {
+  if (cause == SlowCause::object || map.target == MapTarget::opacity)
     return {};
-  return map.target == MapTarget::baseColor ? "--flatten auto, or " : "--flatten PERIOD, or ";
+  if (map.target == MapTarget::baseColor)
+    return "--flatten auto, or ";
+  const double pixels = std::max(period, kFlattenPeriodRange.least);
+  return "--flatten " + std::to_string(std::lround(pixels)) + ", or ";
 }
 
 /// The transform of the Gaussian plane; of one value where there is none.
@@ -63,11 +72,17 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCa
   const double measured = cloudiness(spectrum);
   // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
   const int side = std::max(spectrum.width, spectrum.height);
-  const bool flattens = cloudinessAbove(spectrum, kShortestAutoPeriod * side) < kCloudiness.mild;
+  const auto flattensBy = [&](double share) {
+    return cloudinessAbove(spectrum, share * side) < kCloudiness.mild;
+  };
+  double share = kLongestAdvisedPeriod;
+  while (share > kShortestAutoPeriod && !flattensBy(share))
+    share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
+  const double period = share * std::max(map.width, map.height);
   return risk("cloudiness", scoreOf(measured, kCloudiness),
               "the contrast will vary by " + percent(measured) + " from place to place",
               "with what is blended there by chance",
-              (flattens ? flattenOr(map, cause) : "") +
+              (flattensBy(share) ? flattenOr(map, cause, period) : "") +
                   "a photograph that varies less over large distances");
 }
 
@@ -78,8 +93,9 @@ Risk structureRisk(const HalfSpectrum& spectrum, ProgressPart progress) {
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
   const std::string consequence = "which random blending breaks into pieces";
-  const std::string remedy =
-      "a photograph without joints, letters or a regular pattern, or repeating this one";
+  const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
+                             "tiles may be repeated as "
+                             "a plain texture instead";
   if (latticeScore > coherenceScore)
     return risk("structure", latticeScore,
                 percent(lattice) + " of the variation repeats at even steps", consequence, remedy);
@@ -99,7 +115,8 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause
               "which will show as patches",
               cause == SlowCause::object
                   ? "a photograph that shows many such objects, or a crop without the one"
-                  : flattenOr(map, cause) + "even light");
+                  : flattenOr(map, cause, kLongestAdvisedPeriod * std::max(map.width, map.height)) +
+                        "even light");
 }
 
 Risk clippingRisk(const MapExemplar& map) {

@@ -142,12 +142,14 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
     const Table& gaussian = gaussianOf(bundle, options.noise, *map);
     const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
     const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
-    if (options.tileable &&
-        std::min(options.width / perTile[0], options.height / perTile[1]) < kLeastPeriodTiles)
+    const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
+    const double largest = pixels * tiles / kLeastPeriodTiles;
+    if (options.tileable && tiles < kLeastPeriodTiles)
       return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
                    " is under half a tile: a tileable image of at least " +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
-                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) + " is accepted");
+                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) +
+                   " is accepted, or --texels-per-tile up to " + std::to_string(int(largest)));
     try {
       return evaluatePixels(bundle, options, perTile, *map);
     } catch (const Interrupted&) {

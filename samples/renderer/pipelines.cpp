@@ -172,11 +172,11 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
   d.fragment = objects.shader(depth_frag);
-  for (std::size_t i = 0; i < pipelines.depthMasked.size(); ++i) {
+  for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     const Constants constants{.hasNoise = i != 0, .otherTables = shared.otherTables};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
-    pipelines.depthMasked[i] = graphics(objects, d);
+    pipelines.depthWithGaps[i] = graphics(objects, d);
   }
 }
 

@@ -292,14 +292,12 @@ private:
     bindGeometry(commands);
     for (const Instance& instance : scene_.instances) {
       const Material& material = materialOf(instance);
-      if (material.alphaMode == AlphaMode::blend)
-        continue; // glass would cast the shadow of a wall
       const std::size_t m = scene_.primitives[instance.primitive].material;
-      const bool masked = material.alphaMode == AlphaMode::mask;
+      const bool hasGaps = material.alphaMode != AlphaMode::opaque;
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                        masked ? pipelines_.depthMasked[noises_.hasNoise(m) ? 1 : 0]
-                               : pipelines_.depthOpaque);
-      if (masked)
+                        hasGaps ? pipelines_.depthWithGaps[noises_.hasNoise(m) ? 1 : 0]
+                                : pipelines_.depthOpaque);
+      if (hasGaps)
         bindMaterial(commands, pipelines_.depthLayout, m);
       const shader::DepthData draw{clipFromWorld * instance.worldFromObject};
       vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
@@ -429,6 +427,8 @@ Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
       const Clock::time_point frameStart = Clock::now();
       renderer.renderFrame(frame);
       seconds.push_back(secondsSince(frameStart));
+      if (settings.frameDone)
+        settings.frameDone(frame + 1);
     }
     std::sort(seconds.begin(), seconds.end());
     picture.medianFrameSeconds = seconds[seconds.size() / 2];

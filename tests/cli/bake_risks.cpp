@@ -69,10 +69,22 @@ TEST_CASE("of a set, a risk is told of the base colour, unless another map has i
   CHECK(ended.code == 0);
   CHECK_THAT(ended.errors,
              Catch::Contains("low-frequency (severe, occlusionRoughnessMetallic): ") &&
-                 Catch::Contains("--flatten PERIOD"));
+                 Catch::Contains("what helps: --flatten 21, or ")); // a third of the side
+  const nlohmann::json mended = jsonOf(workplace, {color, roughness, "--flatten", "21"});
+  CHECK(mended.at("risks")[2].at("level") == "none");
   CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
         "occlusionRoughnessMetallic");
   CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
+}
+
+TEST_CASE("opacity is not advised to be flattened, which it never is") {
+  const Workplace workplace;
+  const std::string color = workplace.write("leaf_diff.png", speckled(64, 64, 3));
+  const std::string opacity = workplace.write("leaf_opacity.png", slope());
+  const nlohmann::json risk = jsonOf(workplace, {color, opacity}).at("risks")[2];
+  CHECK(risk.at("map") == "opacity");
+  CHECK(risk.at("level") == "severe");
+  CHECK(risk.at("remedy") == "even light");
 }
 
 TEST_CASE("a height that slopes as a whole is no risk, and --flatten auto leaves it") {

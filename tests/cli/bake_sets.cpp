@@ -172,6 +172,19 @@ TEST_CASE("the maps of a folder are told by name in every scheme, and keep their
   }
 }
 
+TEST_CASE("synth writes heights in 16 bits, and other maps in 8") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", smooth(16));
+  const std::string height = workplace.write("stone_height.png", smoothGrey(16));
+  const std::string bundle = workplace.path("stone.glb");
+  REQUIRE(runLichen({"bake", color, height, "-o", bundle, "--transport", "fast"}).code == 0);
+  constexpr std::size_t kBitDepth = 24; // of PNG's header, the byte after width and height
+  for (const auto& [map, bits] : {std::pair{"baseColor", 8}, {"height", 16}}) {
+    synth(workplace, bundle, {"--map", map, "--size", "16"});
+    CHECK(int(workplace.read("synth.png")[kBitDepth]) == bits);
+  }
+}
+
 TEST_CASE("the core material of a set has every map in its slot") {
   const Workplace workplace;
   makeFolder(workplace, "set");

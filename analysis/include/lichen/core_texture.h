@@ -17,7 +17,8 @@ namespace lichen {
 /// std::bad_alloc, as building blocks do.
 [[nodiscard]] LinearImage coreTexture(const NoiseMap& map, LinearImage values);
 
-/// The 8-bit PNG of a core texture: light in sRGB code, and data, which alpha is too, as it is.
+/// The PNG of a core texture: light in sRGB code, and data, which alpha is too, as it is. Of 8
+/// bits; of 16 for a height, which no core material has but synth shows.
 /// Errors as encodePng().
 [[nodiscard]] Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target,
                                                                LinearImage texture);

@@ -7,12 +7,19 @@
 #include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace lichen {
+
+/// What was done to a photograph's map until it was baked.
+struct ExemplarOrigin {
+  std::vector<std::string> steps;      ///< such as "cropped", in their order
+  std::optional<MapExemplar> original; ///< before it was flattened; nothing where it was not
+};
 
 /// A bake that is done, as the caller knows it. Texts may hold anything; what is not UTF-8 is
 /// replaced. What is referred to outlives the call.
@@ -21,11 +28,12 @@ struct BakeRecord {
   std::span<const MapExemplar> exemplars; ///< of every map that is to be shown
   /// What assessSuitability() says of each exemplar, in their order.
   std::span<const std::vector<Risk>> risks;
-  bool exemplarWasPeriodic = true;
+  std::span<const ExemplarOrigin> origins; ///< of each exemplar
   std::string command; ///< the line that made it
   /// Name and value, such as {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<std::pair<std::string, double>> timings; ///< what took how many seconds
+  /// What took how many seconds; the report adds its own making and the sum.
+  std::vector<std::pair<std::string, double>> timings;
   std::vector<std::string> notes;
 };
 

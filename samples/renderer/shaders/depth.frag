@@ -1,17 +1,21 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Depth alone; fragments that an alpha mask takes away cast no shadow.
+// Depth alone; fragments that an alpha mask takes away cast no shadow, nor do those of blended
+// surfaces that let through more than they cover: depth has no halves.
 #include "surface.glsl"
 
 layout(location = 0) in vec4 texCoords;
 layout(location = 1) in float vertexAlpha;
+
+const float kBlendedCutoff = 0.5;
 
 void main() {
   Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords));
   LichenTaps taps;
   if (kHasNoise)
     taps = noiseTaps(footprint);
-  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, taps) < material.emissive.w)
+  float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
+  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, taps) < cutoff)
     discard;
 }

@@ -96,7 +96,7 @@ float alphaAt(Footprint f, LichenTaps taps) {
 /// Without the factor.
 vec4 baseColorAt(Footprint f, LichenTaps taps) {
   bool fromNoise = noiseHas(NOISE_BASE_COLOR);
-  bool alphaIsUsed = material.flags.y != 0;
+  bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
   bool opacityFromNoise = alphaIsUsed && noiseHas(NOISE_OPACITY);
   vec4 color = vec4(1.0);
   if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
