@@ -93,6 +93,7 @@ private:
 struct Judged {
   std::string name;
   std::vector<MapExemplar> maps;
+  Periodic borders{};
   std::vector<MapRisk> risks;
 };
 
@@ -101,7 +102,7 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   if (!set)
     return set.error();
   std::vector<MapExemplar>& maps = set.value().maps;
-  const Periodic borders = arguments.tiling.periodic;
+  const Periodic borders = set.value().periodic;
   if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, set.value().notes);
       !done)
     return done.error();
@@ -113,12 +114,13 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
     notes.add(std::move(line));
   const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  return Judged{name, std::move(maps), std::move(risks).value()};
+  return Judged{name, std::move(maps), borders, std::move(risks).value()};
 }
 
 Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
                         ProgressLine& progress) {
   TilingOptions options = arguments.tiling;
+  options.periodic = exemplar.borders;
   options.progress = progress.asProgress();
   Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
   if (!baked)
@@ -126,7 +128,7 @@ Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Note
   for (const TransportBound& bound : baked.value().transportBounds)
     notes.add(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
                           100.0 * bound.excess()));
-  if (!baked.value().exemplarWasPeriodic && options.periodic == Periodic::detect)
+  if (!baked.value().exemplarWasPeriodic && arguments.tiling.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;
 }

@@ -254,7 +254,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
   if (!found)
     return found.error();
   const SetFiles& files = found.value();
-  MaterialSet set{files.name, {}, files.notes};
+  MaterialSet set{files.name, {}, options.periodic, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
     if (Result<void> read = appendMaps(file, files.isSingleImage, options.alpha, maps, set.notes);
@@ -267,9 +267,11 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
       return done.error();
   fillInvisibleColors(maps);
   const bool wraps = bordersFit(maps, options.periodic);
-  if (options.size)
+  if (options.size) {
     if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
       return done.error();
+    set.periodic = wraps ? Periodic::yes : Periodic::no;
+  }
   joinChannels(maps, wraps, set.notes);
   noteContent(maps, set.notes);
   for (NamedMap& named : maps)
