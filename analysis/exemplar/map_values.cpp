@@ -191,6 +191,11 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
     inward += component(2) < 0.0f ? 1u : 0u;
     map.values.insert(map.values.end(), {-component(0) / z, -up / z});
   }
+  if (2 * inward > pixels.count())
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {} of {} normals point into the surface, so this is no normal "
+                             "map; normals as colours, with blue above one half, are accepted",
+                             image.path, inward, pixels.count())};
   if (inward > 0)
     notes.push_back(fmt::format("{}: {} of {} normals point into the surface; they are baked as "
                                 "the steepest slopes",
