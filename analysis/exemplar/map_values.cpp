@@ -161,7 +161,8 @@ Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
   for (std::size_t i = 0; i < pixels.count(); ++i)
     for (const int source : sources)
       map.values.push_back(pixels[i][source]);
-  if (sources.size() == 1 && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
+  if (sources.size() == 1 && sources.front() == 0 && pixels.colors() == 3 &&
+      !isGrey(pixels, map.quantum))
     notes.push_back(image.name + " has colours; its red channel is used");
   if (target == MapTarget::height && exceedsOne(map)) {
     clampAbove(map, kHalfMax, image.name, "height", notes);

@@ -41,8 +41,35 @@ const NamedMap& largestOf(const std::vector<NamedMap>& maps) {
   });
 }
 
-/// The data that a file of this role has in its red, green and blue.
-Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
+/// Where a packed file has the data of a role.
+struct PackedChannel {
+  FileRole role{};
+  MapChannel channel{};
+  int source = 0; ///< 0 red, 1 green, 2 blue
+};
+constexpr PackedChannel kPacked[] = {{FileRole::occlusion, MapChannel::occlusion, 0},
+                                     {FileRole::roughness, MapChannel::roughness, 1},
+                                     {FileRole::metallic, MapChannel::metallic, 2}};
+
+/// What a packed file has and is not left out.
+Result<MapExemplar> packedDataOf(const NamedImage& image, const SetFile& file,
+                                 std::vector<std::string>& notes) {
+  std::vector<MapChannel> channels;
+  std::vector<int> sources;
+  for (const PackedChannel& packed : kPacked) {
+    const bool isLeftOut =
+        (file.role == FileRole::roughnessMetallic && packed.role == FileRole::occlusion) ||
+        std::find(file.leftOut.begin(), file.leftOut.end(), packed.role) != file.leftOut.end();
+    if (isLeftOut)
+      continue;
+    channels.push_back(packed.channel);
+    sources.push_back(packed.source);
+  }
+  return dataMap(image, MapTarget::occlusionRoughnessMetallic, channels, sources, notes);
+}
+
+/// The data that a file has in its red, green and blue.
+Result<MapExemplar> dataOf(const NamedImage& image, const SetFile& file,
                            std::vector<std::string>& notes) {
   using enum MapChannel;
   const auto data = [&](MapTarget target, std::initializer_list<MapChannel> channels,
@@ -51,7 +78,7 @@ Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
                    {sources.begin(), sources.size()}, notes);
   };
   const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
-  switch (role) {
+  switch (file.role) {
   case FileRole::occlusion:
     return data(orm, {occlusion}, {0});
   case FileRole::roughness:
@@ -59,9 +86,8 @@ Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
   case FileRole::metallic:
     return data(orm, {metallic}, {0});
   case FileRole::occlusionRoughnessMetallic:
-    return data(orm, {occlusion, roughness, metallic}, {0, 1, 2});
   case FileRole::roughnessMetallic:
-    return data(orm, {roughness, metallic}, {1, 2});
+    return packedDataOf(image, file, notes);
   case FileRole::height:
     return data(MapTarget::height, {MapChannel::height}, {0});
   default:
@@ -69,8 +95,9 @@ Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
   }
 }
 
-Result<MapExemplar> mapOf(const NamedImage& image, FileRole role, std::vector<std::string>& notes) {
-  switch (role) {
+Result<MapExemplar> mapOf(const NamedImage& image, const SetFile& file,
+                          std::vector<std::string>& notes) {
+  switch (file.role) {
   case FileRole::baseColor:
     return colorMap(image, MapTarget::baseColor, notes);
   case FileRole::emissive:
@@ -81,7 +108,7 @@ Result<MapExemplar> mapOf(const NamedImage& image, FileRole role, std::vector<st
   case FileRole::normalDx:
     return normalMap(image, true, notes);
   default:
-    return dataOf(image, role, notes);
+    return dataOf(image, file, notes);
   }
 }
 
@@ -95,7 +122,7 @@ Result<void> appendMaps(const SetFile& source, bool isSingleImage, AlphaUse alph
   const NamedImage image{std::move(file).value(), name, source.path.string()};
   for (const std::string& note : image.file.notes)
     notes.push_back(isSingleImage ? note : name + ": " + note);
-  Result<MapExemplar> map = mapOf(image, source.role, notes);
+  Result<MapExemplar> map = mapOf(image, source, notes);
   if (!map)
     return map.error();
   maps.push_back({std::move(map).value(), name});
