@@ -204,9 +204,10 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   return map;
 }
 
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes) {
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes) {
   if (isTransparent(pixelsOf(image.file)))
-    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored");
+    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored" +
+                    std::string(mayBeOpacity ? ", or baked as opacity with --alpha opacity" : ""));
 }
 
 } // namespace lichen::exemplar

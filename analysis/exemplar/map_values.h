@@ -42,7 +42,8 @@ struct NamedImage {
 [[nodiscard]] Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
                                             std::vector<std::string>& notes);
 
-/// Says that alpha is ignored where it is not all opaque.
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes);
+/// Says that alpha is ignored where it is not all opaque; and, of an image whose alpha may be baked
+/// as opacity, how.
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes);
 
 } // namespace lichen::exemplar

@@ -20,8 +20,7 @@ namespace {
 
 using namespace exemplar;
 
-// docs/baking.md recommends the last two; fewer than a quarter of the least show next to nothing.
-constexpr int kFewPixels = 64;
+// docs/baking.md recommends them.
 constexpr int kGoodPixels = 256;
 constexpr int kPlentyOfPixels = 1024;
 
@@ -113,21 +112,24 @@ Result<MapExemplar> mapOf(const NamedImage& image, const SetFile& file,
 }
 
 /// Appends the map of one file, and its alpha as a map where that is wanted.
-Result<void> appendMaps(const SetFile& source, bool isSingleImage, AlphaUse alphaUse,
+Result<void> appendMaps(const SetFile& source, const SetFiles& files, AlphaUse alphaUse,
                         std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
   Result<ImageFile> file = readImage(source.path);
   if (!file)
     return file.error();
-  const std::string name = isSingleImage ? "the image" : source.path.filename().string();
+  const std::string name = files.isSingleImage ? "the image" : source.path.filename().string();
   const NamedImage image{std::move(file).value(), name, source.path.string()};
   for (const std::string& note : image.file.notes)
-    notes.push_back(isSingleImage ? note : name + ": " + note);
+    notes.push_back(files.isSingleImage ? note : name + ": " + note);
   Result<MapExemplar> map = mapOf(image, source, notes);
   if (!map)
     return map.error();
   maps.push_back({std::move(map).value(), name});
   if (source.role != FileRole::baseColor || alphaUse == AlphaUse::ignore) {
-    noteIgnoredAlpha(image, notes);
+    const bool hasOpacity =
+        std::any_of(files.files.begin(), files.files.end(),
+                    [](const SetFile& other) { return other.role == FileRole::opacity; });
+    noteIgnoredAlpha(image, source.role == FileRole::baseColor && !hasOpacity, notes);
     return {};
   }
   if (std::optional<MapExemplar> alpha = alphaMap(image))
@@ -266,7 +268,7 @@ void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& no
     notes.push_back(fmt::format("{} x {} pixels {}; {} to {} a side are best", largest.width,
                                 largest.height, remark, kGoodPixels, kPlentyOfPixels));
   };
-  if (varies && std::min(largest.width, largest.height) < kFewPixels)
+  if (varies && std::min(largest.width, largest.height) < kGoodPixels)
     noteSize("show little of a material");
   if (std::max(largest.width, largest.height) > kPlentyOfPixels)
     noteSize("take long to bake and much memory to use");
@@ -284,8 +286,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
   MaterialSet set{files.name, {}, options.periodic, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
-    if (Result<void> read = appendMaps(file, files.isSingleImage, options.alpha, maps, set.notes);
-        !read)
+    if (Result<void> read = appendMaps(file, files, options.alpha, maps, set.notes); !read)
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();

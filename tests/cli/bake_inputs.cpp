@@ -219,7 +219,9 @@ TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
   CHECK(holed.size() == opaque.size() + 1);
   const Ended ended =
       runLichen({"bake", workplace.path("holed.png"), "-o", workplace.path("a.glb")});
-  CHECK_THAT(ended.errors, Catch::Contains("note: ") && Catch::Contains("alpha"));
+  CHECK_THAT(ended.errors,
+             Catch::Contains("note: the image has an alpha channel that is not all opaque; it "
+                             "is ignored, or baked as opacity with --alpha opacity\n"));
 }
 
 TEST_CASE("an image of one colour or of few pixels is noted, a good one is not") {
@@ -234,7 +236,8 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));
   CHECK_THAT(only("grey.png", grey), Catch::Contains("one colour"));
   CHECK_THAT(only("stamp.png", smooth(16)), Catch::Contains("16 x 16 pixels show little"));
-  CHECK(only("good.png", smooth(128)) == "0");
+  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 a side are best"));
+  CHECK(only("good.png", smoothGrey(256)) == "0");
 }
 
 TEST_CASE("a photograph is baked upright") {

@@ -421,6 +421,7 @@ TEST_CASE("images of every kind and size work inside a set") {
   const json report = baked(workplace, {workplace.path("set")});
   CHECK(mapsOf(report) == kEveryMap);
   CHECK(hasNote(report, "color.png has an alpha channel that is not all opaque; it is ignored"));
+  CHECK_FALSE(hasNote(report, "--alpha opacity")); // there is one
   CHECK(hasNote(report, "emissive.exr has values above 1"));
   CHECK(hasNote(report, "ao.png, metal.png, rough.png differ in size"));
   for (const auto& [target, channels] : kEveryMap) {
