@@ -3,6 +3,7 @@
 #include "calibration.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
+#include "few_colors.h"
 #include "gaussian_plane.h"
 #include "lattice_share.h"
 #include "phase_coherence.h"
@@ -47,11 +48,21 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum) {
               flattens ? flattenOption(map) + ", or " + photograph : photograph);
 }
 
-Risk structureRisk(const HalfSpectrum& spectrum) {
+Risk fewColorsRisk(const FewColors& few) {
+  return risk("structure", scoreOf(few.spacing, kColorSpacing),
+              "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
+                  " colours, with next to nothing between them",
+              "whose outlines come out ragged",
+              "a photograph, whose colours pass into one another, or repeating this image");
+}
+
+Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few) {
   const double lattice = latticeShare(spectrum);
   const double coherence = phaseCoherence(spectrum);
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
+  if (scoreOf(few.spacing, kColorSpacing) > std::max(latticeScore, coherenceScore))
+    return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
   const std::string remedy =
       "a photograph without joints, letters or a regular pattern, or repeating this one";
@@ -89,7 +100,9 @@ Risk lowFrequencyRisk(const MapExemplar& map) {
               flattenOption(map) + ", even light, or a crop without the one large object");
 }
 
-Risk clippingRisk(const MapExemplar& map) {
+Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
+  if (few.spacing >= kColorSpacing.mild) // black and white among them are no fault of exposure
+    return risk("clipping", 0.0, "the image has few colours", {}, {});
   const ClippedShare clipped = clippedShare(map);
   return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
               percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
@@ -103,10 +116,11 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic) {
   const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic);
   const HalfSpectrum spectrum =
       plane ? forwardFft(plane->values, plane->width, plane->height) : HalfSpectrum{1, 1, {0.0f}};
-  std::vector<Risk> risks{cloudinessRisk(map, spectrum), structureRisk(spectrum),
+  const FewColors few = fewColors(map);
+  std::vector<Risk> risks{cloudinessRisk(map, spectrum), structureRisk(spectrum, few),
                           lowFrequencyRisk(map)};
   // One colour may well be white.
-  risks.push_back(plane ? clippingRisk(map)
+  risks.push_back(plane ? clippingRisk(map, few)
                         : risk("clipping", 0.0, "the image has one colour", {}, {}));
   return risks;
 }
