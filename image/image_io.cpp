@@ -132,8 +132,11 @@ Result<ImageFile> readImage(const std::filesystem::path& path) {
     const Result<std::vector<std::byte>> file = readFile(path);
     if (!file)
       return file.error();
-    return decodeImage(file.value(), path.string());
-  } catch (const std::bad_alloc&) { // of a message or a name
+    Result<ImageFile> stored = decodeImage(file.value(), path.string());
+    if (!stored)
+      return stored;
+    return upright(std::move(stored).value());
+  } catch (const std::bad_alloc&) { // of turned pixels, a message or a name
     return memoryError([&] { return path.string() + ": not enough memory to read the image"; });
   }
 }

@@ -79,6 +79,7 @@ private:
 struct Judged {
   std::string name;
   std::vector<MapExemplar> maps;
+  Periodic borders{};                      ///< as told, or as decided before a resampling
   std::vector<std::vector<Risk>> assessed; ///< of each map
   std::vector<MapRisk> risks;              ///< leadingRisks()
   std::vector<ExemplarOrigin> origins;     ///< of each map
@@ -90,9 +91,8 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
     return read.error();
   MaterialSet& set = read.value().set;
   std::vector<MapExemplar>& maps = set.maps;
-  const Periodic borders = arguments.exemplar.set.periodic;
   Result<std::vector<std::vector<Risk>>> assessed =
-      assessMaps(maps, bordersFit(maps, borders), arguments.shared);
+      assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
   if (!assessed)
     return assessed.error();
   std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
@@ -101,21 +101,25 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   for (std::string& line : riskNotes(risks, maps.size() > 1))
     notes.add(std::move(line));
   const std::string name = arguments.name.empty() ? asUtf8(set.name) : arguments.name;
-  return Judged{name, std::move(maps), std::move(assessed).value(), std::move(risks),
+  return Judged{name,
+                std::move(maps),
+                set.periodic,
+                std::move(assessed).value(),
+                std::move(risks),
                 std::move(read).value().origins};
 }
 
 Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
                         ProgressLine& progress) {
   TilingOptions options = arguments.tiling;
-  options.periodic = arguments.exemplar.set.periodic;
+  options.periodic = exemplar.borders;
   options.progress = progress.asProgress();
   Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
   if (!baked)
     return baked;
   for (std::string& line : certificateNotes(baked.value().transportBounds))
     notes.add(std::move(line));
-  if (!baked.value().exemplarWasPeriodic && options.periodic == Periodic::detect)
+  if (!baked.value().exemplarWasPeriodic && arguments.exemplar.set.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;
 }

@@ -51,13 +51,11 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   return {};
 }
 
-/// PNG has what a core texture of the map holds, EXR the same but for normals: their slopes.
+/// What a core texture of the map holds.
 Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearImage values) {
   const std::filesystem::path output = arguments.output;
   const Noise& noise = bundle.noises[arguments.synthesis.noise];
   const MapTarget target = arguments.synthesis.map;
-  if (output.extension() == ".exr" && target == MapTarget::normal)
-    return writeImage(output, twoAsRedGreen(std::move(values)));
   LinearImage texture =
       coreTexture(noise.maps[*findMap(noise, target)], std::move(values)); // which was made
   if (output.extension() == ".exr")

@@ -101,9 +101,13 @@ std::vector<std::string> lowerCaseWords(std::string_view text) {
   return words;
 }
 
-} // namespace
+/// A name taken apart.
+struct NameParts {
+  std::vector<std::string> before; ///< the words of the role
+  std::optional<FileRole> role;
+};
 
-std::optional<FileRole> fileRole(std::string_view stem) {
+NameParts taken(std::string_view stem) {
   std::vector<std::string> words = lowerCaseWords(stem);
   while (!words.empty() && isSkipped(words.back()))
     words.pop_back();
@@ -113,10 +117,29 @@ std::optional<FileRole> fileRole(std::string_view stem) {
       joined += words[w];
     const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases),
                                     [&](const Phrase& p) { return p.words == joined; });
-    if (found != std::end(kPhrases))
-      return found->role;
+    if (found == std::end(kPhrases))
+      continue;
+    words.resize(words.size() - count);
+    return {std::move(words), found->role};
   }
-  return std::nullopt;
+  return {};
+}
+
+/// Whether a skipped word belongs to the material: the number of "rock_02".
+bool isNumber(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+} // namespace
+
+std::optional<FileRole> fileRole(std::string_view stem) { return taken(stem).role; }
+
+std::string wordsBeforeRole(std::string_view stem) {
+  std::string joined;
+  for (const std::string& word : taken(stem).before)
+    if (!isSkipped(word) || isNumber(word))
+      joined += word;
+  return joined;
 }
 
 } // namespace lichen::exemplar

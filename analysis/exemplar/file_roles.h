@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace lichen::exemplar {
@@ -27,5 +28,9 @@ enum class FileRole {
 /// capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" is none:
 /// what a material is called comes first.
 [[nodiscard]] std::optional<FileRole> fileRole(std::string_view stem);
+
+/// The words before those that say the role, run together, lower case: "rock" of "Rock_2K_Albedo",
+/// nothing of "normal". Those of resolution and format do not count. `stem` has a role.
+[[nodiscard]] std::string wordsBeforeRole(std::string_view stem);
 
 } // namespace lichen::exemplar

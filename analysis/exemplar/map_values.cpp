@@ -161,7 +161,8 @@ Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
   for (std::size_t i = 0; i < pixels.count(); ++i)
     for (const int source : sources)
       map.values.push_back(pixels[i][source]);
-  if (sources.size() == 1 && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
+  if (sources.size() == 1 && sources.front() == 0 && pixels.colors() == 3 &&
+      !isGrey(pixels, map.quantum))
     notes.push_back(image.name + " has colours; its red channel is used");
   if (target == MapTarget::height && exceedsOne(map)) {
     clampAbove(map, kHalfMax, image.name, "height", notes);
@@ -191,6 +192,11 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
     inward += component(2) < 0.0f ? 1u : 0u;
     map.values.insert(map.values.end(), {-component(0) / z, -up / z});
   }
+  if (2 * inward > pixels.count())
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {} of {} normals point into the surface, so this is no normal "
+                             "map; normals as colours, with blue above one half, are accepted",
+                             image.path, inward, pixels.count())};
   if (inward > 0)
     notes.push_back(fmt::format("{}: {} of {} normals point into the surface; they are baked as "
                                 "the steepest slopes",
@@ -198,9 +204,10 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   return map;
 }
 
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes) {
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes) {
   if (isTransparent(pixelsOf(image.file)))
-    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored");
+    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored" +
+                    std::string(mayBeOpacity ? ", or baked as opacity with --alpha opacity" : ""));
 }
 
 } // namespace lichen::exemplar

@@ -37,11 +37,13 @@ struct NamedImage {
                                           std::vector<std::string>& notes);
 
 /// The slopes (-nx / nz, -ny / nz) of a normal map whose green points up the image, or, when
-/// `greenPointsDown`, down; nz at least 0.05. Error: badInput for an image without three colours.
+/// `greenPointsDown`, down; nz at least 0.05. Error: badInput for an image without three colours,
+/// or most of whose normals point into the surface.
 [[nodiscard]] Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
                                             std::vector<std::string>& notes);
 
-/// Says that alpha is ignored where it is not all opaque.
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes);
+/// Says that alpha is ignored where it is not all opaque; and, of an image whose alpha may be baked
+/// as opacity, how.
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes);
 
 } // namespace lichen::exemplar

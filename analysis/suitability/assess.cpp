@@ -5,6 +5,7 @@
 #include "clipped_share.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
+#include "few_colors.h"
 #include "gaussian_plane.h"
 #include "lattice_share.h"
 #include "phase_coherence.h"
@@ -86,12 +87,22 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCa
                   "a photograph that varies less over large distances");
 }
 
-Risk structureRisk(const HalfSpectrum& spectrum, ProgressPart progress) {
+Risk fewColorsRisk(const FewColors& few) {
+  return risk("structure", scoreOf(few.spacing, kColorSpacing),
+              "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
+                  " colours, with next to nothing between them",
+              "whose outlines come out ragged",
+              "a photograph, whose colours pass into one another, or repeating this image");
+}
+
+Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
   const double lattice = latticeShare(spectrum);
   progress.reach(kLatticeOfProgress);
   const double coherence = phaseCoherence(spectrum);
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
+  if (scoreOf(few.spacing, kColorSpacing) > std::max(latticeScore, coherenceScore))
+    return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
   const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
                              "tiles may be repeated as "
@@ -119,7 +130,9 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause
                         "even light");
 }
 
-Risk clippingRisk(const MapExemplar& map) {
+Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
+  if (few.spacing >= kColorSpacing.mild) // black and white among them are no fault of exposure
+    return risk("clipping", 0.0, "the image has few colours", {}, {});
   const ClippedShare clipped = clippedShare(map);
   return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
               percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
@@ -161,9 +174,11 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, ProgressPart pr
   rest.reach(kTransformOfProgress);
   if (!isHeight)
     risks = slowRisks(map, map, spectrum, periodic);
-  risks.insert(risks.begin() + 1, structureRisk(spectrum, rest.part(kTransformOfProgress, 1.0)));
+  const FewColors few = fewColors(map);
+  risks.insert(risks.begin() + 1,
+               structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
   // One colour may well be white.
-  risks.push_back(plane ? clippingRisk(map)
+  risks.push_back(plane ? clippingRisk(map, few)
                         : risk("clipping", 0.0, "the image has one colour", {}, {}));
   return risks;
 }

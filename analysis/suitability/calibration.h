@@ -17,6 +17,7 @@ struct Calibration {
 inline constexpr Calibration kCloudiness{0.1, 0.2};
 inline constexpr Calibration kLatticeShare{0.05, 0.15};
 inline constexpr Calibration kPhaseCoherence{0.15, 0.3};
+inline constexpr Calibration kColorSpacing{10.0, 20.0};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
 

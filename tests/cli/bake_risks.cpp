@@ -60,6 +60,27 @@ TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
   CHECK(risks[3].at("level") == "none");
 }
 
+TEST_CASE("a picture of few colours is told so, and given no advice on exposure") {
+  const Workplace workplace;
+  constexpr int kSide = 64;
+  SrgbImage dither(kSide, kSide, 1), soft(kSide, kSide, 1);
+  std::uint32_t state = 1;
+  for (std::size_t i = 0; i < dither.values.size(); ++i) {
+    state = state * 1664525u + 1013904223u; // Numerical Recipes, section 7.1
+    soft.values[i] = float(state >> 8u) * 0x1p-24f;
+    dither.values[i] = soft.values[i] < 0.5f ? 0.0f : 1.0f;
+  }
+  const auto risks = [&](const SrgbImage& image) {
+    return jsonOf(workplace, {workplace.write("picture.png", image)}).at("risks");
+  };
+  const nlohmann::json hard = risks(dither);
+  CHECK(hard[1].at("level") == "severe");
+  CHECK_THAT(hard[1].at("sentence").get<std::string>(),
+             Catch::Contains("only 2 colours") && Catch::Contains("ragged"));
+  CHECK(hard[3].at("level") == "none");
+  CHECK(risks(soft)[1].at("level") == "none");
+}
+
 TEST_CASE("of a set, a risk is told of the base colour, unless another map has it worse") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", speckled(64, 64, 3));

@@ -19,6 +19,7 @@
 #include <suitability/clipped_share.h>
 #include <suitability/cloudiness.h>
 #include <suitability/edge_concentration.h>
+#include <suitability/few_colors.h>
 #include <suitability/gaussian_plane.h>
 #include <suitability/lattice_share.h>
 #include <suitability/phase_coherence.h>
@@ -242,6 +243,35 @@ TEST_CASE("White and black pixels are counted where they mean lost detail") {
   CHECK(named(risksOf(map), "clipping").level == Risk::Level::severe);
   map.target = MapTarget::emissive;
   CHECK(named(risksOf(map), "clipping").score == 0.0);
+}
+
+TEST_CASE("The spacing of codes is that of their distribution, and few colours are counted") {
+  constexpr int kSide = 64, kPixels = kSide * kSide;
+  // Levels k / n of equal frequency, 255 / n codes apart: entropy ln n, and the deviation of n
+  // points of a line of that spacing, sqrt((n^2 - 1) / 12).
+  for (const int n : {2, 4, 8, 16}) {
+    INFO(n << " levels");
+    SrgbImage image = constant(kSide, kSide, 0.0f);
+    for (std::size_t i = 0; i < kPixels; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        image.values[3 * i + c] = float(255 / n * (int(i) % n)) / 255.0f;
+    const FewColors few = fewColors(baseColor(image));
+    const double deviation = (255 / n) * std::sqrt((n * n - 1) / 12.0);
+    const double spacing =
+        std::sqrt(2.0 * std::numbers::pi * std::numbers::e) * deviation / double(n);
+    CHECK(few.spacing == Approx(spacing));
+    CHECK(few.count == Approx(spacing < 10.0 ? 0.0 : n));
+  }
+  SrgbImage colors = constant(kSide, kSide, 0.0f); // one channel with all codes: a photograph
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    colors.values[3 * i] = float(i % 2);
+    colors.values[3 * i + 1] = float(i % 256) / 255.0f;
+  }
+  // A uniform distribution: sqrt(2 pi e / 12), but for steps of 1 / 256.
+  CHECK(fewColors(baseColor(colors)).spacing ==
+        Approx(std::sqrt(std::numbers::pi * std::numbers::e / 6.0)).epsilon(1e-4));
+  CHECK(fewColors(baseColor(constant(8, 8, 1.0f))).spacing == 0.0);
+  CHECK(fewColors(grey(2, 1, {0.0f, 1.0f})).spacing == 0.0); // data may be 0 or 1
 }
 
 TEST_CASE("Maps of any size and content have all risks, in order, with scores in [0, 1]") {
