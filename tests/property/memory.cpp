@@ -153,7 +153,9 @@ TEST_CASE("reading a set that runs out of memory says so, whichever allocation f
     REQUIRE(writeImage(folder / name, image));
   };
   write("a_material_with_a_long_name_diff.png", SrgbImage(6, 5, 4));
-  write("a_material_with_a_long_name_nor_gl.png", SrgbImage(6, 5, 3));
+  SrgbImage flat(6, 5, 3);
+  std::fill(flat.values.begin(), flat.values.end(), 1.0f); // normals that point out of the surface
+  write("a_material_with_a_long_name_nor_gl.png", flat);
   write("a_material_with_a_long_name_rough.png", SrgbImage(6, 5, 1));
   write("a_material_with_a_long_name_ao.png", SrgbImage(3, 5, 1));
   write("nothing_that_is_known.png", SrgbImage(1, 1, 1));
