@@ -46,6 +46,35 @@ constexpr double kStandardOfExact = 0.1;
 /// where the target is to be within 3e-4 of it.
 constexpr double kCertificateStep = 1e-4;
 
+/// Mean squared difference of neighbouring pixels over twice the variance, all channels together:
+/// 1 less their correlation.
+double neighbourDifference(const MapExemplar& map, const ColorSpace& space) {
+  const std::size_t channels = map.channels.size();
+  const auto width = std::size_t(map.width), height = std::size_t(map.height);
+  const auto squares = [&](std::size_t columns, std::size_t rows, std::size_t step) {
+    double sum = 0.0;
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t k = y * width * channels; k < (y * width + columns) * channels; ++k) {
+        const double difference = double(map.values[k + step]) - double(map.values[k]);
+        sum += difference * difference;
+      }
+    return sum;
+  };
+  const double sum =
+      squares(width - 1, height, channels) + squares(width, height - 1, width * channels);
+  const double pairs = double(width - 1) * double(height) + double(width) * double(height - 1);
+  return sum / (2.0 * pairs * space.moments.covariance.trace());
+}
+
+/// The finer the detail, the less share it wants: least squares on two windows of each of six
+/// photographs and on the generated materials, with a deviation of 0.057 from the share without
+/// error. With it 3 of the 18 have an error beyond the tolerance, with 0.1 for all 8.
+float expectedShare(const MapExemplar& map, const ColorSpace& space, float largest) {
+  constexpr double kSmooth = 0.32, kSlope = -0.81;
+  const double difference = neighbourDifference(map, space);
+  return std::clamp(float(kSmooth + kSlope * difference), kLeastShare, largest);
+}
+
 MapExemplar middleOf(const MapExemplar& map) {
   MapExemplar part;
   part.target = map.target;
@@ -109,7 +138,7 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
   MapFit best;
   double bestError = 0.0;
   std::vector<std::array<double, 2>> tried;
-  float share = std::min(kUsualShare, options.largestShare);
+  float share = expectedShare(map, space, options.largestShare);
   for (int k = 0; k < kMostTrials; ++k) {
     MapFitOptions once = options;
     once.progress = options.progress.part(double(k) / kMostTrials, double(k + 1) / kMostTrials);
@@ -132,8 +161,10 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
 MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
-  if (options.transport == TransportEffort::fast || !hasSpectrum(map))
+  if (!hasSpectrum(map))
     return fitWith(map, space, std::min(kUsualShare, options.largestShare), options);
+  if (options.transport == TransportEffort::fast)
+    return fitWith(map, space, expectedShare(map, space, options.largestShare), options);
   const bool onMiddle = std::max(map.width, map.height) > kLargestTrialSide;
   const bool exact = options.transport == TransportEffort::exact;
   if (!onMiddle && !exact)
