@@ -171,7 +171,7 @@ std::vector<Row> resultRows() {
   seam.append(rows, "seam_visibility, 4 exemplars a side", kSeamVisibilityTarget, "");
   appendCrossCovarianceRows(rows, materialSet(int(kExemplarSide)), "rust");
   for (const MaterialSet& set : photographedSets())
-    appendCrossCovarianceRows(rows, set.maps, "photographs " + set.name);
+    appendCrossCovarianceRows(rows, set.maps, set.name);
   return rows;
 }
 
