@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <libexif/exif-data.h>
 #include <limits>
@@ -61,6 +62,7 @@ int exifOrientation(std::span<const std::byte> block) {
   if (block.empty() || block.size() > std::numeric_limits<unsigned>::max() - kHeader.size())
     return kUpright;
   std::vector<unsigned char> headed(kHeader.begin(), kHeader.end());
+  headed.reserve(kHeader.size() + block.size());
   for (const std::byte value : block)
     headed.push_back(std::to_integer<unsigned char>(value));
   const std::unique_ptr<ExifData, decltype(&exif_data_unref)> data(exif_data_new(),
@@ -80,6 +82,7 @@ int exifOrientation(std::span<const std::byte> block) {
 ImageFile upright(ImageFile file) {
   if (file.orientation == kUpright)
     return file;
+  assert(file.orientation >= kUpright && file.orientation <= kLastOrientation);
   const Sides& sides = kSides[std::size_t(file.orientation - kUpright)];
   std::visit([&](auto& stored) { stored = turned(stored, sides); }, file.pixels);
   file.notes.push_back("turned as its EXIF orientation, " + std::to_string(file.orientation) +

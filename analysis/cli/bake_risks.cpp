@@ -58,12 +58,14 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
   ProgressLine line("flatten", options);
   const Progress progress = line.asProgress();
   if (!told.automatic) {
-    notes.push_back(
-        fmt::format("variation slower than {:.0f} pixels is removed", told.periodPixels));
     Flattened flattened{{}, told.periodPixels};
     for (const MapExemplar& map : maps)
       if (map.target != MapTarget::opacity) // flatten() leaves it as it is
         flattened.maps.push_back(map.target);
+    notes.push_back(
+        flattened.maps.empty()
+            ? std::string("opacity is not flattened; nothing is removed")
+            : fmt::format("variation slower than {:.0f} pixels is removed", told.periodPixels));
     if (Result<void> done = flatten(maps, told.periodPixels, fit, progress); !done)
       return done.error();
     return flattened;

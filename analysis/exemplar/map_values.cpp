@@ -153,7 +153,7 @@ std::optional<MapExemplar> alphaMap(const NamedImage& image) {
 
 Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
                             std::span<const MapChannel> channels, std::span<const int> sources,
-                            std::vector<std::string>& notes) {
+                            bool isPacked, std::vector<std::string>& notes) {
   const Pixels pixels = pixelsOf(image.file);
   if (*std::max_element(sources.begin(), sources.end()) >= pixels.colors())
     return tooFewColors(image, "occlusion, roughness and metallic");
@@ -161,8 +161,7 @@ Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
   for (std::size_t i = 0; i < pixels.count(); ++i)
     for (const int source : sources)
       map.values.push_back(pixels[i][source]);
-  if (sources.size() == 1 && sources.front() == 0 && pixels.colors() == 3 &&
-      !isGrey(pixels, map.quantum))
+  if (!isPacked && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
     notes.push_back(image.name + " has colours; its red channel is used");
   if (target == MapTarget::height && exceedsOne(map)) {
     clampAbove(map, kHalfMax, image.name, "height", notes);

@@ -64,7 +64,7 @@ Result<MapExemplar> packedDataOf(const NamedImage& image, const SetFile& file,
     channels.push_back(packed.channel);
     sources.push_back(packed.source);
   }
-  return dataMap(image, MapTarget::occlusionRoughnessMetallic, channels, sources, notes);
+  return dataMap(image, MapTarget::occlusionRoughnessMetallic, channels, sources, true, notes);
 }
 
 /// The data that a file has in its red, green and blue.
@@ -74,7 +74,7 @@ Result<MapExemplar> dataOf(const NamedImage& image, const SetFile& file,
   const auto data = [&](MapTarget target, std::initializer_list<MapChannel> channels,
                         std::initializer_list<int> sources) {
     return dataMap(image, target, {channels.begin(), channels.size()},
-                   {sources.begin(), sources.size()}, notes);
+                   {sources.begin(), sources.size()}, false, notes);
   };
   const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
   switch (file.role) {

@@ -217,7 +217,7 @@ Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std
     for (const std::string& name : names)
       list += (list.empty() ? "" : ", ") + name;
     return Error{ErrorKind::badInput, folder.string() +
-                                          ": a folder without a map; of the folders " + "inside, " +
+                                          ": a folder without a map; of the folders inside, " +
                                           list + " have maps: one of them is accepted"};
   }
   notes.push_back("the maps are those of the folder " + names.front());

@@ -21,7 +21,7 @@ struct SetFile {
 
 struct SetFiles {
   std::string name;           ///< of the material
-  std::vector<SetFile> files; ///< no two of them for one channel; sorted by path
+  std::vector<SetFile> files; ///< no two of them for one channel; those of a folder by name
   bool isSingleImage = false; ///< its notes then need not name it
   std::vector<std::string> notes;
 };

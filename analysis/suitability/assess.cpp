@@ -92,7 +92,8 @@ Risk fewColorsRisk(const FewColors& few) {
               "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
                   " colours, with next to nothing between them",
               "whose outlines come out ragged",
-              "a photograph, whose colours pass into one another, or repeating this image");
+              "a photograph, whose colours pass into one another; an image that tiles may be "
+              "repeated as a plain texture instead");
 }
 
 Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
@@ -105,8 +106,7 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
     return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
   const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
-                             "tiles may be repeated as "
-                             "a plain texture instead";
+                             "tiles may be repeated as a plain texture instead";
   if (latticeScore > coherenceScore)
     return risk("structure", latticeScore,
                 percent(lattice) + " of the variation repeats at even steps", consequence, remedy);

@@ -45,7 +45,8 @@ struct MapFitOptions {
 
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
 /// not given is chosen so that the noise has as much detail as the exemplar
-/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps.
+/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps. A fast
+/// fit takes the one expected, maps too small for a spectrum the usual one.
 /// Colours on a line have none to choose.
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const ColorSpace& space,
                             const MapFitOptions& options);

@@ -24,7 +24,7 @@ namespace {
 /// finite size of the exemplar excuses it (docs/decisions/011-gaussian-only.md).
 constexpr double kInvisible = 0.5 / 255.0;
 constexpr double kTolerated = 1.0 / 255.0;
-/// Of the progress of a surrogate, a transform for each channel against a sort for each direction.
+/// Of the progress of a surrogate, a transform for each channel against a histogram for each direction.
 constexpr double kPhasesOfProgress = 0.3;
 /// 8-bit normals have components in [-1, 1].
 constexpr double kSlopeSpan = 2.0;

@@ -24,14 +24,16 @@ constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
+/// The shortest text that gives the number back.
+std::string text(double number) {
+  std::array<char, 32> digits{}; // 24 are enough
+  return std::string(digits.data(),
+                     std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
 Result<void> checkRange(const char* name, double value, NumberRange range) {
   if (value >= range.least && value <= range.most)
     return {};
-  const auto text = [](double number) {
-    std::array<char, 32> digits{}; // 24 are enough for the shortest text that gives the number back
-    return std::string(digits.data(),
-                       std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-  };
   return usage(std::string(name) + " " + text(value) + ": a number from " + text(range.least) +
                " to " + text(range.most) + " is accepted");
 }
@@ -149,7 +151,8 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
                    " is under half a tile: a tileable image of at least " +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) +
-                   " is accepted, or --texels-per-tile up to " + std::to_string(int(largest)));
+                   " is accepted, or --texels-per-tile up to " +
+                   text(largest < 1.0 ? largest : std::floor(largest)));
     try {
       return evaluatePixels(bundle, options, perTile, *map);
     } catch (const Interrupted&) {

@@ -90,7 +90,7 @@ void report(const Command& command, const std::string& device, const Scene& scen
 }
 
 Result<Picture> drawn(const Command& command, HeadlessDevice& device, const Scene& scene,
-                      RenderSettings& settings) {
+                      RenderSettings settings) {
   cli::SharedOptions shared;
   shared.quiet = command.quiet;
   cli::ProgressLine progress("render", shared);

@@ -333,6 +333,9 @@ TEST_CASE("of a packed map and a file of one of its channels the file is taken, 
          {"ao.png", {code(40)}},
          {"metal.png", {code(60)}}},
         {"the metallic of orm.png is not used: metal.png has it"}, {code(40), code(30), code(60)});
+  check({{"rock_arm.png", packed}, {"rock_rough.png", {code(30)}}, {"rock_metal.png", {code(60)}}},
+        {"the roughness of rock_arm.png", "the metallic of rock_arm.png"},
+        {code(51), code(30), code(60)});
   check({{"metallicRoughness.png", packed}, {"roughness.png", {code(30)}}},
         {"the roughness of metallicRoughness.png"}, {1.0f, code(30), code(153)});
 }
