@@ -3,6 +3,9 @@
 #pragma once
 
 #include <lichen/progress.h>
+#include <lichen/result.h>
+
+#include <string>
 
 namespace lichen {
 
@@ -37,5 +40,17 @@ private:
   double begin_ = 0.0;
   double end_ = 1.0;
 };
+
+/// Runs `operation`, which returns a Result, with Interrupted turned into the Error of `what` it is
+/// that was stopped.
+template <class Operation>
+[[nodiscard]] auto unlessInterrupted(const std::string& what, const Operation& operation)
+    -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const Interrupted&) {
+    return Error{ErrorKind::environment, what + ": interrupted"};
+  }
+}
 
 } // namespace lichen

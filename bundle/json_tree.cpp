@@ -6,11 +6,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <type_traits>
 
 namespace lichen {
-
-static_assert(!std::is_constructible_v<JsonTree, bool>);
 
 JsonTree::JsonTree(std::initializer_list<JsonTree> values) : kind_(Kind::array) {
   if (!std::all_of(values.begin(), values.end(), [](const JsonTree& v) { return v.isMember(); })) {

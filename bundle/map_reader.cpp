@@ -196,8 +196,6 @@ const Table* readTableIndex(ObjectReader& reader, const char* key, const char* c
   return tables[index] ? &*tables[index] : nullptr;
 }
 
-bool isSeparable(const NoiseMap& map) { return !map.tableOffset.empty(); }
-
 /// The affine map of a separable table.
 void readTableBasis(ObjectReader& reader, NoiseMap& map, const Table* gaussian) {
   constexpr NumberRange kBasisRange{-1e6, 1e6};
@@ -263,7 +261,8 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
   const bool isSlope = map.encoding == ValueEncoding::slope;
-  const std::size_t needed = isSeparable(map)
+  const bool isSeparable = tableKindOf(map) == TableKind::separable;
+  const std::size_t needed = isSeparable
                                  ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
                                  : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
   if (usedChannels(table.format) < needed)
@@ -272,7 +271,7 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
                             std::to_string(needed) + " are accepted");
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
-  if (isUnorm && isSeparable(map))
+  if (isUnorm && isSeparable)
     return reader.error("map-inverse-table", "inverseTable",
                         "8-bit texels; a float format is accepted with a tableBasis");
   if (isUnorm && !isColor)
@@ -287,7 +286,7 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& t
   };
   const std::array<Shape, 3> shapes = {
       {{256, slabs, 0}, {64, 64 * slabs, 0}, {32, 32, 32 * slabs}}};
-  const Shape& shape = shapes[isSeparable(map) ? 0 : usedChannels(gaussian->format) - 1];
+  const Shape& shape = shapes[isSeparable ? 0 : usedChannels(gaussian->format) - 1];
   if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
     reader.error("map-inverse-table", "inverseTable",
                  shapeOf(table) + " texels; " + std::to_string(shape.width) + " x " +

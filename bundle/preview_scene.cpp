@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The preview scene: for each noise a ball of radius 1 on one ground, seen by a camera at low
-// height in front of them, lit by a sun from the upper left. Units are metres, +Y is up, the camera
+// height in front of them, or from higher up where they lie in rows, lit by a sun from the upper
+// left. Units are metres, +Y is up, the camera
 // looks along -Z. Texture coordinates count exemplars when the material's scale is 1.
 // Source of the ball's mapping: J. P. Snyder, Map Projections, 1987, ch. 24 (Lambert azimuthal
 // equal-area): radius 2 sin(theta / 2) at the angle theta from the centre.
@@ -30,6 +31,10 @@ constexpr double kExemplarsPerMetre = 1.5;
 constexpr double kBallSpacing = 2.5;
 constexpr double kCameraFieldOfView = 36.0 * std::numbers::pi / 180.0; // vertical
 constexpr double kCameraElevation = 8.0 * std::numbers::pi / 180.0;
+/// Of several rows: a row that lies kRowSpacing behind another is seen above it, since
+/// kRowSpacing * sin(kRowsElevation) is a ball's diameter.
+constexpr double kRowsElevation = 45.0 * std::numbers::pi / 180.0;
+constexpr double kRowSpacing = 2.0 * std::numbers::sqrt2;
 constexpr double kCameraDistance = 4.8;     // one ball fills two thirds of the height
 constexpr double kCameraTargetHeight = 0.9; // a little below the ball's centre
 constexpr double kMarginAroundBalls = 1.25;
@@ -168,18 +173,42 @@ void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& ne
   root["meshes"].push_back(std::move(mesh));
 }
 
-/// One ball a material, side by side.
+/// A centre on the level of the balls: x to the right, z towards the camera.
+struct BallPlace {
+  double x = 0.0;
+  double z = 0.0;
+};
+
+/// Rows about the origin, as many as balls in a row at most; two lie side by side.
+std::vector<BallPlace> ballPlaces(std::size_t balls) {
+  const auto columns = std::size_t(std::ceil(std::sqrt(double(balls))));
+  const std::size_t rows = (balls + columns - 1) / columns;
+  std::vector<BallPlace> places;
+  for (std::size_t i = 0; i < balls; ++i) {
+    const std::size_t row = i / columns;
+    const std::size_t inRow = std::min(columns, balls - row * columns);
+    const auto centred = [](std::size_t place, std::size_t count) {
+      return double(place) - (double(count) - 1.0) / 2.0;
+    };
+    places.push_back(
+        {kBallSpacing * centred(i % columns, inRow), kRowSpacing * centred(row, rows)});
+  }
+  return places;
+}
+
+/// One ball a material.
 void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>& eye,
               const std::vector<bool>& needsTangents, double exemplarAspect) {
   const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}), exemplarAspect);
   const JsonTree attributes = addAttributes(builder, ball, any(needsTangents));
   const std::size_t indices = builder.addIndices(ball.indices);
-  for (std::size_t i = 0; i < needsTangents.size(); ++i) {
+  const std::vector<BallPlace> places = ballPlaces(needsTangents.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
     JsonTree mesh = {{"name", "ball " + std::to_string(i)}};
     addPrimitive(mesh, attributes, indices, i, needsTangents[i]);
-    const double x = kBallSpacing * (double(i) - (double(needsTangents.size()) - 1.0) / 2.0);
-    root["nodes"].push_back(
-        {{"name", mesh["name"]}, {"translation", {x, 1.0, 0.0}}, {"mesh", root["meshes"].size()}});
+    root["nodes"].push_back({{"name", mesh["name"]},
+                             {"translation", {places[i].x, 1.0, places[i].z}},
+                             {"mesh", root["meshes"].size()}});
     root["meshes"].push_back(std::move(mesh));
   }
 }
@@ -191,16 +220,23 @@ JsonTree rotation(double yaw, double pitch) {
   return {cy * sp, sy * cp, -sy * sp, cy * cp};
 }
 
-double cameraDistance(std::size_t balls) {
-  const double halfWidth = 1.0 + kBallSpacing * (double(balls) - 1.0) / 2.0;
-  return std::max(kCameraDistance,
-                  kMarginAroundBalls * halfWidth / std::tan(kCameraFieldOfView / 2.0));
+/// From where a square picture has all balls in it.
+double cameraDistance(const std::vector<BallPlace>& balls, double elevation) {
+  double distance = kCameraDistance;
+  for (const BallPlace& ball : balls) {
+    const double fromMiddle =
+        1.0 + std::max(std::abs(ball.x), std::abs(ball.z) * std::sin(elevation));
+    const double towardCamera = ball.z * std::cos(elevation);
+    distance = std::max(distance, towardCamera + kMarginAroundBalls * fromMiddle /
+                                                     std::tan(kCameraFieldOfView / 2.0));
+  }
+  return distance;
 }
 
-void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye) {
+void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye, double elevation) {
   root["nodes"].push_back({{"name", "camera"},
                            {"translation", eye},
-                           {"rotation", rotation(0.0, -kCameraElevation)},
+                           {"rotation", rotation(0.0, -elevation)},
                            {"camera", 0}});
   root["cameras"].push_back(
       {{"name", "camera"},
@@ -227,10 +263,11 @@ void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
   if (shape == PreviewShape::none)
     return;
   const bool withBalls = shape == PreviewShape::sphere;
-  const double distance = cameraDistance(withBalls ? needsTangents.size() : 1);
-  const std::array<double, 3> eye = {0.0,
-                                     kCameraTargetHeight + distance * std::sin(kCameraElevation),
-                                     distance * std::cos(kCameraElevation)};
+  const std::vector<BallPlace> balls = ballPlaces(withBalls ? needsTangents.size() : 1);
+  const double elevation = balls.front().z < 0.0 ? kRowsElevation : kCameraElevation;
+  const double distance = cameraDistance(balls, elevation);
+  const std::array<double, 3> eye = {0.0, kCameraTargetHeight + distance * std::sin(elevation),
+                                     distance * std::cos(elevation)};
   root["nodes"] = JsonTree::array();
   root["meshes"] = JsonTree::array();
   if (withBalls)
@@ -239,7 +276,7 @@ void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
     addGround(root, builder, needsTangents, exemplarAspect);
   if (withBalls)
     addBalls(root, builder, eye, needsTangents, exemplarAspect);
-  addCameraAndSun(root, eye);
+  addCameraAndSun(root, eye, elevation);
   JsonTree nodeIndices = JsonTree::array();
   for (std::size_t i = 0; i < root["nodes"].size(); ++i)
     nodeIndices.push_back(i);

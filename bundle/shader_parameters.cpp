@@ -86,7 +86,7 @@ std::array<float, 4> decodedMean(const shader::LichenMap& constants, const Bundl
   std::array<float, 4> mean{0.0f, 0.0f, 0.0f, 1.0f};
   std::copy_n(texels.end() - std::ptrdiff_t(channels), std::min<std::size_t>(channels, 3),
               mean.begin());
-  if (map.tableOffset.empty())
+  if (tableKindOf(map) == TableKind::joint)
     return mean;
   return decodedSeparable(constants, {mean[0], mean[1], mean[2]});
 }
@@ -171,11 +171,12 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   result.alignedMips = alignedMips(noise, bundle, gaussian);
   result.tableLevels = shader::uint(map.levels.size());
   result.encoding = encodingOf(map.encoding);
-  if (!map.inverseTable) {
+  const TableKind kind = tableKindOf(map);
+  if (kind == TableKind::none) {
     result.decoding = LICHEN_DECODING_GAUSSIAN;
     const std::size_t n = map.mean.size();
     setRows(result, gaussianToStored(map.covariance, n), n, map.mean);
-  } else if (!map.tableOffset.empty()) {
+  } else if (kind == TableKind::separable) {
     result.decoding = LICHEN_DECODING_SEPARABLE;
     setRows(result, map.tableBasis, result.dimensions, map.tableOffset);
   }

@@ -106,6 +106,13 @@ std::size_t texelBytes(TexelFormat format) {
   return componentBytes(format) * std::size_t(channelCount(format));
 }
 
+std::size_t texelBytes(const Bundle& bundle) {
+  std::size_t sum = 0;
+  for (const Table& table : bundle.tables)
+    sum += table.texels.size();
+  return sum;
+}
+
 LevelRange levelRange(const Table& table, std::uint32_t level) {
   assert(level < table.mipLevels);
   LevelRange range;

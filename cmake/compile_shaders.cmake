@@ -7,12 +7,13 @@ set(LICHEN_GLSLANG_FLAGS -V --target-env vulkan1.0)
 
 # lichen_embed_shaders(TARGET SOURCES a.vert b.frag ... [DEFINES NAME=VALUE ...]): an interface
 # library with a header for each source, a.vert.h, that holds `const uint32_t a_vert[]`. The include
-# path is shaders_glsl/. Recompiled when any included file changes.
+# path is shaders_glsl/. Recompiled when any included file changes. With VARIANT v the header is
+# a.vert.v.h and the array a_vert_v, so that one program can hold several of a shader.
 function(lichen_embed_shaders target)
   if(NOT LICHEN_GLSLANG)
     message(FATAL_ERROR "glslangValidator is needed for ${target}: install glslang-tools")
   endif()
-  cmake_parse_arguments(arg "" "" "SOURCES;DEFINES" ${ARGN})
+  cmake_parse_arguments(arg "" "VARIANT" "SOURCES;DEFINES" ${ARGN})
   list(TRANSFORM arg_DEFINES PREPEND -D)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target})
   file(MAKE_DIRECTORY ${folder})
@@ -20,6 +21,9 @@ function(lichen_embed_shaders target)
   foreach(source IN LISTS arg_SOURCES)
     cmake_path(ABSOLUTE_PATH source)
     cmake_path(GET source FILENAME name)
+    if(arg_VARIANT)
+      string(APPEND name .${arg_VARIANT})
+    endif()
     string(REPLACE "." "_" variable ${name})
     set(header ${folder}/${name}.h)
     add_custom_command(

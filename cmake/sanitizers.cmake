@@ -3,6 +3,12 @@ if(LICHEN_SANITIZE)
   add_compile_options(-fsanitize=${LICHEN_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${LICHEN_SANITIZE})
+  # This one check keeps inner loops from being vectorized: without it a small bake takes two thirds
+  # of the time. What an address that wraps round points at is no object, and reading or writing
+  # there is what AddressSanitizer reports.
+  if(LICHEN_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize=pointer-overflow)
+  endif()
 endif()
 string(REPLACE "," ";" LICHEN_SANITIZERS "${LICHEN_SANITIZE}")
 if("thread" IN_LIST LICHEN_SANITIZERS)

@@ -100,6 +100,18 @@ LichenMapping mappingOf(Mapping mapping) {
   return LICHEN_MAPPING_UV;
 }
 
+LichenTableKind tableKindNumber(TableKind kind) {
+  switch (kind) {
+  case TableKind::joint:
+    return LICHEN_TABLE_JOINT;
+  case TableKind::separable:
+    return LICHEN_TABLE_SEPARABLE;
+  case TableKind::none:
+    return LICHEN_TABLE_NONE;
+  }
+  return LICHEN_TABLE_JOINT;
+}
+
 /// The smallest 3-D image, for the table's binding of maps that have none: the shader names it and
 /// does not fetch it. (A depth of 1 would be a 2-D image.)
 Table unusedTable() {
@@ -236,9 +248,7 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
   values.gaussianImage = std::uint32_t(source.gaussian);
   values.tableImage = bundle->tables[noise][map];
-  values.tableKind = !source.inverseTable         ? LICHEN_TABLE_NONE
-                     : source.tableOffset.empty() ? LICHEN_TABLE_JOINT
-                                                  : LICHEN_TABLE_SEPARABLE;
+  values.tableKind = tableKindNumber(tableKindOf(source));
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 

@@ -27,9 +27,49 @@ bool startsWith(std::span<const std::byte> file,
                     [](unsigned char a, std::byte b) { return std::byte(a) == b; });
 }
 
+/// What a file is called whose bytes from `at` on are `bytes`.
+struct OtherFormat {
+  std::size_t at;
+  std::string_view bytes;
+  const char* name; ///< with its article
+};
+
+// The registrations of the formats with IANA. HEIF's containers name their content in bytes 4
+// to 11.
+constexpr OtherFormat kOtherFormats[] = {
+    {8, "WEBP", "a WebP"},
+    {0, "GIF8", "a GIF"},
+    {0, std::string_view("II*\0", 4), "a TIFF"},
+    {0, std::string_view("MM\0*", 4), "a TIFF"},
+    {0, "8BPS", "a Photoshop"},
+    {4, "ftypavif", "an AVIF"},
+    {4, "ftypavis", "an AVIF"},
+    {4, "ftyphei", "a HEIC"},
+    {4, "ftyphev", "a HEIC"},
+    {4, "ftypmif1", "a HEIF"},
+    {4, "ftypmsf1", "a HEIF"},
+    {0, "\xff\x0a", "a JPEG XL"},
+    {4, "JXL \r\n\x87\n", "a JPEG XL"},
+    {4, "jP  \r\n\x87\n", "a JPEG 2000"},
+    {0, "#?RADIANCE", "a Radiance HDR"},
+    {0, "DDS ", "a DDS"},
+    {1, "KTX ", "a KTX"},
+};
+
+bool has(std::span<const std::byte> file, const OtherFormat& format) {
+  return file.size() >= format.at + format.bytes.size() &&
+         std::equal(format.bytes.begin(), format.bytes.end(),
+                    file.begin() + std::ptrdiff_t(format.at),
+                    [](char a, std::byte b) { return std::byte(a) == b; });
+}
+
+/// Of a file that is none of ours: which other it is, or what it starts with.
 Error notAnImage(std::span<const std::byte> file, const std::string& name) {
   if (file.empty())
     return refused(name, "empty file; a PNG, JPEG or EXR image is accepted");
+  for (const OtherFormat& format : kOtherFormats)
+    if (has(file, format))
+      return refused(name, std::string(format.name) + " file; PNG, JPEG and EXR are read");
   constexpr const char* kDigits = "0123456789abcdef";
   std::string start;
   for (const std::byte b : file.first(std::min<std::size_t>(file.size(), 4))) {
@@ -92,8 +132,11 @@ Result<ImageFile> readImage(const std::filesystem::path& path) {
     const Result<std::vector<std::byte>> file = readFile(path);
     if (!file)
       return file.error();
-    return decodeImage(file.value(), path.string());
-  } catch (const std::bad_alloc&) { // of a message or a name
+    Result<ImageFile> stored = decodeImage(file.value(), path.string());
+    if (!stored)
+      return stored;
+    return upright(std::move(stored).value());
+  } catch (const std::bad_alloc&) { // of turned pixels, a message or a name
     return memoryError([&] { return path.string() + ": not enough memory to read the image"; });
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // JPEG bytes -> SrgbImage, through libjpeg-turbo.
-// Grey, YCbCr, RGB, CMYK and YCCK; colour profiles and EXIF orientation are not looked at.
+// Grey, YCbCr, RGB, CMYK and YCCK; colour profiles are not looked at.
 // Sources: ITU-T T.81; Adobe Technical Note 5116 (Adobe programs store CMYK inverted).
 #include "claims.h"
 #include "codecs.h"
+#include "orientation.h"
 
 #include <jpeglib.h>
 
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <jerror.h>
+#include <string_view>
 #include <vector>
 
 namespace lichen {
@@ -23,6 +25,8 @@ constexpr Expansion kHuffman = {"JPEG", 1024};
 // Each scan of a progressive file walks over the whole image, at a cost of a few bytes of file.
 // Encoders write 10 or so; optimisers stay under 20.
 constexpr int kMaxScans = 64;
+
+constexpr int kExifMarker = JPEG_APP0 + 1; // of XMP too
 
 /// Owns libjpeg's state. libjpeg leaves by longjmp, so each member function that calls it sets the
 /// return point anew and holds nothing that a longjmp may not skip.
@@ -41,6 +45,8 @@ public:
 
   [[nodiscard]] const jpeg_decompress_struct& info() const { return info_; }
   [[nodiscard]] const char* warning() const { return warning_; }
+  /// Until the end is read: the first EXIF block of the header; empty where there is none.
+  [[nodiscard]] std::span<const std::byte> exif() const;
   [[nodiscard]] Error error(const std::string& name) const;
 
 private:
@@ -97,6 +103,8 @@ bool JpegReader::readHeader() {
   progress_.progress_monitor = onProgress;
   info_.progress = &progress_;
   jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(file_.data()), file_.size());
+  constexpr unsigned kWhole = 0xffff;
+  jpeg_save_markers(&info_, kExifMarker, kWhole);
   jpeg_read_header(&info_, TRUE);
   return true;
 }
@@ -119,6 +127,17 @@ bool JpegReader::finish() {
   if (setjmp(returnPoint_) != 0)
     return false;
   return jpeg_finish_decompress(&info_) != FALSE;
+}
+
+std::span<const std::byte> JpegReader::exif() const {
+  constexpr std::string_view kName("Exif\0\0", 6);
+  for (const jpeg_marker_struct* marker = info_.marker_list; marker; marker = marker->next) {
+    const std::span data(marker->data, marker->data_length);
+    if (marker->marker == kExifMarker && data.size() >= kName.size() &&
+        std::equal(kName.begin(), kName.end(), data.begin()))
+      return std::as_bytes(data.subspan(kName.size()));
+  }
+  return {};
 }
 
 Error JpegReader::error(const std::string& name) const {
@@ -176,6 +195,7 @@ Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string&
   if (Result<void> header = checkHeader(reader, file.size(), name); !header)
     return header.error();
   const jpeg_decompress_struct& info = reader.info();
+  const int orientation = exifOrientation(reader.exif());
   const bool grey = info.num_components == 1;
   const bool cmyk = info.num_components == 4;
   if (!reader.start(grey ? JCS_GRAYSCALE : cmyk ? JCS_CMYK : JCS_RGB))
@@ -196,7 +216,7 @@ Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string&
   if (!reader.finish())
     return reader.error(name);
 
-  ImageFile result{std::move(image), 8, {}};
+  ImageFile result{std::move(image), 8, orientation, {}};
   if (cmyk)
     result.notes.emplace_back("CMYK converted to RGB without a colour profile");
   if (reader.warning()[0] != '\0')

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // PNG bytes -> SrgbImage, through libpng.
-// Every chunk but IHDR, PLTE, tRNS, IDAT and IEND is skipped unread: stored values are taken as
-// sRGB codes whatever gamma or profile the file names. Every other bad checksum is an error.
-// Source: PNG Specification, third edition, sections 5 (chunks), 11 (IHDR, tRNS).
+// Every chunk but IHDR, PLTE, tRNS, eXIf, IDAT and IEND is skipped unread: stored values are taken
+// as sRGB codes whatever gamma or profile the file names. Every other bad checksum is an error.
+// Source: PNG Specification, third edition, sections 5 (chunks), 11 (IHDR, tRNS, eXIf).
 #include "claims.h"
 #include "codecs.h"
+#include "orientation.h"
 
 #include <png.h>
 
@@ -79,6 +80,8 @@ public:
   [[nodiscard]] int bitDepth() const { return png_get_bit_depth(png_, info_); }
   [[nodiscard]] bool hasTransparentColour() const { return hasTransparentColour_; }
   [[nodiscard]] const char* warning() const { return warning_; }
+  /// After the rows: the EXIF block; empty where there is none.
+  [[nodiscard]] std::span<const std::byte> exif();
   [[nodiscard]] Error error(const std::string& name) const;
 
 private:
@@ -141,6 +144,8 @@ bool PngReader::start() {
   png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   // A negative count means: every chunk that is not needed to decode the pixels.
   png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  constexpr png_byte kExif[] = {'e', 'X', 'I', 'f', 0};
+  png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, kExif, 1);
   png_read_info(png_, info_);
   hasTransparentColour_ = png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
   png_set_expand(png_);
@@ -154,8 +159,16 @@ bool PngReader::readRows(png_bytepp rows) {
   if (setjmp(png_jmpbuf(png_)) != 0)
     return false;
   png_read_image(png_, rows);
-  png_read_end(png_, nullptr);
+  png_read_end(png_, info_); // an eXIf may come last
   return true;
+}
+
+std::span<const std::byte> PngReader::exif() {
+  png_uint_32 size = 0;
+  png_bytep data = nullptr;
+  if (png_get_eXIf_1(png_, info_, &size, &data) == 0)
+    return {};
+  return std::as_bytes(std::span(data, size));
 }
 
 Error PngReader::error(const std::string& name) const {
@@ -211,7 +224,7 @@ Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& 
     std::transform(pixels.get(), pixels.get() + image.values.size(), image.values.begin(),
                    [](png_byte code) { return float(code) / 255.0f; });
   }
-  ImageFile result{std::move(image), reader.bitDepth(), {}};
+  ImageFile result{std::move(image), reader.bitDepth(), exifOrientation(reader.exif()), {}};
   describeExpansion(header, reader.hasTransparentColour(), result.notes);
   if (reader.warning()[0] != '\0')
     result.notes.push_back("libpng warns: " + printable(reader.warning()));

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # tests/run.sh: every test but the long ones, on a bare Debian 12. Installs the packages that are
 # missing, builds, and runs the suite twice: optimized, and with the address and undefined-behaviour
-# sanitizers. The last line counts the tests of both runs; exit status 1 when one failed.
+# sanitizers. The second run leaves out the cases tagged [large], and says how many; the first has
+# run them. The last line counts the tests of both runs; exit status 1 when one failed.
 # A test that is skipped has failed too, since all that tests need is installed here, a software
 # Vulkan device included; LICHEN_ALLOW_SKIPPED=1 lets them pass where that cannot be.
 set -euo pipefail
@@ -59,6 +60,8 @@ run_suite release 600
 run_suite asan-ubsan 1800 # about ten times slower
 
 step 'Result'
+large=$(grep -rFh --include='*.cpp' '"[large]"' tests | wc -l)
+echo "left out of asan-ubsan, and run in release: $large cases tagged [large] (tests/CMakeLists.txt)"
 for test in "${skipped[@]}"; do
   if [[ ${LICHEN_ALLOW_SKIPPED:-} == 1 ]]; then
     echo "skipped: $test"

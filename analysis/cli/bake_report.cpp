@@ -14,13 +14,6 @@ int dimensionsOf(const Table& gaussian) {
   return std::min(3, channelCount(gaussian.format)); // a fourth is unused
 }
 
-/// How the map's Gaussian values become its own.
-const char* tableKind(const NoiseMap& map) {
-  if (!map.inverseTable)
-    return "none";
-  return map.tableOffset.empty() ? "joint" : "separable";
-}
-
 nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
   nlohmann::ordered_json json{
       {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
@@ -29,14 +22,45 @@ nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
+/// The worst of each map's bounds: with borders that are blended it has two.
+std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
+  std::vector<MapTransportBound> worst;
+  for (const MapTransportBound& bound : bounds)
+    if (worst.empty() || worst.back().map != bound.map)
+      worst.push_back(bound);
+    else if (bound.bound.excess() > worst.back().bound.excess())
+      worst.back() = bound;
+  return worst;
+}
+
+nlohmann::ordered_json asJson(std::span<const MapTransportBound> bounds) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    json.push_back({{"map", nameOf(bound.map)},
+                    {"excess", bound.bound.excess()},
+                    {"byConstruction", bound.isSorted}});
+  return json;
+}
+
 } // namespace
+
+std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds) {
+  std::vector<std::string> notes;
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    notes.push_back(
+        bound.isSorted
+            ? fmt::format(
+                  "the values of {} have one dimension and are sorted, which is the optimum",
+                  nameOf(bound.map))
+            : fmt::format("the values of {} are matched within {:.3f} % of the optimum, certified",
+                          nameOf(bound.map), 100.0 * bound.bound.excess()));
+  return notes;
+}
 
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
   const Table& gaussian = outcome.bundle.tables[noise.maps.front().gaussian];
-  std::size_t tableBytes = 0;
-  for (const Table& table : outcome.bundle.tables)
-    tableBytes += table.texels.size();
+  const std::size_t tableBytes = texelBytes(outcome.bundle);
   if (options.json) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::array();
     for (const NoiseMap& map : noise.maps) {
@@ -58,8 +82,9 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                       {"dimensions", dimensionsOf(gaussian)},
                                       {"maps", maps},
                                       {"periodic", outcome.exemplarWasPeriodic},
-                                      {"table", tableKind(noise.maps.front())},
+                                      {"table", nameOf(tableKindOf(noise.maps.front()))},
                                       {"tableBytes", tableBytes},
+                                      {"transport", asJson(outcome.transportBounds)},
                                       {"precisionLoss", asJson(outcome.precisionLoss)},
                                       {"risks", risksAsJson(outcome.risks)},
                                       {"notes", outcome.notes},

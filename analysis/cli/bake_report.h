@@ -7,7 +7,9 @@
 
 #include <lichen/bundle.h>
 #include <lichen/precision_loss.h>
+#include <lichen/tiling.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,12 @@ struct BakeOutcome {
   PrecisionLoss precisionLoss; ///< of the first map; used with --json
   std::vector<std::string> notes;
   std::vector<MapRisk> risks;
+  std::vector<MapTransportBound> transportBounds;
   double seconds = 0.0;
 };
+
+/// A line for each map whose transport is certified, with the worst of its bounds.
+[[nodiscard]] std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds);
 
 /// One line, or with --json one object, on standard output.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);

@@ -2,9 +2,12 @@
 // Maps -> flattened maps, and their risks as notes and JSON.
 #include "bake_risks.h"
 
-#include <lichen/flatten.h>
+#include "progress_line.h"
 
-#include <fmt/core.h>
+#include <lichen/flatten.h>
+#include <lichen/judgement_json.h>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace lichen::cli {
@@ -22,40 +25,83 @@ Accepted<Flattening> flattening() {
           }};
 }
 
-Result<void> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
-                           Periodic periodic, std::vector<std::string>& notes) {
-  const bool fit = bordersFit(maps, periodic);
-  double period = told.periodPixels;
-  if (told.automatic) {
-    const Result<std::optional<double>> calming = flatteningPeriod(maps.front(), fit);
-    if (!calming)
-      return calming.error();
-    period = calming.value().value_or(0.0);
+namespace {
+
+/// What the user is told of --flatten auto.
+std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
+  switch (choice.reason) {
+  case FlatteningChoice::Reason::mended:
+    break;
+  case FlatteningChoice::Reason::calm:
+    return "there is nothing that flattening would mend; nothing is removed";
+  case FlatteningChoice::Reason::object:
+    return "what varies slowly has an outline, as a large object has and light has not; nothing is "
+           "removed, --flatten PERIOD would";
+  case FlatteningChoice::Reason::stubborn:
+    return "no flattening would mend what clouds the noise; nothing is removed";
   }
-  if (period == 0.0) {
-    if (told.automatic)
-      notes.push_back("there is nothing that flattening would mend; nothing is removed");
-    return {};
-  }
-  notes.push_back(fmt::format("variation slower than {:.0f} pixels is removed", period));
-  return flatten(maps, period, fit);
+  std::vector<std::string_view> names;
+  for (const MapTarget map : choice.flattened)
+    names.push_back(nameOf(map));
+  return fmt::format("variation slower than {:.0f} pixels is removed{}", *choice.periodPixels,
+                     maps > 1 ? fmt::format(" from {}", fmt::join(names, ", ")) : "");
 }
 
-Result<std::vector<MapRisk>> worstRisks(std::span<const MapExemplar> maps, bool periodic) {
-  std::vector<MapRisk> worst;
-  for (const MapExemplar& map : maps) {
-    const Result<std::vector<Risk>> risks = assessSuitability(map, periodic);
-    if (!risks)
-      return risks.error();
-    for (std::size_t k = 0; k < risks.value().size(); ++k) {
-      const Risk& risk = risks.value()[k];
-      if (k == worst.size())
-        worst.push_back({map.target, risk});
-      else if (risk.score > worst[k].risk.score)
-        worst[k] = {map.target, risk};
-    }
+} // namespace
+
+Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
+                                Periodic periodic, const SharedOptions& options,
+                                std::vector<std::string>& notes) {
+  if (!told.isWanted())
+    return Flattened{};
+  const bool fit = bordersFit(maps, periodic);
+  ProgressLine line("flatten", options);
+  const Progress progress = line.asProgress();
+  if (!told.automatic) {
+    Flattened flattened{{}, told.periodPixels};
+    for (const MapExemplar& map : maps)
+      if (map.target != MapTarget::opacity) // flatten() leaves it as it is
+        flattened.maps.push_back(map.target);
+    notes.push_back(
+        flattened.maps.empty()
+            ? std::string("opacity is not flattened; nothing is removed")
+            : fmt::format("variation slower than {:.0f} pixels is removed", told.periodPixels));
+    if (Result<void> done = flatten(maps, told.periodPixels, fit, progress); !done)
+      return done.error();
+    return flattened;
   }
-  return worst;
+  const Result<FlatteningChoice> choice = flattenAutomatically(maps, fit, progress);
+  if (!choice)
+    return choice.error();
+  notes.push_back(sentenceOn(choice.value(), maps.size()));
+  return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
+}
+
+Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
+                                                  const SharedOptions& options) {
+  ProgressLine line("assess", options);
+  std::vector<std::vector<Risk>> risks;
+  for (const MapExemplar& map : maps) {
+    const auto done = double(risks.size()), all = double(maps.size());
+    Result<std::vector<Risk>> assessed =
+        assessSuitability(map, periodic, partOf(line.asProgress(), done / all, (done + 1) / all));
+    if (!assessed)
+      return assessed.error();
+    risks.push_back(std::move(assessed).value());
+  }
+  return risks;
+}
+
+std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
+                                  std::span<const std::vector<Risk>> risks) {
+  std::vector<MapRisk> leading;
+  for (const Risk& risk : risks.front())
+    leading.push_back({maps.front().target, risk});
+  for (std::size_t k = 0; k < leading.size(); ++k)
+    for (std::size_t m = 1; m < maps.size(); ++m)
+      if (const Risk& risk = risks[m][k]; risk.level > leading[k].risk.level)
+        leading[k] = {maps[m].target, risk};
+  return leading;
 }
 
 std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps) {
@@ -71,12 +117,7 @@ std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalM
 nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const auto& [map, risk] : risks)
-    json.push_back({{"name", risk.name},
-                    {"map", nameOf(map)},
-                    {"score", risk.score},
-                    {"level", nameOf(risk.level)},
-                    {"sentence", risk.sentence},
-                    {"remedy", risk.remedy}});
+    json.push_back(joined({{"map", nameOf(map)}}, jsonOf(risk)));
   return json;
 }
 

@@ -2,6 +2,7 @@
 // What a bake says of its exemplar before it begins, and what it does about it if told to.
 #pragma once
 
+#include "command.h"
 #include "options.h"
 
 #include <lichen/suitability.h>
@@ -20,13 +21,27 @@ namespace lichen::cli {
 struct Flattening {
   bool automatic = false;
   double periodPixels = 0.0; ///< of the first map; 0 for none
+
+  [[nodiscard]] bool isWanted() const { return automatic || periodPixels > 0.0; }
 };
 [[nodiscard]] Accepted<Flattening> flattening();
 
-/// Flattens the maps as told; `auto` by what the first of them needs. The period that was taken is
+/// The maps that were flattened, and by which period, pixels of the first map.
+struct Flattened {
+  std::vector<MapTarget> maps;
+  double periodPixels = 0.0;
+};
+
+/// Flattens the maps as told; `auto` as flattenAutomatically(). What was done, or why nothing, is
 /// in a sentence of `notes`.
-[[nodiscard]] Result<void> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
-                                         Periodic periodic, std::vector<std::string>& notes);
+[[nodiscard]] Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps,
+                                              const Flattening& told, Periodic periodic,
+                                              const SharedOptions& options,
+                                              std::vector<std::string>& notes);
+
+/// The risks of each map, in their order.
+[[nodiscard]] Result<std::vector<std::vector<Risk>>>
+assessMaps(std::span<const MapExemplar> maps, bool periodic, const SharedOptions& options);
 
 /// A risk and the map that runs it most.
 struct MapRisk {
@@ -34,9 +49,10 @@ struct MapRisk {
   Risk risk;
 };
 
-/// Each risk once, as the map has it that scores worst.
-[[nodiscard]] Result<std::vector<MapRisk>> worstRisks(std::span<const MapExemplar> maps,
-                                                      bool periodic);
+/// Each risk once: as the first map has it, the base colour if there is one, which is what people
+/// see; or as another has it of the highest level, where that is above the first one's.
+[[nodiscard]] std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
+                                                std::span<const std::vector<Risk>> risks);
 
 /// A line for each risk that is one; with the map's name where there are several.
 [[nodiscard]] std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps);

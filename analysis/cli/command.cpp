@@ -26,6 +26,11 @@ Result<void> checkOutput(const std::filesystem::path& output,
   return {};
 }
 
+nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more) {
+  object.update(nlohmann::ordered_json::parse(more.compact()));
+  return object;
+}
+
 std::string toText(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

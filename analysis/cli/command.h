@@ -2,6 +2,7 @@
 // What the verbs of the command line share: how they are declared, run and ended.
 #pragma once
 
+#include <lichen/json_tree.h>
 #include <lichen/result.h>
 
 #include <CLI/App.hpp>
@@ -41,6 +42,8 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
                                        const std::array<std::string, 2>& extensions);
 
+/// The members of an object and those of another behind them, as part of a report with --json.
+[[nodiscard]] nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more);
 /// Indented JSON; bytes that are not UTF-8, as file names may have, are replaced.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 

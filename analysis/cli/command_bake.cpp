@@ -3,14 +3,13 @@
 #include "bake_report.h"
 #include "bake_risks.h"
 #include "command.h"
+#include "exemplar_options.h"
 #include "html_report.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
-#include <lichen/image_io.h>
-#include <lichen/material_set.h>
 #include <lichen/precision_loss.h>
 #include <lichen/tiling.h>
 
@@ -33,24 +32,11 @@ struct Arguments {
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
-  MaterialSetOptions set;
-  std::optional<std::array<int, 4>> crop;
-  Flattening flattening;
+  ExemplarOptions exemplar;
   TilingOptions tiling;
   PreviewShape preview{};
   std::string report;
 };
-
-Result<MaterialSet> readInputs(const Arguments& arguments) {
-  MaterialSetOptions options = arguments.set;
-  options.periodic = arguments.tiling.periodic;
-  if (arguments.crop) {
-    const auto [x, y, width, height] = *arguments.crop;
-    options.crop = PixelRectangle{x, y, width, height};
-  }
-  const std::vector<std::filesystem::path> inputs(arguments.inputs.begin(), arguments.inputs.end());
-  return readMaterialSet(inputs, options);
-}
 
 /// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
 std::string asUtf8(const std::string& text) {
@@ -67,6 +53,75 @@ Accepted<std::string> nameText() {
   return {"NAME", "UTF-8 text", [](const std::string& text) {
             return asUtf8(text) == text ? std::optional(text) : std::nullopt;
           }};
+}
+
+/// What is said of a bake beside its report; in JSON a part of that.
+class Notes {
+public:
+  explicit Notes(const SharedOptions& options) : options_(options) {}
+
+  void add(std::string line) { lines_.push_back(std::move(line)); }
+  /// Says what was added since the last time.
+  void say() {
+    for (; said_ < lines_.size(); ++said_)
+      if (!options_.json)
+        note(options_, lines_[said_]);
+  }
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+
+private:
+  const SharedOptions& options_;
+  std::vector<std::string> lines_;
+  std::size_t said_ = 0;
+};
+
+/// An exemplar as it is baked, and what is known of it before the work.
+struct Judged {
+  std::string name;
+  std::vector<MapExemplar> maps;
+  Periodic borders{};                      ///< as told, or as decided before a resampling
+  std::vector<std::vector<Risk>> assessed; ///< of each map
+  std::vector<MapRisk> risks;              ///< leadingRisks()
+  std::vector<ExemplarOrigin> origins;     ///< of each map
+};
+
+Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
+  Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
+  if (!read)
+    return read.error();
+  MaterialSet& set = read.value().set;
+  std::vector<MapExemplar>& maps = set.maps;
+  Result<std::vector<std::vector<Risk>>> assessed =
+      assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
+  if (!assessed)
+    return assessed.error();
+  std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
+  for (std::string& line : set.notes)
+    notes.add(std::move(line));
+  for (std::string& line : riskNotes(risks, maps.size() > 1))
+    notes.add(std::move(line));
+  const std::string name = arguments.name.empty() ? asUtf8(set.name) : arguments.name;
+  return Judged{name,
+                std::move(maps),
+                set.periodic,
+                std::move(assessed).value(),
+                std::move(risks),
+                std::move(read).value().origins};
+}
+
+Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
+                        ProgressLine& progress) {
+  TilingOptions options = arguments.tiling;
+  options.periodic = exemplar.borders;
+  options.progress = progress.asProgress();
+  Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
+  if (!baked)
+    return baked;
+  for (std::string& line : certificateNotes(baked.value().transportBounds))
+    notes.add(std::move(line));
+  if (!baked.value().exemplarWasPeriodic && arguments.exemplar.set.periodic == Periodic::detect)
+    notes.add("the exemplar's borders do not fit together; they were blended");
+  return baked;
 }
 
 Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
@@ -88,90 +143,60 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
   return file;
 }
 
-Result<int> run(const Arguments& arguments) {
+Result<int> run(Arguments& arguments) {
   StepTimes times;
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
-  Result<MaterialSet> set = readInputs(arguments);
-  if (!set)
-    return set.error();
-  std::vector<MapExemplar>& maps = set.value().maps;
-  std::vector<std::string> notes = set.value().notes;
-  const Periodic borders = arguments.tiling.periodic;
-  if (Result<void> done = flattenAsTold(maps, arguments.flattening, borders, notes); !done)
-    return done.error();
-  const Result<std::vector<MapRisk>> risks = worstRisks(maps, bordersFit(maps, borders));
-  if (!risks)
-    return risks.error();
-  for (std::string& line : riskNotes(risks.value(), maps.size() > 1))
-    notes.push_back(std::move(line));
-  const auto printNotes = [&](std::size_t first) { // in JSON they are part of the report
-    for (std::size_t n = first; n < notes.size() && !arguments.shared.json; ++n)
-      note(arguments.shared, notes[n]);
-  };
-  printNotes(0); // before the work: the user may rather have another photograph
-  const std::size_t printed = notes.size();
+  arguments.exemplar.keepsOriginals = !arguments.report.empty();
+  Notes notes(arguments.shared);
+  const Result<Judged> exemplar = readAndJudge(arguments, notes);
+  if (!exemplar)
+    return exemplar.error();
+  const std::vector<MapExemplar>& maps = exemplar.value().maps;
+  notes.say(); // before the work: the user may rather have another photograph
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
-  TilingOptions options = arguments.tiling;
-  options.progress = [&](double fraction) {
-    progress.show(fraction);
-    return true;
-  };
-  const std::string name = arguments.name.empty() ? asUtf8(set.value().name) : arguments.name;
-  Result<TilingBake> bake = bakeTiling(name, maps, options);
-  if (!bake)
-    return bake.error();
+  Result<TilingBake> baked = bake(arguments, exemplar.value(), notes, progress);
+  if (!baked)
+    return baked.error();
   times.end("Baking the noise");
-  const bool periodic = bake.value().exemplarWasPeriodic;
-  for (const TransportBound& bound : bake.value().transportBounds)
-    notes.push_back(fmt::format("the colours are matched within {:.3f} % of the optimum, certified",
-                                100.0 * bound.excess()));
-  if (!periodic && borders == Periodic::detect)
-    notes.push_back("the exemplar's borders do not fit together; they were blended");
-  const Result<BundleFile> file = makeBundleFile(arguments, std::move(bake).value());
+  const bool periodic = baked.value().exemplarWasPeriodic;
+  const std::vector<MapTransportBound> bounds = std::move(baked.value().transportBounds);
+  const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
+  const Bundle& bundle = file.value().bundle;
   Result<PrecisionLoss> loss = PrecisionLoss{};
   if (arguments.shared.json)
-    loss = precisionLoss(file.value().bundle, 0, 0, set.value().maps.front(), periodic);
+    loss = precisionLoss(bundle, 0, 0, maps.front(), periodic);
   if (!loss)
     return loss.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
-  printNotes(printed);
+  notes.say();
   times.end("Preview and bundle");
-  if (Result<void> written =
-          writeHtmlReport(arguments.report,
-                          {arguments.inputs, arguments.output, file.value().bundle, maps, periodic,
-                           notes, times.steps()},
-                          arguments.shared);
+
+  const ReportedBake reported{arguments.inputs,
+                              arguments.output,
+                              bundle,
+                              maps,
+                              exemplar.value().assessed,
+                              exemplar.value().origins,
+                              periodic,
+                              notes.lines(),
+                              times.steps()};
+  if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();
-  reportBake(arguments.shared, {arguments.output, file.value().bundle, periodic, loss.value(),
-                                notes, risks.value(), times.sum()});
+  if (!arguments.report.empty())
+    times.end("Report");
+  reportBake(arguments.shared, {arguments.output, bundle, periodic, loss.value(), notes.lines(),
+                                exemplar.value().risks, bounds, times.sum()});
   return kDone;
-}
-
-/// Options of reading the images.
-void addInputOptions(CLI::App& verb, Arguments& arguments) {
-  addValue(verb, "--crop", arguments.crop, optional(pixelRectangle(kMaxImageSide)), "",
-           "Bake only this part; in pixels of the largest map");
-  addValue(verb, "--size", arguments.set.size, optional(imageSize(kMaxImageSide)), "",
-           "Resample every map to this size");
-  const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
-                                              {"dx", NormalConvention::directX}};
-  addValue(verb, "--normal", arguments.set.normal, oneOf(conventions), "gl",
-           "Whether green points up in normal maps whose names do not say, or down");
-  const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
-  addValue(verb, "--alpha", arguments.set.alpha, oneOf(uses), "ignore",
-           "What the alpha of the base colour is");
-  addValue(verb, "--flatten", arguments.flattening, flattening(), "none",
-           "Remove variation slower than PERIOD pixels, or what clouds the noise");
 }
 
 } // namespace
@@ -189,11 +214,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
-  addInputOptions(verb, *arguments);
-  const Choices<Periodic> periodic{
-      {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
-  addValue(verb, "--periodic", arguments->tiling.periodic, oneOf(periodic), "auto",
-           "Whether the exemplar's opposite borders fit together");
+  addExemplarOptions(verb, arguments->exemplar);
   const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
                                          {"default", TransportEffort::standard},
                                          {"exact", TransportEffort::exact}};

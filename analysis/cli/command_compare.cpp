@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // lichen compare: a result, or a bundle's noise, against its exemplar.
 #include "command.h"
+#include "exemplar_options.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
 
-#include <lichen/material_set.h>
+#include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@ struct Arguments {
   std::string result;
   std::string noise;
   std::string map;
+  ExemplarOptions asBaked;
 };
 
 /// The measures of one map.
@@ -42,26 +44,24 @@ bool isBundle(const std::string& path) {
   return extension == ".glb" || extension == ".gltf";
 }
 
-Result<std::vector<MapExemplar>> readMaps(const std::string& path) {
-  const std::filesystem::path input = path;
-  Result<MaterialSet> set = readMaterialSet({&input, 1}, {});
-  if (!set)
-    return set.error();
-  return std::move(set).value().maps;
-}
-
-/// Of an exemplar's maps the one that was asked for, or all.
-Result<std::vector<MapExemplar>> readExemplar(const Arguments& arguments) {
-  Result<std::vector<MapExemplar>> maps = readMaps(arguments.exemplar);
-  if (!maps || arguments.map.empty())
-    return maps;
+/// The exemplar as it was baked; of its maps the one that was asked for, or all.
+Result<MaterialSet> readAsBaked(const Arguments& arguments) {
+  Result<ReadExemplar> read =
+      readExemplar({arguments.exemplar}, arguments.asBaked, arguments.shared);
+  if (!read)
+    return read.error();
+  MaterialSet& set = read.value().set;
+  std::vector<MapExemplar>& maps = set.maps;
+  if (arguments.map.empty())
+    return std::move(set);
   std::vector<std::string> names;
-  for (const MapExemplar& map : maps.value())
+  for (const MapExemplar& map : maps)
     names.emplace_back(nameOf(map.target));
   const Result<std::size_t> place = placeOf(arguments.map, names, "--map", arguments.exemplar);
   if (!place)
     return place.error();
-  return std::vector{std::move(maps).value()[place.value()]};
+  maps = {std::move(maps[place.value()])};
+  return std::move(set);
 }
 
 /// An image is the base colour. Both are shown in the encoding of the one with more range.
@@ -73,26 +73,42 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
                  fmt::format("{}: has no base colour; an image is compared with that, the other "
                              "maps with a bundle",
                              arguments.exemplar)};
-  const Result<std::vector<MapExemplar>> result = readMaps(arguments.result);
+  const Result<ReadExemplar> result = readExemplar({arguments.result}, {}, arguments.shared);
   if (!result)
     return result.error();
-  if (result.value().front().target != MapTarget::baseColor)
+  const MapExemplar& image = result.value().set.maps.front();
+  if (image.target != MapTarget::baseColor)
     return Error{ErrorKind::badInput,
                  fmt::format("{}: has no base colour; an image or a folder with one is accepted",
                              arguments.result)};
-  const ValueEncoding encoding = exemplar.encoding == ValueEncoding::log2
-                                     ? exemplar.encoding
-                                     : result.value().front().encoding;
+  const ValueEncoding encoding =
+      exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;
   const MapLook look(exemplar, encoding);
   Result<std::vector<Measure>> measures =
-      measureResult(look.picture(exemplar), look.picture(result.value().front()));
+      measureResult(look.picture(exemplar), look.picture(image));
   if (!measures)
     return measures.error();
   return std::vector{MapMeasures{exemplar.target, std::move(measures).value()}};
 }
 
+/// A note where an exemplar has not the size of what the noise's map was baked of, which its
+/// Gaussian image has kept.
+void noteOtherSize(const MapExemplar& exemplar, const Bundle& bundle, const Noise& noise,
+                   std::vector<std::string>& notes) {
+  const std::optional<std::size_t> place = findMap(noise, exemplar.target);
+  if (!place)
+    return; // compareNoise() refuses it
+  const Table& baked = bundle.tables[noise.maps[*place].gaussian];
+  if (int(baked.width) != exemplar.width || int(baked.height) != exemplar.height)
+    notes.push_back(fmt::format("{}: the exemplar is {} x {}, but was {} x {} when it was baked; "
+                                "give the --crop and --size of the bake",
+                                nameOf(exemplar.target), exemplar.width, exemplar.height,
+                                baked.width, baked.height));
+}
+
 Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments,
-                                               const std::vector<MapExemplar>& exemplars) {
+                                               const std::vector<MapExemplar>& exemplars,
+                                               std::vector<std::string>& notes) {
   const Result<Bundle> bundle = readBundle(arguments.result);
   if (!bundle)
     return bundle.error();
@@ -100,15 +116,16 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments,
   if (!noise)
     return noise.error();
   const std::uint32_t seed = seedOf(bundle.value(), noise.value());
+  for (const MapExemplar& exemplar : exemplars)
+    noteOtherSize(exemplar, bundle.value(), bundle.value().noises[noise.value()], notes);
   ProgressLine progress("compare", arguments.shared);
   std::vector<MapMeasures> all;
   for (const MapExemplar& exemplar : exemplars) {
-    const Progress show = [&](double fraction) {
-      progress.show((double(all.size()) + fraction) / double(exemplars.size()));
-      return true;
-    };
+    const auto maps = double(exemplars.size());
+    const Progress part =
+        partOf(progress.asProgress(), double(all.size()) / maps, double(all.size() + 1) / maps);
     Result<NoiseComparison> comparison =
-        compareNoise(bundle.value(), noise.value(), seed, exemplar, show);
+        compareNoise(bundle.value(), noise.value(), seed, exemplar, part);
     if (!comparison)
       return Error{comparison.error().kind, arguments.result + ": " + comparison.error().message};
     all.push_back({exemplar.target, std::move(comparison).value().measures});
@@ -122,57 +139,49 @@ std::string lineOf(const Measure& measure) {
   if (measure.value)
     line += fmt::format("{:>7.3g}{:<3}", *measure.value, unit);
   if (measure.value && measure.target)
-    line +=
-        fmt::format("  {} {:g}{}", measure.isMissed() ? "MISSED:" : "met:", *measure.target, unit);
+    line += fmt::format("  target {:g}{}, {}", *measure.target, unit,
+                        measure.isMissed() ? "MISSED" : "met");
   if (!measure.remark.empty())
     line += (measure.value ? "; " : "not measured: ") + measure.remark;
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-nlohmann::ordered_json orNull(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
-/// Nothing where there is no value or no target.
-nlohmann::ordered_json metOrNull(const Measure& measure) {
-  return measure.value && measure.target ? nlohmann::ordered_json(!measure.isMissed())
-                                         : nlohmann::ordered_json();
-}
-
-void report(const Arguments& arguments, const std::vector<MapMeasures>& maps) {
+void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
+            const std::vector<std::string>& notes) {
+  for (const std::string& text : notes)
+    if (!arguments.shared.json) // in JSON they are part of the report
+      note(arguments.shared, text);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [map, measures] : maps) {
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
     for (const Measure& measure : measures) {
-      list.push_back({{"map", nameOf(map)},
-                      {"name", measure.name},
-                      {"value", orNull(measure.value)},
-                      {"target", orNull(measure.target)},
-                      {"unit", measure.unit},
-                      {"met", metOrNull(measure)},
-                      {"remark", measure.remark}});
+      list.push_back(joined({{"map", nameOf(map)}}, jsonOf(measure)));
       say(arguments.shared, (maps.size() > 1 ? "  " : "") + lineOf(measure));
     }
   }
   if (arguments.shared.json)
-    printLine(toText(nlohmann::ordered_json{
-        {"exemplar", arguments.exemplar}, {"result", arguments.result}, {"measures", list}}));
+    printLine(toText(nlohmann::ordered_json{{"exemplar", arguments.exemplar},
+                                            {"result", arguments.result},
+                                            {"measures", list},
+                                            {"notes", notes}}));
 }
 
 Result<int> run(const Arguments& arguments) {
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; a bundle has noises",
                                                arguments.noise, arguments.result)};
-  const Result<std::vector<MapExemplar>> exemplars = readExemplar(arguments);
-  if (!exemplars)
-    return exemplars.error();
+  Result<MaterialSet> exemplar = readAsBaked(arguments);
+  if (!exemplar)
+    return exemplar.error();
+  const std::vector<MapExemplar>& exemplars = exemplar.value().maps;
+  std::vector<std::string>& notes = exemplar.value().notes;
   const Result<std::vector<MapMeasures>> maps = isBundle(arguments.result)
-                                                    ? compareBundle(arguments, exemplars.value())
-                                                    : compareImage(arguments, exemplars.value());
+                                                    ? compareBundle(arguments, exemplars, notes)
+                                                    : compareImage(arguments, exemplars);
   if (!maps)
     return maps.error();
-  report(arguments, maps.value());
+  report(arguments, maps.value(), notes);
   for (const MapMeasures& map : maps.value())
     if (std::any_of(map.measures.begin(), map.measures.end(),
                     [](const Measure& measure) { return measure.isMissed(); }))
@@ -194,6 +203,7 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
           "Which map of the exemplar, such as normal [default: all]");
+  addExemplarOptions(verb, arguments->asBaked);
   return [arguments] { return run(*arguments); };
 }
 

@@ -57,30 +57,28 @@ FormatName formatName(TexelFormat format) {
   return {"RGBA32F", 32};
 }
 
+bool isVolume(const Table& table) { return table.depth > 0; }
+
 /// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
 /// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
 /// table is filtered by the one fetch, of which a separable table takes one an axis.
 int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
-  if (!map.inverseTable)
+  switch (tableKindOf(map)) {
+  case TableKind::none:
     return kTaps;
-  if (!map.tableOffset.empty())
+  case TableKind::separable:
     return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
-  const bool isVolume = tables[*map.inverseTable].depth > 0;
-  return kTaps + (isVolume ? 2 : 1);
+  case TableKind::joint:
+    break;
+  }
+  return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
 }
 
 int fetchesPerPixel(const Noise& noise, const std::vector<Table>& tables) {
   int sum = 0;
   for (const NoiseMap& map : noise.maps)
     sum += fetchesPerPixel(map, tables);
-  return sum;
-}
-
-std::size_t bytesOnGpu(const Bundle& bundle) {
-  std::size_t sum = 0;
-  for (const Table& table : bundle.tables)
-    sum += table.texels.size();
   return sum;
 }
 
@@ -132,6 +130,7 @@ Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
           {"covariance", map.covariance},
           {"gaussian", map.gaussian},
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
+          {"table", nameOf(tableKindOf(map))},
           {"levels", map.levels.size()},
           {"fetchesPerPixel", fetchesPerPixel(map, tables)}};
 }
@@ -169,7 +168,7 @@ Json describe(const Bundle& bundle, const std::string& file, std::size_t diskByt
                       {"depth", table.depth},
                       {"mipLevels", table.mipLevels},
                       {"bytes", table.texels.size()}});
-  return {{"file", file},     {"bytesOnDisk", diskBytes}, {"bytesOnGpu", bytesOnGpu(bundle)},
+  return {{"file", file},     {"bytesOnDisk", diskBytes}, {"bytesOnGpu", texelBytes(bundle)},
           {"noises", noises}, {"ignoredNoises", ignored}, {"tables", tables}};
 }
 
@@ -202,6 +201,24 @@ std::string parametersOf(const MaterialNoise& use) {
   return text;
 }
 
+/// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
+std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables) {
+  const TableKind kind = tableKindOf(map);
+  if (kind == TableKind::none)
+    return "no inverse table";
+  const Table& table = tables[*map.inverseTable];
+  const std::size_t levels = map.levels.size();
+  std::string cells = std::to_string(table.width);
+  if (kind == TableKind::separable)
+    cells = fmt::format("{} x {}", map.tableBasis.size() / map.tableOffset.size(), cells);
+  else if (isVolume(table))
+    cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
+  else if (table.height > levels)
+    cells += fmt::format(" x {}", table.height / levels);
+  return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
+                     counted(levels, "level"));
+}
+
 void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<Table>& tables) {
   const Table& gaussian = tables[map.gaussian];
   std::vector<std::string_view> channels;
@@ -216,10 +233,8 @@ void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<
                           fetchesPerPixel(map, tables)));
   say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
                           fmt::join(deviations, ", ")));
-  const std::string inverse = map.inverseTable ? fmt::format("inverse table {} of {} levels",
-                                                             *map.inverseTable, map.levels.size())
-                                               : "no inverse table";
-  say(shared, fmt::format("    Gaussian image: table {}; {}", map.gaussian, inverse));
+  say(shared, fmt::format("    Gaussian image: table {}", map.gaussian));
+  say(shared, "    " + inverseTableOf(map, tables));
 }
 
 void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
@@ -270,7 +285,7 @@ Result<int> run(const Arguments& arguments) {
   say(arguments.shared,
       fmt::format("  {} and {}, {} on disk, {} on the GPU", counted(bundle.noises.size(), "noise"),
                   counted(bundle.tables.size(), "table"), size(diskBytes.value()),
-                  size(bytesOnGpu(bundle))));
+                  size(texelBytes(bundle))));
   for (std::size_t n = 0; n < bundle.noises.size(); ++n)
     sayNoise(arguments.shared, bundle, n);
   for (const IgnoredNoise& noise : bundle.ignoredNoises)

@@ -51,24 +51,13 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   return {};
 }
 
-/// Slopes as red and green: of two channels an EXR would make grey and alpha.
-LinearImage asRedGreen(const LinearImage& slopes) {
-  LinearImage result(slopes.width, slopes.height, 3);
-  for (std::size_t i = 0; i < slopes.pixelCount(); ++i)
-    std::copy_n(&slopes.values[2 * i], 2, &result.values[3 * i]);
-  return result;
-}
-
-/// PNG has what a core texture of the map holds, EXR the same but for normals: their slopes.
+/// What a core texture of the map holds.
 Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearImage values) {
   const std::filesystem::path output = arguments.output;
-  const std::vector<NoiseMap>& maps = bundle.noises[arguments.synthesis.noise].maps;
+  const Noise& noise = bundle.noises[arguments.synthesis.noise];
   const MapTarget target = arguments.synthesis.map;
-  if (output.extension() == ".exr" && target == MapTarget::normal)
-    return writeImage(output, asRedGreen(values));
-  const auto map = std::find_if(maps.begin(), maps.end(),
-                                [target](const NoiseMap& m) { return m.target == target; });
-  LinearImage texture = coreTexture(*map, std::move(values));
+  LinearImage texture =
+      coreTexture(noise.maps[*findMap(noise, target)], std::move(values)); // which was made
   if (output.extension() == ".exr")
     return writeImage(output, texture);
   const Result<std::vector<std::byte>> png = encodeCoreTexture(target, std::move(texture));
@@ -87,10 +76,7 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> resolved = resolve(bundle.value(), arguments); !resolved)
     return resolved.error();
   ProgressLine progress("synth", arguments.shared);
-  arguments.synthesis.progress = [&](double fraction) {
-    progress.show(fraction);
-    return true;
-  };
+  arguments.synthesis.progress = progress.asProgress();
   Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
   if (!image)
     return image.error();

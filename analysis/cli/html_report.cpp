@@ -15,16 +15,14 @@ namespace {
 std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bake) {
   constexpr double kBytesPerKib = 1024.0;
   const Noise& noise = bake.bundle.noises.front();
-  std::size_t tableBytes = 0;
-  for (const Table& table : bake.bundle.tables)
-    tableBytes += table.texels.size();
   return {{"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
           {"Bundle", bake.output},
           {"Method", fmt::format("{}, revision {}", noise.method, noise.revision)},
           {"Seed", std::to_string(bake.bundle.materials.front()->seed)},
           {"Width", fmt::format("{:g} m", noise.tileSizeMetres)},
           {"Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended"},
-          {"Tables", fmt::format("{:.0f} KiB on the GPU", double(tableBytes) / kBytesPerKib)},
+          {"Tables",
+           fmt::format("{:.0f} KiB on the GPU", double(texelBytes(bake.bundle)) / kBytesPerKib)},
           {"Version", "lichen " LICHEN_VERSION}};
 }
 
@@ -52,13 +50,9 @@ Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
   if (path.empty())
     return {};
   ProgressLine progress("report", options);
-  const BakeRecord record{bake.bundle,         bake.exemplars, bake.exemplarWasPeriodic,
-                          options.commandLine, factsOf(bake),  bake.timings,
-                          bake.notes};
-  const Result<std::vector<std::byte>> page = encodeNoiseReport(record, [&](double fraction) {
-    progress.show(fraction);
-    return true;
-  });
+  const BakeRecord record{bake.bundle,         bake.exemplars, bake.risks,   bake.origins,
+                          options.commandLine, factsOf(bake),  bake.timings, bake.notes};
+  const Result<std::vector<std::byte>> page = encodeNoiseReport(record, progress.asProgress());
   if (!page)
     return page.error();
   return replaceFile(path, page.value());

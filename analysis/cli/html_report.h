@@ -5,6 +5,8 @@
 #include "command.h"
 
 #include <lichen/bundle.h>
+#include <lichen/noise_report.h>
+#include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
 #include <chrono>
@@ -34,6 +36,8 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< of one noise and one material
   std::span<const MapExemplar> exemplars;
+  std::span<const std::vector<Risk>> risks; ///< of each exemplar
+  std::span<const ExemplarOrigin> origins;  ///< the same
   bool exemplarWasPeriodic = true;
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> timings; ///< of StepTimes

@@ -37,6 +37,13 @@ void ProgressLine::show(double fraction) {
   write(text);
 }
 
+Progress ProgressLine::asProgress() {
+  return [this](double fraction) {
+    show(fraction);
+    return true;
+  };
+}
+
 void ProgressLine::erase() {
   if (shown_)
     std::fputs("\r\x1b[K", stderr);

@@ -4,6 +4,8 @@
 
 #include "command.h"
 
+#include <lichen/progress.h>
+
 #include <chrono>
 #include <string>
 
@@ -20,6 +22,8 @@ public:
 
   /// Shows a part in [0, 1] of the work and the time that the rest will take.
   void show(double fraction);
+  /// What an operation tells its progress to. The line outlives it.
+  [[nodiscard]] Progress asProgress();
   /// Makes room for other lines.
   void erase();
 

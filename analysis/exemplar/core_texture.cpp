@@ -46,9 +46,10 @@ LinearImage coreTexture(const NoiseMap& map, LinearImage values) {
 }
 
 Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target, LinearImage texture) {
-  constexpr int kBits = 8;
+  // What displaces a surface shows steps of 1 / 255.
+  const int bits = target == MapTarget::height ? 16 : 8;
   const bool isLight = target == MapTarget::baseColor || target == MapTarget::emissive;
-  return isLight ? encodePng(toSrgb(std::move(texture)), kBits) : encodePng(texture, kBits);
+  return isLight ? encodePng(toSrgb(std::move(texture)), bits) : encodePng(texture, bits);
 }
 
 } // namespace lichen

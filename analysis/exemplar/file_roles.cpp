@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// File name -> words -> role. The words are those of Poly Haven, of ambientCG, of glTF exporters
-// and plain ones.
+// File name -> words -> role. The words are those of Poly Haven, ambientCG, FreePBR, 3dtextures.me
+// and textures.com, of glTF exporters, and plain ones.
 #include "file_roles.h"
 
 #include <algorithm>
@@ -26,15 +26,19 @@ constexpr Phrase kPhrases[] = {
     {"basecolor", FileRole::baseColor},
     {"basecolour", FileRole::baseColor},
     {"nor", FileRole::normal},
+    {"norm", FileRole::normal},
     {"normal", FileRole::normal},
     {"norgl", FileRole::normalGl},
     {"normalgl", FileRole::normalGl},
+    {"normalogl", FileRole::normalGl},
     {"normalopengl", FileRole::normalGl},
     {"nordx", FileRole::normalDx},
     {"normaldx", FileRole::normalDx},
     {"normaldirectx", FileRole::normalDx},
     {"ao", FileRole::occlusion},
+    {"occ", FileRole::occlusion},
     {"occlusion", FileRole::occlusion},
+    {"ambientocclusion", FileRole::occlusion},
     {"rough", FileRole::roughness},
     {"roughness", FileRole::roughness},
     {"metal", FileRole::metallic},
@@ -57,6 +61,20 @@ constexpr Phrase kPhrases[] = {
     {"alpha", FileRole::opacity},
 };
 constexpr std::size_t kMostWords = 3; // of "occlusion roughness metallic"
+
+/// Words of resolution, format, version and number behind that of the map: "2k", "2048px", "16bit",
+/// "PNG", "v2", "LOD0", "01", and the "map" of "normal map".
+bool isSkipped(const std::string& word) {
+  constexpr std::string_view kFormats[] = {"png", "jpg", "jpeg", "exr", "tif", "tiff", "tga"};
+  constexpr std::string_view kNumbered[] = {"v", "lod"};
+  if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 || word == "map" ||
+      std::find(std::begin(kFormats), std::end(kFormats), word) != std::end(kFormats))
+    return true;
+  const std::size_t digits = word.find_last_not_of("0123456789") + 1;
+  return digits < word.size() &&
+         std::find(std::begin(kNumbered), std::end(kNumbered),
+                   std::string_view(word).substr(0, digits)) != std::end(kNumbered);
+}
 
 bool isUpper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool isLower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
@@ -83,21 +101,45 @@ std::vector<std::string> lowerCaseWords(std::string_view text) {
   return words;
 }
 
+/// A name taken apart.
+struct NameParts {
+  std::vector<std::string> before; ///< the words of the role
+  std::optional<FileRole> role;
+};
+
+NameParts taken(std::string_view stem) {
+  std::vector<std::string> words = lowerCaseWords(stem);
+  while (!words.empty() && isSkipped(words.back()))
+    words.pop_back();
+  for (std::size_t count = std::min(kMostWords, words.size()); count > 0; --count) {
+    std::string joined;
+    for (std::size_t w = words.size() - count; w < words.size(); ++w)
+      joined += words[w];
+    const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases),
+                                    [&](const Phrase& p) { return p.words == joined; });
+    if (found == std::end(kPhrases))
+      continue;
+    words.resize(words.size() - count);
+    return {std::move(words), found->role};
+  }
+  return {};
+}
+
+/// Whether a skipped word belongs to the material: the number of "rock_02".
+bool isNumber(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos;
+}
+
 } // namespace
 
-std::optional<FileRole> fileRole(std::string_view stem) {
-  const std::vector<std::string> words = lowerCaseWords(stem);
-  for (std::size_t end = words.size(); end > 0; --end)
-    for (std::size_t count = std::min(kMostWords, end); count > 0; --count) {
-      std::string joined;
-      for (std::size_t w = end - count; w < end; ++w)
-        joined += words[w];
-      const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases),
-                                      [&](const Phrase& p) { return p.words == joined; });
-      if (found != std::end(kPhrases))
-        return found->role;
-    }
-  return std::nullopt;
+std::optional<FileRole> fileRole(std::string_view stem) { return taken(stem).role; }
+
+std::string wordsBeforeRole(std::string_view stem) {
+  std::string joined;
+  for (const std::string& word : taken(stem).before)
+    if (!isSkipped(word) || isNumber(word))
+      joined += word;
+  return joined;
 }
 
 } // namespace lichen::exemplar

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace lichen::exemplar {
@@ -22,10 +23,14 @@ enum class FileRole {
   opacity,
 };
 
-/// What a file is whose name without extension is `stem`: the last of its words that mean a role
-/// decide. Words end at punctuation and before capitals: "rock_nor-gl_2K" and
-/// "Rock_2K-PNG_NormalGL" are normal maps. Others, such as those of resolution and format, are
-/// skipped.
+/// What a file is whose name without extension is `stem`, by its last words; those of resolution,
+/// format, version and number behind them are skipped. Words end at punctuation and before
+/// capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" is none:
+/// what a material is called comes first.
 [[nodiscard]] std::optional<FileRole> fileRole(std::string_view stem);
+
+/// The words before those that say the role, run together, lower case: "rock" of "Rock_2K_Albedo",
+/// nothing of "normal". Those of resolution and format do not count. `stem` has a role.
+[[nodiscard]] std::string wordsBeforeRole(std::string_view stem);
 
 } // namespace lichen::exemplar

@@ -102,6 +102,16 @@ bool isGrey(const Pixels& pixels, double step) {
   return true;
 }
 
+/// Whether an alpha, of those that are stored, is below 1.
+bool isTransparent(const Pixels& pixels) {
+  if (!pixels.hasAlpha())
+    return false;
+  for (std::size_t i = 0; i < pixels.count(); ++i)
+    if (pixels[i][pixels.colors()] < 1.0f)
+      return true;
+  return false;
+}
+
 Error tooFewColors(const NamedImage& image, const char* what) {
   return {
       ErrorKind::badInput,
@@ -133,19 +143,17 @@ MapExemplar colorMap(const NamedImage& image, MapTarget target, std::vector<std:
 std::optional<MapExemplar> alphaMap(const NamedImage& image) {
   constexpr MapChannel kChannels[] = {MapChannel::opacity};
   const Pixels pixels = pixelsOf(image.file);
-  if (!pixels.hasAlpha())
+  if (!isTransparent(pixels))
     return std::nullopt;
   MapExemplar map = emptyMap(image, MapTarget::opacity, ValueEncoding::linear, kChannels);
   for (std::size_t i = 0; i < pixels.count(); ++i)
     map.values.push_back(std::min(1.0f, pixels[i][pixels.colors()]));
-  const bool opaque =
-      std::all_of(map.values.begin(), map.values.end(), [](float a) { return a >= 1.0f; });
-  return opaque ? std::nullopt : std::optional(std::move(map));
+  return map;
 }
 
 Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
                             std::span<const MapChannel> channels, std::span<const int> sources,
-                            std::vector<std::string>& notes) {
+                            bool isPacked, std::vector<std::string>& notes) {
   const Pixels pixels = pixelsOf(image.file);
   if (*std::max_element(sources.begin(), sources.end()) >= pixels.colors())
     return tooFewColors(image, "occlusion, roughness and metallic");
@@ -153,7 +161,7 @@ Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
   for (std::size_t i = 0; i < pixels.count(); ++i)
     for (const int source : sources)
       map.values.push_back(pixels[i][source]);
-  if (sources.size() == 1 && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
+  if (!isPacked && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
     notes.push_back(image.name + " has colours; its red channel is used");
   if (target == MapTarget::height && exceedsOne(map)) {
     clampAbove(map, kHalfMax, image.name, "height", notes);
@@ -183,6 +191,11 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
     inward += component(2) < 0.0f ? 1u : 0u;
     map.values.insert(map.values.end(), {-component(0) / z, -up / z});
   }
+  if (2 * inward > pixels.count())
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {} of {} normals point into the surface, so this is no normal "
+                             "map; normals as colours, with blue above one half, are accepted",
+                             image.path, inward, pixels.count())};
   if (inward > 0)
     notes.push_back(fmt::format("{}: {} of {} normals point into the surface; they are baked as "
                                 "the steepest slopes",
@@ -190,9 +203,10 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   return map;
 }
 
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes) {
-  if (alphaMap(image))
-    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored");
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes) {
+  if (isTransparent(pixelsOf(image.file)))
+    notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored" +
+                    std::string(mayBeOpacity ? ", or baked as opacity with --alpha opacity" : ""));
 }
 
 } // namespace lichen::exemplar

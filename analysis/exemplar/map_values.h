@@ -29,19 +29,22 @@ struct NamedImage {
 [[nodiscard]] std::optional<MapExemplar> alphaMap(const NamedImage& image);
 
 /// Channels of data in [0, 1], stored as they are: of the image's red, green and blue those
-/// numbered in `sources`, as `channels`. Above 1, heights are encoded as log2(1 + value) and others
+/// numbered in `sources`, as `channels`; a file that is not packed should be grey, which a note
+/// says where it is not. Above 1, heights are encoded as log2(1 + value) and others
 /// clamped, with a note. Error: badInput for an image without such a channel.
 [[nodiscard]] Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
                                           std::span<const MapChannel> channels,
-                                          std::span<const int> sources,
+                                          std::span<const int> sources, bool isPacked,
                                           std::vector<std::string>& notes);
 
 /// The slopes (-nx / nz, -ny / nz) of a normal map whose green points up the image, or, when
-/// `greenPointsDown`, down; nz at least 0.05. Error: badInput for an image without three colours.
+/// `greenPointsDown`, down; nz at least 0.05. Error: badInput for an image without three colours,
+/// or most of whose normals point into the surface.
 [[nodiscard]] Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
                                             std::vector<std::string>& notes);
 
-/// Says that alpha is ignored where it is not all opaque.
-void noteIgnoredAlpha(const NamedImage& image, std::vector<std::string>& notes);
+/// Says that alpha is ignored where it is not all opaque; and, of an image whose alpha may be baked
+/// as opacity, how.
+void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes);
 
 } // namespace lichen::exemplar

@@ -20,8 +20,7 @@ namespace {
 
 using namespace exemplar;
 
-// docs/baking.md recommends the last two; fewer than a quarter of the least show next to nothing.
-constexpr int kFewPixels = 64;
+// docs/baking.md recommends them.
 constexpr int kGoodPixels = 256;
 constexpr int kPlentyOfPixels = 1024;
 
@@ -41,17 +40,44 @@ const NamedMap& largestOf(const std::vector<NamedMap>& maps) {
   });
 }
 
-/// The data that a file of this role has in its red, green and blue.
-Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
+/// Where a packed file has the data of a role.
+struct PackedChannel {
+  FileRole role{};
+  MapChannel channel{};
+  int source = 0; ///< 0 red, 1 green, 2 blue
+};
+constexpr PackedChannel kPacked[] = {{FileRole::occlusion, MapChannel::occlusion, 0},
+                                     {FileRole::roughness, MapChannel::roughness, 1},
+                                     {FileRole::metallic, MapChannel::metallic, 2}};
+
+/// What a packed file has and is not left out.
+Result<MapExemplar> packedDataOf(const NamedImage& image, const SetFile& file,
+                                 std::vector<std::string>& notes) {
+  std::vector<MapChannel> channels;
+  std::vector<int> sources;
+  for (const PackedChannel& packed : kPacked) {
+    const bool isLeftOut =
+        (file.role == FileRole::roughnessMetallic && packed.role == FileRole::occlusion) ||
+        std::find(file.leftOut.begin(), file.leftOut.end(), packed.role) != file.leftOut.end();
+    if (isLeftOut)
+      continue;
+    channels.push_back(packed.channel);
+    sources.push_back(packed.source);
+  }
+  return dataMap(image, MapTarget::occlusionRoughnessMetallic, channels, sources, true, notes);
+}
+
+/// The data that a file has in its red, green and blue.
+Result<MapExemplar> dataOf(const NamedImage& image, const SetFile& file,
                            std::vector<std::string>& notes) {
   using enum MapChannel;
   const auto data = [&](MapTarget target, std::initializer_list<MapChannel> channels,
                         std::initializer_list<int> sources) {
     return dataMap(image, target, {channels.begin(), channels.size()},
-                   {sources.begin(), sources.size()}, notes);
+                   {sources.begin(), sources.size()}, false, notes);
   };
   const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
-  switch (role) {
+  switch (file.role) {
   case FileRole::occlusion:
     return data(orm, {occlusion}, {0});
   case FileRole::roughness:
@@ -59,9 +85,8 @@ Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
   case FileRole::metallic:
     return data(orm, {metallic}, {0});
   case FileRole::occlusionRoughnessMetallic:
-    return data(orm, {occlusion, roughness, metallic}, {0, 1, 2});
   case FileRole::roughnessMetallic:
-    return data(orm, {roughness, metallic}, {1, 2});
+    return packedDataOf(image, file, notes);
   case FileRole::height:
     return data(MapTarget::height, {MapChannel::height}, {0});
   default:
@@ -69,8 +94,9 @@ Result<MapExemplar> dataOf(const NamedImage& image, FileRole role,
   }
 }
 
-Result<MapExemplar> mapOf(const NamedImage& image, FileRole role, std::vector<std::string>& notes) {
-  switch (role) {
+Result<MapExemplar> mapOf(const NamedImage& image, const SetFile& file,
+                          std::vector<std::string>& notes) {
+  switch (file.role) {
   case FileRole::baseColor:
     return colorMap(image, MapTarget::baseColor, notes);
   case FileRole::emissive:
@@ -81,26 +107,29 @@ Result<MapExemplar> mapOf(const NamedImage& image, FileRole role, std::vector<st
   case FileRole::normalDx:
     return normalMap(image, true, notes);
   default:
-    return dataOf(image, role, notes);
+    return dataOf(image, file, notes);
   }
 }
 
 /// Appends the map of one file, and its alpha as a map where that is wanted.
-Result<void> appendMaps(const SetFile& source, bool isSingleImage, AlphaUse alphaUse,
+Result<void> appendMaps(const SetFile& source, const SetFiles& files, AlphaUse alphaUse,
                         std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
   Result<ImageFile> file = readImage(source.path);
   if (!file)
     return file.error();
-  const std::string name = isSingleImage ? "the image" : source.path.filename().string();
+  const std::string name = files.isSingleImage ? "the image" : source.path.filename().string();
   const NamedImage image{std::move(file).value(), name, source.path.string()};
   for (const std::string& note : image.file.notes)
-    notes.push_back(isSingleImage ? note : name + ": " + note);
-  Result<MapExemplar> map = mapOf(image, source.role, notes);
+    notes.push_back(files.isSingleImage ? note : name + ": " + note);
+  Result<MapExemplar> map = mapOf(image, source, notes);
   if (!map)
     return map.error();
   maps.push_back({std::move(map).value(), name});
   if (source.role != FileRole::baseColor || alphaUse == AlphaUse::ignore) {
-    noteIgnoredAlpha(image, notes);
+    const bool hasOpacity =
+        std::any_of(files.files.begin(), files.files.end(),
+                    [](const SetFile& other) { return other.role == FileRole::opacity; });
+    noteIgnoredAlpha(image, source.role == FileRole::baseColor && !hasOpacity, notes);
     return {};
   }
   if (std::optional<MapExemplar> alpha = alphaMap(image))
@@ -239,7 +268,7 @@ void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& no
     notes.push_back(fmt::format("{} x {} pixels {}; {} to {} a side are best", largest.width,
                                 largest.height, remark, kGoodPixels, kPlentyOfPixels));
   };
-  if (varies && std::min(largest.width, largest.height) < kFewPixels)
+  if (varies && std::min(largest.width, largest.height) < kGoodPixels)
     noteSize("show little of a material");
   if (std::max(largest.width, largest.height) > kPlentyOfPixels)
     noteSize("take long to bake and much memory to use");
@@ -254,11 +283,10 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
   if (!found)
     return found.error();
   const SetFiles& files = found.value();
-  MaterialSet set{files.name, {}, files.notes};
+  MaterialSet set{files.name, {}, options.periodic, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
-    if (Result<void> read = appendMaps(file, files.isSingleImage, options.alpha, maps, set.notes);
-        !read)
+    if (Result<void> read = appendMaps(file, files, options.alpha, maps, set.notes); !read)
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();
@@ -267,9 +295,11 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
       return done.error();
   fillInvisibleColors(maps);
   const bool wraps = bordersFit(maps, options.periodic);
-  if (options.size)
+  if (options.size) {
     if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
       return done.error();
+    set.periodic = wraps ? Periodic::yes : Periodic::no;
+  }
   joinChannels(maps, wraps, set.notes);
   noteContent(maps, set.notes);
   for (NamedMap& named : maps)

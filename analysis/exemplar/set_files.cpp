@@ -80,11 +80,60 @@ void dropSecondConvention(SetFiles& set) {
   });
 }
 
+/// The slots that a file fills in the end.
+std::vector<std::string_view> slotsOf(const SetFile& file) {
+  std::vector<std::string_view> slots = slotsOf(file.role);
+  for (const FileRole other : file.leftOut)
+    std::erase(slots, slotsOf(other).front());
+  return slots;
+}
+
+/// Leaves out of packed files what others have of their own: downloads often have both.
+void preferOwnFiles(SetFiles& set) {
+  for (SetFile& packed : set.files) {
+    const std::vector<std::string_view> slots = slotsOf(packed.role);
+    if (slots.size() < 2)
+      continue;
+    for (const SetFile& own : set.files) {
+      const std::vector<std::string_view> one = slotsOf(own.role);
+      const bool isLeftOut = std::find(packed.leftOut.begin(), packed.leftOut.end(), own.role) !=
+                             packed.leftOut.end(); // by a second file, which will be refused
+      if (one.size() > 1 || isLeftOut ||
+          std::find(slots.begin(), slots.end(), one.front()) == slots.end())
+        continue;
+      packed.leftOut.push_back(own.role);
+      set.notes.push_back("the " + std::string(one.front()) + " of " +
+                          packed.path.filename().string() +
+                          " is not used: " + own.path.filename().string() + " has it");
+    }
+  }
+  std::erase_if(set.files, [](const SetFile& file) { return slotsOf(file).empty(); });
+}
+
+/// Says so where the names of two files begin as those of two materials do.
+void noteOtherMaterials(SetFiles& set) {
+  const SetFile* first = nullptr;
+  std::string words;
+  for (const SetFile& file : set.files) {
+    const std::string own = wordsBeforeRole(file.path.stem().string());
+    if (own.empty() || own == words)
+      continue;
+    if (first != nullptr) {
+      set.notes.push_back(first->path.filename().string() + " and " +
+                          file.path.filename().string() +
+                          " are called after two materials; they are baked as maps of one");
+      return;
+    }
+    first = &file;
+    words = own;
+  }
+}
+
 Result<void> checkSlots(const std::vector<SetFile>& files) {
   for (std::size_t b = 1; b < files.size(); ++b)
     for (std::size_t a = 0; a < b; ++a)
-      for (const std::string_view slot : slotsOf(files[a].role)) {
-        const std::vector<std::string_view> others = slotsOf(files[b].role);
+      for (const std::string_view slot : slotsOf(files[a])) {
+        const std::vector<std::string_view> others = slotsOf(files[b]);
         if (std::find(others.begin(), others.end(), slot) != others.end())
           return Error{ErrorKind::badInput,
                        files[b].path.string() + ": a second file of " + std::string(slot) +
@@ -135,10 +184,51 @@ std::string commonName(const std::vector<fs::path>& files) {
   return length > 0 ? first.substr(0, length) : first;
 }
 
+bool hasMap(const std::vector<fs::path>& images) {
+  return std::any_of(images.begin(), images.end(), [](const fs::path& image) {
+    return fileRole(image.stem().string()).has_value();
+  });
+}
+
+/// The images of a folder; where none is a map, those of the only folder inside that has maps.
+Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std::string>& notes) {
+  Result<std::vector<fs::path>> images = imagesIn(folder);
+  if (!images || hasMap(images.value()))
+    return images;
+  const Result<std::vector<fs::path>> entries = listFolder(folder);
+  if (!entries)
+    return entries.error();
+  std::vector<std::string> names;
+  std::vector<fs::path> inner;
+  for (const fs::path& entry : entries.value()) {
+    std::error_code ignored;
+    if (entry.filename().string().starts_with('.') || !fs::is_directory(entry, ignored))
+      continue;
+    Result<std::vector<fs::path>> found = imagesIn(entry);
+    if (!found || !hasMap(found.value())) // a folder that is no business of ours
+      continue;
+    names.push_back(entry.filename().string());
+    inner = std::move(found).value();
+  }
+  if (names.empty())
+    return images;
+  if (names.size() > 1) {
+    std::string list;
+    for (const std::string& name : names)
+      list += (list.empty() ? "" : ", ") + name;
+    return Error{ErrorKind::badInput, folder.string() +
+                                          ": a folder without a map; of the folders inside, " +
+                                          list + " have maps: one of them is accepted"};
+  }
+  notes.push_back("the maps are those of the folder " + names.front());
+  return inner;
+}
+
 /// The images of folders, and files; which of them came out of a folder.
 struct Listed {
   std::vector<fs::path> files;
   std::vector<bool> fromFolder;
+  std::vector<std::string> notes;
 };
 
 Result<Listed> listFiles(std::span<const fs::path> inputs) {
@@ -151,7 +241,7 @@ Result<Listed> listFiles(std::span<const fs::path> inputs) {
       listed.fromFolder.push_back(false);
       continue;
     }
-    Result<std::vector<fs::path>> images = imagesIn(input);
+    Result<std::vector<fs::path>> images = materialIn(input, listed.notes);
     if (!images)
       return images.error();
     listed.files.insert(listed.files.end(), images.value().begin(), images.value().end());
@@ -170,22 +260,25 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
     return listed.error();
   const std::vector<fs::path>& files = listed.value().files;
   SetFiles set;
+  set.notes = listed.value().notes;
   if (inputs.size() == 1 && files.size() == 1 && !listed.value().fromFolder.front()) {
     set.name = files.front().stem().string();
-    set.files = {{files.front(), FileRole::baseColor}};
+    set.files = {{files.front(), FileRole::baseColor, {}}};
     set.isSingleImage = true;
     return set;
   }
   for (std::size_t f = 0; f < files.size(); ++f) {
     const std::string name = files[f].filename().string();
     if (const auto role = fileRole(files[f].stem().string()))
-      set.files.push_back({files[f], *role == FileRole::normal ? plainNormal : *role});
+      set.files.push_back({files[f], *role == FileRole::normal ? plainNormal : *role, {}});
     else if (listed.value().fromFolder[f])
       set.notes.push_back(name + " is not used: its name does not say which map it is");
     else
       return Error{ErrorKind::badInput, files[f].string() +
-                                            ": its name does not say which map it is; " +
-                                            kWordsAccepted};
+                                            ": its name does not say which map it is. Several "
+                                            "files are the maps of one material, and " +
+                                            kWordsAccepted +
+                                            "; photographs are baked one at a time"};
   }
   if (set.files.empty())
     return Error{ErrorKind::badInput, inputs.front().string() +
@@ -194,6 +287,8 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
   const bool isFolder = listed.value().fromFolder.front();
   set.name = isFolder ? folderName(inputs.front()) : commonName(files);
   dropSecondConvention(set);
+  preferOwnFiles(set);
+  noteOtherMaterials(set);
   if (Result<void> checked = checkSlots(set.files); !checked)
     return checked.error();
   return set;

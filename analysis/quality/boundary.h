@@ -26,12 +26,15 @@ inline std::optional<Error> refusal(const SrgbImage& image, const char* role, in
   const bool hasPixels = image.width >= 1 && image.height >= 1 && image.channels >= 1 &&
                          image.channels <= 4 &&
                          image.values.size() == image.pixelCount() * std::size_t(image.channels);
-  if (hasPixels && shorterSide(image) >= shortestSide)
+  if (!hasPixels)
+    return Error{ErrorKind::badInput,
+                 std::string(role) + " is " + describe(image) + "; 1 to 4 are accepted"};
+  if (shorterSide(image) >= shortestSide)
     return std::nullopt;
-  return Error{ErrorKind::badInput,
-               std::string(role) + " is " + describe(image) +
-                   "; this measure takes 1 to 4 channels and sides of at least " +
-                   std::to_string(shortestSide) + " pixels"};
+  return Error{ErrorKind::badInput, std::string(role) + " is " + std::to_string(image.width) +
+                                        " x " + std::to_string(image.height) +
+                                        "; this measure takes sides of at least " +
+                                        std::to_string(shortestSide) + " pixels"};
 }
 
 /// The same for an exemplar and its result.

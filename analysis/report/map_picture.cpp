@@ -30,14 +30,6 @@ std::vector<std::string> channelNamesOf(const MapExemplar& exemplar) {
   return names;
 }
 
-/// Two channels as red and green.
-LinearImage asRgb(const LinearImage& two) {
-  LinearImage rgb(two.width, two.height, 3);
-  for (std::size_t i = 0; i < two.pixelCount(); ++i)
-    std::copy_n(&two.values[2 * i], 2, &rgb.values[3 * i]);
-  return rgb;
-}
-
 } // namespace
 
 MapLook::MapLook(const MapExemplar& exemplar, ValueEncoding encoding)
@@ -58,8 +50,7 @@ SrgbImage MapLook::picture(const MapExemplar& exemplar) const {
 
 SrgbImage MapLook::picture(LinearImage decoded) const {
   LinearImage texture = map_.target == MapTarget::normal ? coreTexture(map_, std::move(decoded))
-                        : decoded.channels == 2          ? asRgb(decoded)
-                                                         : std::move(decoded);
+                                                         : twoAsRedGreen(std::move(decoded));
   SrgbImage picture;
   picture.width = texture.width;
   picture.height = texture.height;

@@ -4,9 +4,9 @@
 
 #include "data_uri.h"
 
+#include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 #include <lichen/spectrum.h>
-#include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 
 #include <algorithm>
@@ -85,54 +85,30 @@ JsonTree spectrumOf(const NoiseComparison& comparison) {
           {"result", decibels(comparison.result)}};
 }
 
-std::string_view verdictOn(const Measure& measure) {
-  if (!measure.value)
-    return "not measured";
-  if (!measure.target)
-    return "no target";
-  return measure.isMissed() ? "missed" : "met";
-}
-
-JsonTree measuresOf(const std::vector<Measure>& measures) {
+template <class Judgement>
+JsonTree listOf(const std::vector<Judgement>& judgements) {
   JsonTree list = JsonTree::array();
-  for (const Measure& measure : measures)
-    list.push_back({{"name", measure.name},
-                    {"meaning", measure.meaning},
-                    {"unit", measure.unit},
-                    {"value", measure.value ? JsonTree(*measure.value) : JsonTree()},
-                    {"target", measure.target ? JsonTree(*measure.target) : JsonTree()},
-                    {"verdict", verdictOn(measure)},
-                    {"remark", measure.remark}});
+  for (const Judgement& judgement : judgements)
+    list.push_back(jsonOf(judgement));
   return list;
 }
 
-JsonTree risksOf(const std::vector<Risk>& risks) {
-  JsonTree list = JsonTree::array();
-  for (const Risk& risk : risks)
-    list.push_back({{"name", risk.name},
-                    {"score", risk.score},
-                    {"level", nameOf(risk.level)},
-                    {"sentence", risk.sentence},
-                    {"remedy", risk.remedy}});
-  return list;
-}
-
-/// The finest level of the Gaussian image that is no larger than asked for.
+/// The finest level of the Gaussian image with no more pixels than a square of `side`.
 Result<JsonTree> gaussianPicture(const Table& table, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
   };
   std::uint32_t level = 0;
   while (level + 1 < table.mipLevels &&
-         std::max(shift(table.width, level), shift(table.height, level)) > std::uint32_t(side))
+         double(shift(table.width, level)) * shift(table.height, level) > double(side) * side)
     ++level;
   const std::vector<float> texels = decodeLevel(table, level);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t colours = stored == 1 ? 1 : 3; // two are red and green
+  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth is unused
   LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    std::copy_n(&texels[i * stored], std::min(stored, colours), &image.values[i * colours]);
-  return picture(image);
+    std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
+  return picture(twoAsRedGreen(std::move(image)));
 }
 
 /// All slabs of a separable table, one below the other: a row for each axis, with what its values
@@ -172,8 +148,9 @@ LinearImage slicesPicture(const Table& table, const NoiseMap& map, std::size_t s
 
 Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
   const std::size_t slices = table.depth > 0 ? table.depth / map.levels.size() : 1;
-  Result<JsonTree> shown = picture(look.picture(
-      map.tableOffset.empty() ? slicesPicture(table, map, slices) : axesPicture(table, map)));
+  Result<JsonTree> shown =
+      picture(look.picture(tableKindOf(map) == TableKind::joint ? slicesPicture(table, map, slices)
+                                                                : axesPicture(table, map)));
   if (!shown)
     return shown.error();
   return JsonTree{
@@ -188,59 +165,78 @@ std::string summaryOf(const MapExemplar& exemplar) {
          std::to_string(exemplar.width) + " x " + std::to_string(exemplar.height) + " pixels";
 }
 
-/// Extents of a picture of the exemplar with its proportions.
-std::array<int, 2> pictureSize(const MapExemplar& exemplar, int side) {
-  const double shrink =
-      std::min(1.0, double(side) / double(std::max(exemplar.width, exemplar.height)));
+using Extents = std::array<int, 2>;
+
+/// Of a picture of the exemplar with its proportions, of as many pixels as a square of `side`.
+Extents exemplarExtents(const MapExemplar& exemplar, int side) {
+  const double pixels = double(exemplar.width) * double(exemplar.height);
+  const double shrink = std::min(1.0, side / std::sqrt(pixels));
   return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
 }
 
-/// Adds pictures of exemplar and result at one scale.
+/// Of a picture of the result at the same scale: kShownExemplars a side or, of narrow ones, as many
+/// as make it half as wide as long.
+Extents resultExtents(const Extents& exemplar, int side) {
+  Extents extents{kShownExemplars * exemplar[0], kShownExemplars * exemplar[1]};
+  const std::size_t longer = extents[0] < extents[1] ? 1 : 0;
+  int& length = extents[longer];
+  int& breadth = extents[1 - longer];
+  if (length > 2 * breadth) {
+    length = std::min(length, int(std::sqrt(2.0) * kShownExemplars * side)); // as many pixels
+    breadth = std::max(breadth, length / 2);
+  }
+  return extents;
+}
+
+/// Adds pictures of original, exemplar and result at one scale; the first is null where the
+/// exemplar is as it was.
 Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
-                         const MapExemplar& exemplar, const NoiseComparison& comparison,
+                         const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
-  const auto [width, height] = pictureSize(exemplar, exemplarSide);
+  const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
   SynthesisOptions options;
-  options.map = exemplar.target;
+  options.map = shown.exemplar.target;
   options.seed = seed;
   options.texelsPerTile = width;
-  options.width = kShownExemplars * width;
-  options.height = kShownExemplars * height;
+  const Extents extents = resultExtents({width, height}, exemplarSide);
+  options.width = extents[0];
+  options.height = extents[1];
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<JsonTree> shownExemplar = picture(reduced(comparison.exemplar, width, height));
+  Result<JsonTree> original = JsonTree();
+  if (const std::optional<MapExemplar>& before = shown.origin.original; before)
+    original = picture(reduced(comparison.look.picture(*before), width, height));
+  Result<JsonTree> exemplar = picture(reduced(comparison.exemplar, width, height));
   Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
-  for (const Result<JsonTree>* shown : {&shownExemplar, &shownResult})
-    if (!*shown)
-      return shown->error();
-  section["exemplar"] = std::move(shownExemplar).value();
+  for (const Result<JsonTree>* made : {&original, &exemplar, &shownResult})
+    if (!*made)
+      return made->error();
+  section["original"] = std::move(original).value();
+  section["exemplar"] = std::move(exemplar).value();
   section["result"] = std::move(shownResult).value();
   return {};
 }
 
 } // namespace
 
-Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const MapExemplar& exemplar,
-                             bool exemplarWasPeriodic, int exemplarSide, const Progress& progress) {
+Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const ShownExemplar& shown,
+                             int exemplarSide, const Progress& progress) {
+  const MapExemplar& exemplar = shown.exemplar;
   const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
   if (!comparison)
     return comparison.error();
-  const Result<std::vector<Risk>> risks = assessSuitability(exemplar, exemplarWasPeriodic);
-  if (!risks)
-    return risks.error();
-  const std::vector<NoiseMap>& maps = bundle.noises.front().maps;
-  const NoiseMap& map = *std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
-    return candidate.target == exemplar.target;
-  });
+  const Noise& noise = bundle.noises.front();
+  const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // which was compared
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
-                   {"measures", measuresOf(comparison.value().measures)},
-                   {"risks", risksOf(risks.value())},
+                   {"measures", listOf(comparison.value().measures)},
+                   {"risks", listOf(shown.risks)},
+                   {"steps", shown.origin.steps},
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
-          addPictures(section, bundle, seed, exemplar, comparison.value(), exemplarSide);
+          addPictures(section, bundle, seed, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
   Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);

@@ -4,16 +4,25 @@
 
 #include <lichen/bundle.h>
 #include <lichen/json_tree.h>
+#include <lichen/noise_report.h>
 #include <lichen/progress.h>
+#include <lichen/suitability.h>
 #include <lichen/tiling.h>
 
 namespace lichen {
 
+/// A map that is shown.
+struct ShownExemplar {
+  const MapExemplar& exemplar;
+  const std::vector<Risk>& risks;
+  const ExemplarOrigin& origin;
+};
+
 /// What the page's script reads for a map: pictures as data URIs, measures, charts' values.
-/// `exemplarSide` is the longer side of the exemplar's picture in pixels, at most. The noise is the
-/// bundle's first. Errors as compareNoise().
+/// The exemplar's picture has as many pixels as a square of `exemplarSide`, at most. The noise is
+/// the bundle's first. Errors as compareNoise().
 [[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed,
-                                           const MapExemplar& exemplar, bool exemplarWasPeriodic,
-                                           int exemplarSide, const Progress& progress);
+                                           const ShownExemplar& shown, int exemplarSide,
+                                           const Progress& progress);
 
 } // namespace lichen

@@ -34,31 +34,22 @@ LatticeView latticeView(const SynthesisOptions& options, const Table& gaussian) 
           firstTexel / gaussian.height};
 }
 
-/// The result's progress and the lattice's, by the pixels of each.
-Progress partOf(const Progress& whole, double begin, double end) {
-  if (!whole)
-    return {};
-  return [=](double fraction) { return whole(begin + (end - begin) * fraction); };
-}
-
 /// The noise's map that the exemplar is of.
 Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
                               const MapExemplar& exemplar) {
   if (noise >= bundle.noises.size())
     return Error{ErrorKind::usage, "noise " + std::to_string(noise) + ": the bundle has " +
                                        std::to_string(bundle.noises.size())};
-  const std::vector<NoiseMap>& maps = bundle.noises[noise].maps;
-  const auto map = std::find_if(maps.begin(), maps.end(), [&](const NoiseMap& candidate) {
-    return candidate.target == exemplar.target;
-  });
-  if (map == maps.end())
+  const std::optional<std::size_t> place = findMap(bundle.noises[noise], exemplar.target);
+  if (!place)
     return Error{ErrorKind::usage, "noise '" + bundle.noises[noise].name + "' has no map " +
                                        std::string(nameOf(exemplar.target))};
-  if (map->channels != exemplar.channels)
+  const NoiseMap& map = bundle.noises[noise].maps[*place];
+  if (map.channels != exemplar.channels)
     return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
-                                          std::string(nameOf(map->target)) + " of noise '" +
+                                          std::string(nameOf(map.target)) + " of noise '" +
                                           bundle.noises[noise].name + "'"};
-  return &*map;
+  return &map;
 }
 
 Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
@@ -69,6 +60,7 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
   options.width = std::min(kResultExemplars * int(gaussian.width), kLargestSide);
   options.height = std::min(kResultExemplars * int(gaussian.height), kLargestSide);
   SynthesisOptions wide = latticeOptions(options, gaussian);
+  // The result's progress and the lattice's are by the pixels of each.
   const double resultPixels = double(options.width) * options.height;
   const double share = resultPixels / (resultPixels + double(wide.width) * wide.height);
   options.progress = partOf(progress, 0.0, share);

@@ -7,14 +7,15 @@
 #include <lichen/noise_report.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace lichen {
 namespace {
 
-/// Pixels of a map's pictures per pixel of its exemplar's: itself, the Gaussian image and a result
-/// of two by two.
-constexpr double kPicturePixels = 6.0;
+/// Pixels of a map's pictures per pixel of its exemplar's: itself, what it was before it was
+/// flattened, the Gaussian image and a result of two by two.
+constexpr double kPicturePixels = 7.0;
 /// In all, of at most 4 bytes each in base64: a page below 14 MiB, and about half that for
 /// photographs, which compress.
 constexpr double kMostPixels = 3.5e6;
@@ -50,12 +51,21 @@ std::string scriptSafe(const std::string& json) {
   return safe;
 }
 
-JsonTree describe(const BakeRecord& record, JsonTree maps) {
+/// `reportSeconds`: what describing the maps has taken.
+JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds) {
   JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
   for (const auto& [name, value] : record.facts)
     facts.push_back({utf8(name), utf8(value)});
-  for (const auto& [name, seconds] : record.timings)
+  double all = reportSeconds;
+  const auto addTiming = [&](std::string_view name, double seconds) {
     timings.push_back({{"name", utf8(name)}, {"seconds", seconds}});
+  };
+  for (const auto& [name, seconds] : record.timings) {
+    addTiming(name, seconds);
+    all += seconds;
+  }
+  addTiming("Measures and pictures of this page", reportSeconds);
+  addTiming("In all", all);
   for (const std::string& note : record.notes)
     notes.push_back(utf8(note));
   return {{"name", utf8(record.bundle.noises.front().name)},
@@ -75,28 +85,30 @@ std::vector<std::byte> pageWith(const std::string& data) {
   return {bytes.begin(), bytes.end()};
 }
 
+Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t count = record.exemplars.size();
+  const std::uint32_t seed = record.bundle.materials.front()->seed;
+  JsonTree maps = JsonTree::array();
+  for (std::size_t m = 0; m < count; ++m) {
+    const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
+    Result<JsonTree> map =
+        describeMap(record.bundle, seed, shown, exemplarSide(count),
+                    partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
+    if (!map)
+      return map.error();
+    maps.push_back(std::move(map).value());
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return pageWith(scriptSafe(describe(record, std::move(maps), taken.count()).compact()));
+}
+
 } // namespace
 
 Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                                                  const Progress& progress) {
   return withinMemory([] { return "not enough memory for the report"; },
-                      [&]() -> Result<std::vector<std::byte>> {
-                        const std::size_t count = record.exemplars.size();
-                        const std::uint32_t seed = record.bundle.materials.front()->seed;
-                        JsonTree maps = JsonTree::array();
-                        for (std::size_t m = 0; m < count; ++m) {
-                          const Progress part = [&](double fraction) {
-                            return !progress || progress((double(m) + fraction) / double(count));
-                          };
-                          Result<JsonTree> map =
-                              describeMap(record.bundle, seed, record.exemplars[m],
-                                          record.exemplarWasPeriodic, exemplarSide(count), part);
-                          if (!map)
-                            return map.error();
-                          maps.push_back(std::move(map).value());
-                        }
-                        return pageWith(scriptSafe(describe(record, std::move(maps)).compact()));
-                      });
+                      [&] { return encode(record, progress); });
 }
 
 } // namespace lichen

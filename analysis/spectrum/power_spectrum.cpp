@@ -27,7 +27,7 @@ std::vector<float> hannWindow(int side) {
 /// Adds each frequency's power to the ring that its radius rounds to.
 void addRings(const HalfSpectrum& spectrum, std::vector<double>& rings) {
   for (int v = 0; v < spectrum.height; ++v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    const int signedV = spectrum.signedRow(v);
     for (int u = 0; u < spectrum.columns(); ++u) {
       const auto ring = std::size_t(std::lround(std::hypot(double(u), double(signedV))));
       if (ring < rings.size())

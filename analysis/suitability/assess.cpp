@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
+#include "as_seen.h"
 #include "calibration.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
+#include "edge_concentration.h"
+#include "few_colors.h"
 #include "gaussian_plane.h"
 #include "lattice_share.h"
 #include "phase_coherence.h"
+#include "progress_part.h"
 #include "slow_variation.h"
 #include "tiling/map_ranges.h"
 
+#include <lichen/flatten.h>
 #include <lichen/suitability.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lichen {
 namespace {
 
 using namespace suitability;
+
+// Of the progress, by what the steps take of 1024 x 1024 pixels.
+constexpr double kSlopesOfProgress = 0.4;
+constexpr double kPlaneOfProgress = 0.5;
+constexpr double kTransformOfProgress = 0.55;
+constexpr double kLatticeOfProgress = 0.4; // of structureRisk
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
@@ -30,31 +42,71 @@ Risk risk(std::string_view name, double score, std::string measured, const std::
           measured + ", " + consequence, std::move(remedy)};
 }
 
-/// --flatten auto goes by the base colour; a period can be given for every map.
-std::string flattenOption(const MapExemplar& map) {
-  return map.target == MapTarget::baseColor ? "--flatten auto" : "--flatten PERIOD";
+/// Whether flattening helps against what varies slowly in a map.
+enum class SlowCause {
+  light,  ///< or clouds: it does
+  object, ///< it leaves the outline
+};
+
+/// Periods that are advised, of the longer side. The longest leaves 1 - 2^(-1/9), a fourteenth, of
+/// a wave as long as that (highPassGain).
+constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
+
+/// The option that helps and "or ", if one does. --flatten auto goes by the base colour; for the
+/// other maps it is told a period, in pixels. Opacity is never flattened.
+std::string flattenOr(const MapExemplar& map, SlowCause cause, double period) {
+  if (cause == SlowCause::object || map.target == MapTarget::opacity)
+    return {};
+  if (map.target == MapTarget::baseColor)
+    return "--flatten auto, or ";
+  const double pixels = std::max(period, kFlattenPeriodRange.least);
+  return "--flatten " + std::to_string(std::lround(pixels)) + ", or ";
 }
 
-Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum) {
+/// The transform of the Gaussian plane; of one value where there is none.
+HalfSpectrum spectrumOf(const std::optional<GaussianPlane>& plane) {
+  return plane ? forwardFft(plane->values, plane->width, plane->height)
+               : HalfSpectrum{1, 1, {0.0f}};
+}
+
+Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCause cause) {
   const double measured = cloudiness(spectrum);
   // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
   const int side = std::max(spectrum.width, spectrum.height);
-  const bool flattens = cloudinessAbove(spectrum, kShortestAutoPeriod * side) < kCloudiness.mild;
-  const std::string photograph = "a photograph that varies less over large distances";
+  const auto flattensBy = [&](double share) {
+    return cloudinessAbove(spectrum, share * side) < kCloudiness.mild;
+  };
+  double share = kLongestAdvisedPeriod;
+  while (share > kShortestAutoPeriod && !flattensBy(share))
+    share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
+  const double period = share * std::max(map.width, map.height);
   return risk("cloudiness", scoreOf(measured, kCloudiness),
               "the contrast will vary by " + percent(measured) + " from place to place",
               "with what is blended there by chance",
-              flattens ? flattenOption(map) + ", or " + photograph : photograph);
+              (flattensBy(share) ? flattenOr(map, cause, period) : "") +
+                  "a photograph that varies less over large distances");
 }
 
-Risk structureRisk(const HalfSpectrum& spectrum) {
+Risk fewColorsRisk(const FewColors& few) {
+  return risk("structure", scoreOf(few.spacing, kColorSpacing),
+              "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
+                  " colours, with next to nothing between them",
+              "whose outlines come out ragged",
+              "a photograph, whose colours pass into one another; an image that tiles may be "
+              "repeated as a plain texture instead");
+}
+
+Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
   const double lattice = latticeShare(spectrum);
+  progress.reach(kLatticeOfProgress);
   const double coherence = phaseCoherence(spectrum);
   const double latticeScore = scoreOf(lattice, kLatticeShare);
   const double coherenceScore = scoreOf(coherence, kPhaseCoherence);
+  if (scoreOf(few.spacing, kColorSpacing) > std::max(latticeScore, coherenceScore))
+    return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
-  const std::string remedy =
-      "a photograph without joints, letters or a regular pattern, or repeating this one";
+  const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
+                             "tiles may be repeated as a plain texture instead";
   if (latticeScore > coherenceScore)
     return risk("structure", latticeScore,
                 percent(lattice) + " of the variation repeats at even steps", consequence, remedy);
@@ -63,33 +115,24 @@ Risk structureRisk(const HalfSpectrum& spectrum) {
               consequence, remedy);
 }
 
-/// Of the values that a map has nominally: 8-bit normals have components in [-1, 1], and light
-/// above 1 has no limit but its own.
-double spanOf(const MapExemplar& map) {
-  switch (map.encoding) {
-  case ValueEncoding::srgb:
-  case ValueEncoding::linear:
-    break;
-  case ValueEncoding::slope:
-    return 2.0;
-  case ValueEncoding::log2:
-    return std::max(1.0, double(*std::max_element(map.values.begin(), map.values.end())));
-  }
-  return 1.0;
-}
-
-Risk lowFrequencyRisk(const MapExemplar& map) {
-  const double measured = slowVariation(map) / spanOf(map);
+/// `seen` is the map, or the slopes that show of it.
+Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause cause) {
+  const double measured = slowVariationShare(seen);
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
   return risk("low-frequency", scoreOf(measured, kSlowVariation),
               "one side or part of the image differs from the rest by " + percent(difference) +
                   " of the full range",
               "which will show as patches",
-              flattenOption(map) + ", even light, or a crop without the one large object");
+              cause == SlowCause::object
+                  ? "a photograph that shows many such objects, or a crop without the one"
+                  : flattenOr(map, cause, kLongestAdvisedPeriod * std::max(map.width, map.height)) +
+                        "even light");
 }
 
-Risk clippingRisk(const MapExemplar& map) {
+Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
+  if (few.spacing >= kColorSpacing.mild) // black and white among them are no fault of exposure
+    return risk("clipping", 0.0, "the image has few colours", {}, {});
   const ClippedShare clipped = clippedShare(map);
   return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
               percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
@@ -99,14 +142,43 @@ Risk clippingRisk(const MapExemplar& map) {
                                             : "a photograph with more exposure");
 }
 
-std::vector<Risk> risksOf(const MapExemplar& map, bool periodic) {
-  const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic);
-  const HalfSpectrum spectrum =
-      plane ? forwardFft(plane->values, plane->width, plane->height) : HalfSpectrum{1, 1, {0.0f}};
-  std::vector<Risk> risks{cloudinessRisk(map, spectrum), structureRisk(spectrum),
-                          lowFrequencyRisk(map)};
+/// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
+std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
+                            const HalfSpectrum& spectrum, bool periodic) {
+  const bool isCalm =
+      cloudiness(spectrum) < kCloudiness.mild && slowVariationShare(seen) < kSlowVariation.mild;
+  const SlowCause cause = !isCalm && edgeConcentration(map, periodic) > kEdgeConcentration
+                              ? SlowCause::object
+                              : SlowCause::light;
+  return {cloudinessRisk(map, spectrum, cause), lowFrequencyRisk(map, seen, cause)};
+}
+
+/// The same of a height map, as the light on its slopes shows them.
+std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, ProgressPart progress) {
+  const MapExemplar slopes = slopesOfHeight(height, periodic);
+  const std::optional<GaussianPlane> plane = gaussianPlane(slopes, periodic, progress);
+  return slowRisks(height, slopes, spectrumOf(plane), periodic);
+}
+
+std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, ProgressPart progress) {
+  const bool isHeight = map.target == MapTarget::height;
+  const ProgressPart first = isHeight ? progress.part(0.0, kSlopesOfProgress) : ProgressPart();
+  const ProgressPart rest = isHeight ? progress.part(kSlopesOfProgress, 1.0) : progress;
+  std::vector<Risk> risks;
+  if (isHeight)
+    risks = slopeRisks(map, periodic, first);
+  const std::optional<GaussianPlane> plane =
+      gaussianPlane(map, periodic, rest.part(0.0, kPlaneOfProgress));
+  rest.reach(kPlaneOfProgress);
+  const HalfSpectrum spectrum = spectrumOf(plane);
+  rest.reach(kTransformOfProgress);
+  if (!isHeight)
+    risks = slowRisks(map, map, spectrum, periodic);
+  const FewColors few = fewColors(map);
+  risks.insert(risks.begin() + 1,
+               structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
   // One colour may well be white.
-  risks.push_back(plane ? clippingRisk(map)
+  risks.push_back(plane ? clippingRisk(map, few)
                         : risk("clipping", 0.0, "the image has one colour", {}, {}));
   return risks;
 }
@@ -125,7 +197,8 @@ std::string_view nameOf(Risk::Level level) {
   return "severe";
 }
 
-Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic) {
+Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
+                                            const Progress& progress) {
   const auto exhausted = [&] {
     return "not enough memory to assess " + std::to_string(map.width) + " x " +
            std::to_string(map.height) + " pixels";
@@ -133,7 +206,9 @@ Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodi
   return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
     if (Result<void> checked = tiling::checkRanges(map); !checked)
       return checked.error();
-    return risksOf(map, periodic);
+    return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
+      return risksOf(map, periodic, ProgressPart(progress));
+    });
   });
 }
 

@@ -17,8 +17,13 @@ struct Calibration {
 inline constexpr Calibration kCloudiness{0.1, 0.2};
 inline constexpr Calibration kLatticeShare{0.05, 0.15};
 inline constexpr Calibration kPhaseCoherence{0.15, 0.3};
+inline constexpr Calibration kColorSpacing{10.0, 20.0};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
+
+/// Above it, slow variation is an object with an outline, which --flatten auto leaves: the
+/// geometric middle of 3.3, the most of light and clouds, and 5.4, the least of objects, in 013.
+inline constexpr double kEdgeConcentration = 4.2;
 
 /// The shortest period that --flatten auto takes, of the exemplar's longer side: what is faster is
 /// the material.

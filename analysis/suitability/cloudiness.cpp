@@ -33,7 +33,7 @@ double cloudiness(const HalfSpectrum& spectrum) {
 
 double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels) {
   return cloudinessOf(spectrum, [&](int u, int v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    const int signedV = spectrum.signedRow(v);
     return highPassGain(periodPixels * u / spectrum.width,
                         periodPixels * signedV / spectrum.height);
   });

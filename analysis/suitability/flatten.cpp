@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Maps (height, width, channels each) -> the same without their slow variation.
+#include "as_seen.h"
 #include "calibration.h"
 #include "cloudiness.h"
+#include "edge_concentration.h"
 #include "gaussian_plane.h"
-#include "high_pass.h"
+#include "low_pass.h"
+#include "progress_part.h"
 #include "slow_variation.h"
 #include "tiling/map_ranges.h"
 #include "tiling/value_encoding.h"
@@ -24,54 +27,6 @@ using namespace suitability;
 /// What is darker on the whole than this share of the mean is brightened as if it were that: its
 /// grain would be coarser than the rest's.
 constexpr float kDarkestShare = 1.0f / 8.0f;
-
-/// One channel of an image.
-struct Plane {
-  int width = 0;
-  int height = 0;
-  std::vector<float> values;
-};
-
-/// A period along each axis, pixels.
-struct Period {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-/// The plane beside its mirror images: periodic, and continuous at the borders.
-Plane mirrored(const Plane& plane) {
-  Plane whole{2 * plane.width, 2 * plane.height, {}};
-  whole.values.reserve(4 * plane.values.size());
-  for (int y = 0; y < whole.height; ++y) {
-    const int from = y < plane.height ? y : whole.height - 1 - y;
-    const auto row = plane.values.begin() + std::ptrdiff_t(from) * plane.width;
-    whole.values.insert(whole.values.end(), row, row + plane.width);
-    whole.values.insert(whole.values.end(), std::make_reverse_iterator(row + plane.width),
-                        std::make_reverse_iterator(row));
-  }
-  return whole;
-}
-
-Plane lowPassed(const Plane& plane, const Period& period, bool periodic) {
-  if (!periodic) {
-    const Plane whole = lowPassed(mirrored(plane), period, true);
-    Plane quarter{plane.width, plane.height, {}};
-    quarter.values.reserve(plane.values.size());
-    for (int y = 0; y < plane.height; ++y) {
-      const auto row = whole.values.begin() + std::ptrdiff_t(y) * whole.width;
-      quarter.values.insert(quarter.values.end(), row, row + plane.width);
-    }
-    return quarter;
-  }
-  HalfSpectrum spectrum = forwardFft(plane.values, plane.width, plane.height);
-  for (int v = 0; v < spectrum.height; ++v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
-    for (int u = 0; u < spectrum.columns(); ++u)
-      spectrum.at(u, v) *=
-          float(lowPassGain(period.x * u / spectrum.width, period.y * signedV / spectrum.height));
-  }
-  return {plane.width, plane.height, inverseFft(spectrum)};
-}
 
 float mean(const std::vector<float>& values) {
   return float(std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()));
@@ -133,44 +88,60 @@ void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period,
         std::clamp(tiling::encoded(plane.values[pixel], map.encoding), least, most);
 }
 
-/// As flatten(), of maps in range, but throws std::bad_alloc.
-void flattenMaps(std::span<MapExemplar> maps, double periodPixels, bool periodic) {
-  const MapExemplar& first = maps.front();
-  for (MapExemplar& map : maps) {
-    if (map.target == MapTarget::opacity)
-      continue;
-    const Period period{periodPixels * map.width / first.width,
-                        periodPixels * map.height / first.height};
-    for (std::size_t channel = 0; channel < map.channels.size(); ++channel)
-      flattenChannel(map, channel, period, periodic);
+/// As flatten(), of one map in range and the period of its own pixels; throws.
+void flattenMap(MapExemplar& map, const Period& period, bool periodic, ProgressPart progress) {
+  if (map.target == MapTarget::opacity)
+    return;
+  for (std::size_t channel = 0; channel < map.channels.size(); ++channel) {
+    progress.reach(double(channel) / double(map.channels.size()));
+    flattenChannel(map, channel, period, periodic);
   }
 }
 
-bool isCalm(const MapExemplar& map, bool periodic) {
-  if (slowVariation(map) >= kSlowVariation.mild)
-    return false;
-  const std::optional<GaussianPlane> plane = gaussianPlane(map, periodic);
-  return !plane ||
-         cloudiness(forwardFft(plane->values, plane->width, plane->height)) < kCloudiness.mild;
+/// The same share of the sides of `map` as `pixels` are of those of `first`.
+Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels) {
+  return {pixels * map.width / first.width, pixels * map.height / first.height};
 }
 
-/// As flatteningPeriod(), of a map in range, but throws std::bad_alloc.
-std::optional<double> longestCalmingPeriod(const MapExemplar& map, bool periodic) {
-  if (isCalm(map, periodic))
-    return std::nullopt;
+/// Whether the map has neither risk of slow variation.
+bool isCalm(const MapExemplar& map, bool periodic, ProgressPart progress) {
+  const auto calm = [&](const MapExemplar& seen) {
+    if (slowVariationShare(seen) >= kSlowVariation.mild)
+      return false;
+    const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
+    return !plane ||
+           cloudiness(forwardFft(plane->values, plane->width, plane->height)) < kCloudiness.mild;
+  };
+  return map.target == MapTarget::height ? calm(slopesOfHeight(map, periodic)) : calm(map);
+}
+
+/// Of the search: whether the map is calm as it is, and each of at most four tries.
+constexpr double kJudgement = 1.0 / 5.0;
+
+/// The period for the map, if any, and why; throws std::bad_alloc.
+FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
+  if (isCalm(map, periodic, progress.part(0.0, kJudgement)))
+    return {FlatteningChoice::Reason::calm, std::nullopt, {}};
+  progress.reach(kJudgement);
+  if (edgeConcentration(map, periodic) > kEdgeConcentration)
+    return {FlatteningChoice::Reason::object, std::nullopt, {}};
   const double side = std::max(map.width, map.height);
   const auto period = [&](int step) { return 2.0 * side * std::exp2(-0.5 * step); };
+  double begin = kJudgement;
   const auto calms = [&](int step) {
+    const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
-    flattenMaps({&flattened, 1}, period(step), periodic);
-    return isCalm(flattened, periodic);
+    flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
+    const bool calm = isCalm(flattened, periodic, progress.part(middle, end));
+    begin = end;
+    return calm;
   };
   // The first step that calms, by bisection: shorter periods calm more.
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
   if (period(last) < kFlattenPeriodRange.least || !calms(last))
-    return std::nullopt;
+    return {FlatteningChoice::Reason::stubborn, std::nullopt, {}};
   int first = 0;
   while (first < last) {
     const int middle = (first + last) / 2;
@@ -179,33 +150,67 @@ std::optional<double> longestCalmingPeriod(const MapExemplar& map, bool periodic
     else
       first = middle + 1;
   }
-  return std::min(period(last), kFlattenPeriodRange.most);
+  return {FlatteningChoice::Reason::mended, std::min(period(last), kFlattenPeriodRange.most), {}};
+}
+
+/// As flattenAutomatically(), of maps in range, but throws.
+FlatteningChoice flattenUncalm(std::span<MapExemplar> maps, bool periodic, ProgressPart progress) {
+  const MapExemplar& first = maps.front();
+  const double each = 1.0 / double(maps.size() + 1); // the search is about as long as two maps
+  FlatteningChoice choice = choosePeriod(first, periodic, progress.part(0.0, each));
+  if (!choice.periodPixels)
+    return choice;
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const ProgressPart part = progress.part(double(m + 1) * each, double(m + 2) * each);
+    const bool skips = maps[m].target == MapTarget::opacity;
+    if (skips || (m > 0 && isCalm(maps[m], periodic, part.part(0.0, 0.5))))
+      continue;
+    flattenMap(maps[m], periodOf(maps[m], first, *choice.periodPixels), periodic,
+               part.part(0.5, 1.0));
+    choice.flattened.push_back(maps[m].target);
+  }
+  return choice;
 }
 
 std::string exhausted() { return "not enough memory to flatten the exemplar"; }
 
+Result<void> checkMaps(std::span<const MapExemplar> maps) {
+  if (maps.empty())
+    return Error{ErrorKind::usage, "no map to flatten: at least one is needed"};
+  for (const MapExemplar& map : maps)
+    if (Result<void> checked = tiling::checkRanges(map); !checked)
+      return checked;
+  return {};
+}
+
 } // namespace
 
-Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic) {
+Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                     const Progress& progress) {
   return withinMemory(exhausted, [&]() -> Result<void> {
-    if (maps.empty())
-      return Error{ErrorKind::usage, "no map to flatten: at least one is needed"};
-    for (const MapExemplar& map : maps)
-      if (Result<void> checked = tiling::checkRanges(map); !checked)
-        return checked;
+    if (Result<void> checked = checkMaps(maps); !checked)
+      return checked;
     if (!(periodPixels >= kFlattenPeriodRange.least && periodPixels <= kFlattenPeriodRange.most))
       return Error{ErrorKind::usage, "a period of " + std::to_string(periodPixels) +
                                          " pixels: 4 to 16384 are accepted"};
-    flattenMaps(maps, periodPixels, periodic);
-    return {};
+    return unlessInterrupted("flattening", [&]() -> Result<void> {
+      const auto count = double(maps.size());
+      for (std::size_t m = 0; m < maps.size(); ++m)
+        flattenMap(maps[m], periodOf(maps[m], maps.front(), periodPixels), periodic,
+                   ProgressPart(progress).part(double(m) / count, double(m + 1) / count));
+      return {};
+    });
   });
 }
 
-Result<std::optional<double>> flatteningPeriod(const MapExemplar& map, bool periodic) {
-  return withinMemory(exhausted, [&]() -> Result<std::optional<double>> {
-    if (Result<void> checked = tiling::checkRanges(map); !checked)
+Result<FlatteningChoice> flattenAutomatically(std::span<MapExemplar> maps, bool periodic,
+                                              const Progress& progress) {
+  return withinMemory(exhausted, [&]() -> Result<FlatteningChoice> {
+    if (Result<void> checked = checkMaps(maps); !checked)
       return checked.error();
-    return longestCalmingPeriod(map, periodic);
+    return unlessInterrupted("flattening", [&]() -> Result<FlatteningChoice> {
+      return flattenUncalm(maps, periodic, ProgressPart(progress));
+    });
   });
 }
 

@@ -6,13 +6,35 @@
 #include "tiling/color_space.h"
 #include "tiling/gaussian_distribution.h"
 
-#include <algorithm>
+#include <tbb/parallel_sort.h>
+
 #include <utility>
 
 namespace lichen::suitability {
 namespace {
 
-/// The map projected on the eigenvector of its covariance with the largest eigenvalue.
+// Of the progress, where the borders are faded.
+constexpr double kProjected = 0.1;
+constexpr double kStratified = 0.4;
+constexpr double kRanked = 0.6;
+constexpr double kFaded = 0.8;
+
+/// The Gaussian of the same rank for every point, by the first coordinate: transport on a line.
+std::vector<Point> gaussianByRank(const std::vector<Point>& points,
+                                  const std::vector<Point>& gaussian) {
+  std::vector<std::pair<float, std::size_t>> order; // ties by index
+  order.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    order.emplace_back(points[i].x, i);
+  tbb::parallel_sort(order.begin(), order.end());
+  std::vector<Point> matched(points.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    matched[order[rank].second] = gaussian[rank];
+  return matched;
+}
+
+} // namespace
+
 MapExemplar principalComponent(const MapExemplar& map) {
   const std::size_t channels = map.channels.size();
   const tiling::Moments moments = tiling::momentsOf(map.values, int(channels));
@@ -35,32 +57,24 @@ MapExemplar principalComponent(const MapExemplar& map) {
   return component;
 }
 
-/// The Gaussian of the same rank for every point, by the first coordinate: transport on a line.
-std::vector<Point> gaussianByRank(const std::vector<Point>& points,
-                                  const std::vector<Point>& gaussian) {
-  std::vector<std::pair<float, std::size_t>> order; // ties by index
-  order.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    order.emplace_back(points[i].x, i);
-  std::sort(order.begin(), order.end());
-  std::vector<Point> matched(points.size());
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
-    matched[order[rank].second] = gaussian[rank];
-  return matched;
-}
-
-} // namespace
-
-std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic) {
+std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic,
+                                           ProgressPart progress) {
+  progress.reach(0.0);
   const MapExemplar component = principalComponent(map);
+  progress.reach(kProjected);
   const tiling::ColorSpace space = tiling::colorSpaceOf(component);
   if (space.dimensions() == 0)
     return std::nullopt;
   const std::vector<Point> stratified = tiling::stratifiedGaussian(
       component.values.size(), 1, tiling::Precision::bits16); // ascending
+  progress.reach(kStratified);
   std::vector<Point> image = gaussianByRank(tiling::transportPoints(component, space), stratified);
-  if (!periodic)
-    image = gaussianByRank(tiling::crossFadeBorders(image, map.width, map.height), stratified);
+  progress.reach(kRanked);
+  if (!periodic) {
+    image = tiling::crossFadeBorders(image, map.width, map.height);
+    progress.reach(kFaded);
+    image = gaussianByRank(image, stratified);
+  }
   GaussianPlane plane{map.width, map.height, {}};
   plane.values.reserve(image.size());
   for (const Point& point : image)

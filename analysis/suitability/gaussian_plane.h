@@ -2,6 +2,8 @@
 // What random blending will blend, in one channel and without the bake's transport.
 #pragma once
 
+#include "progress_part.h"
+
 #include <lichen/tiling.h>
 
 #include <optional>
@@ -16,9 +18,14 @@ struct GaussianPlane {
   std::vector<float> values;
 };
 
+/// The map projected on the eigenvector of its covariance with the largest eigenvalue: one channel.
+/// Throws std::bad_alloc.
+[[nodiscard]] MapExemplar principalComponent(const MapExemplar& map);
+
 /// The map along the principal axis of its values, where it varies most, Gaussianized by rank; if
 /// not `periodic`, with its borders cross-faded as the bake does. Nothing for a map that varies by
 /// no more than its rounding. Throws std::bad_alloc.
-[[nodiscard]] std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic);
+[[nodiscard]] std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic,
+                                                         ProgressPart progress = {});
 
 } // namespace lichen::suitability

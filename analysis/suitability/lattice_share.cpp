@@ -11,13 +11,19 @@
 namespace lichen::suitability {
 namespace {
 
-constexpr int kSmallestSide = 32;
-/// Neighbours on each side, of whose powers the median is taken: wide enough that the lines of a
-/// lattice with three or more frequencies between them are the lesser part.
+/// Neighbours on each side, of whose powers the median is taken. Of a lattice with a line at every
+/// fourth frequency, each spread over its four neighbours, 9 x 9 frequencies around a line hold
+/// nine lines, four of them cut at one side and four at two: 5 + 4 * 4 + 4 * 3 = 33 of 81, the
+/// lesser part, so that the median is that of what lies between.
 constexpr int kReach = 4;
 constexpr int kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr float kLineOverMedian = 20.0f; // as the header derives
-constexpr int kLowestCycles = 5;
+/// So that the neighbours do not hold the mean, whose power says nothing.
+constexpr int kLowestCycles = kReach + 1;
+/// Half of it is the highest frequency. Along each axis those from kLowestCycles to kReach below
+/// that, eight, have all their neighbours, none of them twice as its own mirror image.
+constexpr int kSmallestSide = 32;
+static_assert(kSmallestSide / 2 - kReach - kLowestCycles + 1 == 8);
 
 /// Power at the integer frequencies of the full plane and some beyond each border of the half.
 class PowerPlane {
@@ -64,7 +70,7 @@ double latticeShare(const HalfSpectrum& spectrum) {
   const PowerPlane power(spectrum);
   std::vector<std::array<double, 2>> rows(std::size_t(spectrum.height)); // in lines, and in all
   tbb::parallel_for(0, spectrum.height, [&](int v) {
-    const int signedV = v <= spectrum.height / 2 ? v : v - spectrum.height;
+    const int signedV = spectrum.signedRow(v);
     auto& [lines, all] = rows[std::size_t(v)];
     for (int u = 0; u < spectrum.columns(); ++u) {
       if (u == 0 && v == 0)

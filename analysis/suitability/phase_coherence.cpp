@@ -43,7 +43,7 @@ Band band(const HalfSpectrum& spectrum, double frequency, int orientation, int w
   even.values.resize(std::size_t(even.columns()) * std::size_t(height));
   HalfSpectrum odd = even;
   for (int v = 0; v < height; ++v) {
-    const int signedV = v <= height / 2 ? v : v - height;
+    const int signedV = even.signedRow(v);
     const double y = double(signedV) / spectrum.height;
     const int row = signedV >= 0 ? signedV : signedV + spectrum.height;
     for (int u = 0; u < even.columns(); ++u) {

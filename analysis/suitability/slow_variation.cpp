@@ -52,6 +52,19 @@ double slowEnergy(const MapExemplar& map, std::size_t channel, const Wave& acros
   return energy;
 }
 
+double spanOf(const MapExemplar& map) {
+  switch (map.encoding) {
+  case ValueEncoding::srgb:
+  case ValueEncoding::linear:
+    break;
+  case ValueEncoding::slope:
+    return 2.0;
+  case ValueEncoding::log2:
+    return std::max(1.0, double(*std::max_element(map.values.begin(), map.values.end())));
+  }
+  return 1.0;
+}
+
 } // namespace
 
 double slowVariation(const MapExemplar& map) {
@@ -63,5 +76,7 @@ double slowVariation(const MapExemplar& map) {
     energy += slowEnergy(map, c, across, down);
   return std::sqrt(energy / double(map.channels.size()));
 }
+
+double slowVariationShare(const MapExemplar& map) { return slowVariation(map) / spanOf(map); }
 
 } // namespace lichen::suitability

@@ -11,4 +11,8 @@ namespace lichen::suitability {
 /// height d has 0.61 of its variance there: 0.225 d. 0 for sides under 8 pixels.
 [[nodiscard]] double slowVariation(const MapExemplar& map);
 
+/// The same as a share of the values that the map has nominally: 8-bit normals have components in
+/// [-1, 1], and light above 1 has no limit but its own.
+[[nodiscard]] double slowVariationShare(const MapExemplar& map);
+
 } // namespace lichen::suitability

@@ -71,16 +71,52 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
       to.push_back(matrix(row, column));
 }
 
+/// How the values of a map are stored.
+enum class MapKind { constant, gaussianOnly, separable, sorted, transported };
+
+/// A map and how it is going to be baked.
+struct PlannedMap {
+  const MapExemplar& map;
+  ColorSpace space;
+  MapKind kind;
+};
+
+/// Without a table a map cannot go with others: those of a set keep theirs unless told.
+bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
+  return maps == 1 && wanted == GaussianOnly::detect;
+}
+
+MapKind kindOf(const MapExemplar& map, const ColorSpace& space, const TilingOptions& options,
+               bool mayBeGaussian, ProgressPart progress) {
+  if (options.gaussian == GaussianOnly::yes)
+    return MapKind::gaussianOnly;
+  if (space.dimensions() == 0)
+    return MapKind::constant;
+  if (mayBeGaussian && spansAll(space) && isGaussian(map, progress))
+    return MapKind::gaussianOnly;
+  if (space.dimensions() == 1)
+    return MapKind::sorted;
+  // Slopes need their variance, and half floats do not hold what light above 1 is along an axis.
+  const bool mayBeSeparable =
+      map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
+  return options.lut == LookupTable::separable && mayBeSeparable ? MapKind::separable
+                                                                 : MapKind::transported;
+}
+
 /// What the steps of a map's bake take, in units of transporting a pixel by the default effort.
 /// More than one trial of a share is not foreseen: most photographs need none.
 struct MapWork {
   double fit = 0.0;
-  double slabs = 0.0;
+  double rest = 0.0; ///< mips, losses and slabs
 
-  [[nodiscard]] double whole() const { return fit + slabs; }
+  [[nodiscard]] double whole() const { return fit + rest; }
 };
 
-MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
+/// Of choosing the kind of a map whose values may be Gaussian, over all its bake: 16 projections of
+/// 6 ns a pixel on two cores. Twenty times as much where surrogates decide, which is rare.
+constexpr double kKindWork = 0.02;
+
+MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
   constexpr double kSlabs = 0.4 * 65536.0;
@@ -88,17 +124,41 @@ MapWork workOf(const MapExemplar& map, bool periodic, TransportEffort effort) {
   constexpr double kFast = 0.5;
   // A photograph's certificate, 4 s, over its default transport, 0.38 s.
   constexpr double kExact = 12.0;
-  const double pixels = double(map.width) * double(map.height);
-  const double transport = (periodic ? 1.0 : 2.0) * pixels;
-  switch (effort) {
-  case TransportEffort::fast:
-    return {kTable + kFast * transport, kSlabs};
-  case TransportEffort::standard:
+  // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
+  constexpr double kMips = 0.08;
+  constexpr double kSort = 0.03;
+  constexpr double kWhitening = 0.02;
+  const double pixels = double(planned.map.width) * double(planned.map.height);
+  const double matchings = (periodic ? 1.0 : 2.0) * pixels;
+  const double rest = kMips * pixels;
+  switch (planned.kind) {
+  case MapKind::constant:
+    return {0.0, rest};
+  case MapKind::gaussianOnly:
+    return {kWhitening * pixels, rest};
+  case MapKind::separable:
+    return {kSort * planned.space.dimensions() * matchings, rest};
+  case MapKind::sorted:
+    return {kSort * matchings, rest};
+  case MapKind::transported:
     break;
-  case TransportEffort::exact:
-    return {kTable + kExact * transport, kSlabs};
   }
-  return {kTable + transport, kSlabs};
+  const double matching = effort == TransportEffort::fast    ? kFast
+                          : effort == TransportEffort::exact ? kExact
+                                                             : 1.0;
+  return {kTable + matching * matchings, kSlabs + rest};
+}
+
+/// Of a map that may have `others` before it, to go with.
+MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
+  MapWork work = workAlone(planned, periodic, effort);
+  const bool isJoint = planned.kind == MapKind::sorted || planned.kind == MapKind::transported;
+  if (!others || !isJoint || effort == TransportEffort::fast)
+    return work;
+  const double standard = workAlone(planned, periodic, TransportEffort::standard).fit;
+  // An exact transport comes after one of the default effort.
+  work.fit += (kJoiningWork + (effort == TransportEffort::exact ? 1.0 : 0.0)) * standard;
+  return work;
 }
 
 /// The tables of a map and what the bundle says of them.
@@ -114,8 +174,13 @@ struct MapTables {
         lost(lostVariance(gaussian)) {}
 };
 
-MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits) {
+/// Of what follows the fit; the slabs take the rest.
+constexpr double kMipsOfProgress = 0.5;
+
+MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits, ProgressPart progress) {
+  progress.reach(0.0);
   MapTables tables(fit.gaussian, bits);
+  progress.reach(kMipsOfProgress);
   std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, tables.lost);
   restoreSlabMeans(slabs, tables.gaussian, tables.lost);
   if (map.encoding == ValueEncoding::slope)
@@ -124,8 +189,11 @@ MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits) {
   return tables;
 }
 
-MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int bits) {
+MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int bits,
+                          ProgressPart progress) {
+  progress.reach(0.0);
   MapTables tables(combinedImage(fit), bits);
+  progress.reach(kMipsOfProgress);
   // Values along an axis have either sign, and the darks are differences: always half floats.
   constexpr int kTableBits = 16;
   tables.inverse =
@@ -162,47 +230,65 @@ void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
 }
 
 /// The joint fit. The first map that chooses a share of the surroundings chooses it for all, in
-/// `fitting`: their Gaussian images stay alike where the maps are.
-MapFit fitJoint(const MapExemplar& map, const ColorSpace& space, MapFitOptions& fitting,
+/// `fitting`: their Gaussian images stay alike where the maps are. Where others are to go with the
+/// map, it is one of the `settled` after.
+MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<SettledMap>* settled,
                 ProgressPart progress, TilingBake& bake) {
-  const MapWork work = workOf(map, fitting.periodic, fitting.transport);
-  fitting.progress = progress.part(0.0, work.fit / work.whole());
-  MapFit fit = fitMap(map, space, fitting);
-  if (space.dimensions() > 1)
+  fitting.progress = progress;
+  MapFit fit = fitMap(planned.map, planned.space, fitting);
+  const bool isSorted = planned.space.dimensions() == 1;
+  if (!isSorted)
     fitting.share = fit.share;
+  if (settled != nullptr)
+    settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
   for (const TransportBound& bound : fit.gaussian.bounds)
-    bake.transportBounds.push_back(bound);
+    bake.transportBounds.push_back({planned.map.target, bound, isSorted});
   return fit;
 }
 
-bool isGaussianOnly(const MapExemplar& map, const ColorSpace& space, GaussianOnly wanted) {
-  return wanted == GaussianOnly::yes ||
-         (wanted == GaussianOnly::detect && spansAll(space) && isGaussian(map));
+/// The map's tables, of the kind that was planned. Only a map with a joint table is `settled` and
+/// goes with those that are; nullptr where no map is to come.
+MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
+                   std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
+  const MapExemplar& map = planned.map;
+  const MapWork work =
+      workOf(planned, fitting.periodic, fitting.transport, !fitting.settled.empty());
+  const double fitted = work.fit / work.whole();
+  const ProgressPart first = progress.part(0.0, fitted), rest = progress.part(fitted, 1.0);
+  first.reach(0.0);
+  if (planned.kind == MapKind::constant)
+    return jointTables(map, constantFit(map), bits, rest);
+  if (planned.kind == MapKind::gaussianOnly) {
+    const Gaussianized image =
+        gaussianImage(map, planned.space.moments, fitting.periodic, fitting.precision, first);
+    rest.reach(0.0);
+    return {image, bits};
+  }
+  if (planned.kind == MapKind::separable) {
+    transport::TransportOptions options = transport::optionsFor(fitting.transport);
+    options.progress = first;
+    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision, options);
+    // Colours may vary in code along axes along which their light does not.
+    if (fit.dimensions() > 1)
+      return separableTables(map, fit, bits, rest);
+  }
+  return jointTables(map, fitJoint(planned, fitting, settled, first, bake), bits, rest);
 }
 
-/// Bakes one map and appends its tables.
-void bakeMap(const MapExemplar& map, const std::string& name, const TilingOptions& options,
-             MapFitOptions& fitting, ProgressPart progress, TilingBake& bake) {
-  const ColorSpace space = colorSpaceOf(map);
-  const auto append = [&](MapTables tables) {
-    appendMap(map, space.moments, std::move(tables), name, bake);
-    progress.reach(1.0);
-  };
-  if (space.dimensions() == 0 && options.gaussian != GaussianOnly::yes)
-    return append(jointTables(map, constantFit(map), options.bits));
-  if (isGaussianOnly(map, space, options.gaussian))
-    return append(MapTables(gaussianImage(map, space.moments, fitting.periodic, fitting.precision),
-                            options.bits));
-  // Slopes need their variance, and half floats do not hold what light above 1 is along an axis.
-  const bool mayBeSeparable =
-      map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
-  if (options.lut == LookupTable::separable && space.dimensions() > 1 && mayBeSeparable) {
-    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision,
-                                          transport::optionsFor(fitting.transport));
-    if (fit.dimensions() > 1)
-      return append(separableTables(map, fit, options.bits));
+/// What each map is going to be; the part of `progress` that this takes is where the bakes begin.
+std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps, const TilingOptions& options,
+                                    ProgressPart progress) {
+  std::vector<PlannedMap> planned;
+  const bool mayBeGaussian = detectsGaussian(maps.size(), options.gaussian);
+  const auto count = double(maps.size());
+  for (const MapExemplar& map : maps) {
+    const double begin = double(planned.size()) / count;
+    const ProgressPart part = progress.part(begin, begin + 1.0 / count);
+    part.reach(0.0);
+    const ColorSpace space = colorSpaceOf(map);
+    planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian, part)});
   }
-  append(jointTables(map, fitJoint(map, space, fitting, progress, bake), options.bits));
+  return planned;
 }
 
 /// As bakeTiling(), but throws std::bad_alloc.
@@ -214,22 +300,34 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     TilingBake bake;
     bake.noise.name = name;
     bake.exemplarWasPeriodic = bordersFit(maps, options.periodic);
-    const auto workOfMap = [&](const MapExemplar& map) {
-      return workOf(map, bake.exemplarWasPeriodic, options.transport).whole();
+    const ProgressPart progress(options.progress);
+    const bool detects = detectsGaussian(maps.size(), options.gaussian);
+    const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;
+    const std::vector<PlannedMap> planned = plannedMaps(maps, options, progress.part(0.0, begin));
+    const auto workOfMap = [&](const PlannedMap& map) {
+      return workOf(map, bake.exemplarWasPeriodic, options.transport, &map != &planned.front())
+          .whole();
     };
     double whole = 0.0;
-    for (const MapExemplar& map : maps)
+    for (const PlannedMap& map : planned)
       whole += workOfMap(map);
     MapFitOptions fitting;
     fitting.periodic = bake.exemplarWasPeriodic;
     fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
     fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
+    std::vector<SettledMap> settled;
+    const bool joins = options.transport != TransportEffort::fast;
     double done = 0.0;
-    for (const MapExemplar& map : maps) {
+    const ProgressPart bakes = progress.part(begin, 1.0);
+    for (const PlannedMap& map : planned) {
       const double after = done + workOfMap(map);
-      bakeMap(map, name, options, fitting,
-              ProgressPart(options.progress).part(done / whole, after / whole), bake);
+      fitting.settled = settled;
+      const ProgressPart part = bakes.part(done / whole, after / whole);
+      std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
+      appendMap(map.map, map.space.moments,
+                tablesOf(map, options.bits, fitting, joined, part, bake), name, bake);
+      part.reach(1.0);
       done = after;
     }
     return bake;

@@ -39,7 +39,7 @@ struct ColorSpace {
 /// coordinates are uncorrelated.
 [[nodiscard]] ColorSpace principalSpaceOf(const MapExemplar& map);
 
-/// Most photographs' choice: docs/decisions/009-surroundings.md.
+/// In the middle of photographs' choices: docs/decisions/009-surroundings.md.
 inline constexpr float kUsualShare = 0.1f;
 
 /// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of

@@ -55,45 +55,51 @@ float mipKept(const shader::LichenMap& map, int mip) {
   return float((words[std::size_t(byte / 4)] >> (8 * (byte % 4))) & 255u) / 255.0f;
 }
 
-/// The level of detail of the footprint, at least 0: log2 of its longer side in texels.
+/// The level of detail of the footprint: log2 of its longer side in texels, negative if magnified.
 float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
   const auto squaredTexels = [&](const std::array<float, 2>& d) {
     const float x = d[0] * map.widthTexels;
     const float y = d[1] * map.heightTexels;
     return x * x + y * y;
   };
-  const float squared = std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)});
+  constexpr float kLeast = 1e-20f; // texels^2; keeps log2 defined at a point
+  const float squared = std::max({kLeast, squaredTexels(at.dx), squaredTexels(at.dy)});
   return std::min(0.5f * std::log2(squared), float(map.mipCount - 1));
 }
 
 /// The variance that a bilinear fetch of one mip keeps.
-float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at) {
+float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified) {
   const float kept = mipKept(map, mip);
   // Midway between four texels the fetch is their average, a texel of the next mip.
   constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
   const float loss = 4.0f - 4.0f * mipKept(map, mip + 1) / std::max(kept, kLeast);
-  // Where the taps do not share their place between texels, the average over all places.
+  // Where the taps do not share their place between texels, or pixels are smaller than texels and
+  // would show the table's level as a mesh, the average over all places.
   constexpr float kAverage = 1.0f / 6.0f;
   const auto share = [&](float position, float size) {
     const float texel = std::ldexp(position * size, -mip) - 0.5f;
     const float inside = texel - std::floor(texel);
-    return 1.0f - loss * (mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage);
+    const float here = mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage;
+    return 1.0f - loss * (here + magnified * (kAverage - here));
   };
   return kept * kept * share(at.position[0], map.widthTexels) *
          share(at.position[1], map.heightTexels);
 }
 
 /// The share of the variance that a tap loses: a trilinear blend of a level and its own average.
-float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float lod) {
+float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float level) {
+  const float lod = std::max(level, 0.0f);
   const int mip = int(lod);
-  const float below = fetchKept(map, mip, at);
-  const float above = fetchKept(map, mip + 1, at);
+  const float magnified = std::clamp(-level, 0.0f, 1.0f);
+  const float below = fetchKept(map, mip, at, magnified);
+  const float above = fetchKept(map, mip + 1, at, magnified);
   const float rest = 1.0f - (lod - float(mip));
   return 1.0f - (above + rest * rest * (below - above));
 }
 
 /// Of the lost variance, the share that the footprint takes: the rest is interpolation's.
-float footprintShare(const shader::LichenMap& map, float lod, float lostVariance) {
+float footprintShare(const shader::LichenMap& map, float level, float lostVariance) {
+  const float lod = std::max(level, 0.0f);
   const int mip = int(lod);
   const float below = mipKept(map, mip);
   const float above = mipKept(map, mip + 1);

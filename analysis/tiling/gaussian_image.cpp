@@ -9,7 +9,9 @@
 namespace lichen::tiling {
 
 Gaussianized gaussianImage(const MapExemplar& map, const Moments& moments, bool periodic,
-                           Precision precision) {
+                           Precision precision, ProgressPart progress) {
+  // Of the progress: the rest is whitening.
+  constexpr double kPoints = 0.3, kFaded = 0.6;
   const auto n = Eigen::Index(map.channels.size());
   const Eigen::LLT<ChannelMatrix> factor(moments.covariance);
   std::vector<Point> points(map.values.size() / std::size_t(n));
@@ -21,8 +23,10 @@ Gaussianized gaussianImage(const MapExemplar& map, const Moments& moments, bool 
     const auto channel = [&](Eigen::Index c) { return c < n ? float(kGaussianMean + g[c]) : 0.0f; };
     points[i] = {channel(0), channel(1), channel(2)};
   }
+  progress.reach(kPoints);
   if (!periodic)
     points = crossFadeBorders(points, map.width, map.height);
+  progress.reach(kFaded);
   return {map.width, map.height, int(n), whitenedForStorage(points, int(n), precision), {}};
 }
 

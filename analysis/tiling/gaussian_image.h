@@ -4,6 +4,7 @@
 
 #include "color_space.h"
 #include "gaussianize.h"
+#include "progress_part.h"
 
 namespace lichen::tiling {
 
@@ -11,6 +12,7 @@ namespace lichen::tiling {
 /// definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and covariance I/36
 /// are exact, in 8 bits too, where values beyond three deviations are clamped. `matched` is empty.
 [[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, const Moments& moments,
-                                         bool periodic, Precision precision);
+                                         bool periodic, Precision precision,
+                                         ProgressPart progress = {});
 
 } // namespace lichen::tiling

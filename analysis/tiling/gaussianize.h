@@ -29,10 +29,17 @@ struct Gaussianized {
 
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
 /// are then cross-faded and the image is matched to the set once more. A `certificateStep` above 0,
-/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports.
+/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports;
+/// those of one dimension are optimal as they are, and their bound is their cost.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, Precision precision,
                                        const transport::TransportOptions& options,
                                        double certificateStep = 0.0);
+
+/// What gaussianize() makes of points close to those that `near` was made from, one to one: by
+/// exchanges that start from its matching.
+[[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
+                                           const std::vector<Point>& points, bool periodic,
+                                           const transport::TransportOptions& options);
 
 } // namespace lichen::tiling

@@ -148,13 +148,21 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
 
 } // namespace
 
+std::vector<float> axisMiddles(int side) {
+  std::vector<float> middles;
+  for (int k = 0; k < side; ++k)
+    middles.push_back(float(gaussianQuantile((k + 0.5) / side)));
+  return middles;
+}
+
 std::vector<Point> cellMiddles(int dimensions, int side) {
+  const std::vector<float> onAxis = axisMiddles(side);
   std::vector<Point> middles(power(side, dimensions));
   for (std::size_t cell = 0; cell < middles.size(); ++cell) {
     std::array<float, 3> g{0.0f, 0.0f, 0.0f};
     std::size_t rest = cell;
     for (std::size_t axis = 0; axis < std::size_t(dimensions); ++axis, rest /= std::size_t(side))
-      g[axis] = float(gaussianQuantile((double(rest % std::size_t(side)) + 0.5) / side));
+      g[axis] = onAxis[rest % std::size_t(side)];
     middles[cell] = {g[0], g[1], g[2]};
   }
   return middles;

@@ -26,7 +26,9 @@ struct InverseTable {
   [[nodiscard]] std::size_t cellCount() const { return values.size() / std::size_t(channels); }
 };
 
-/// The Gaussian values at the middles of the cells, first axis fastest; further coordinates are 0.
+/// The Gaussian values at the middles of an axis's cells.
+[[nodiscard]] std::vector<float> axisMiddles(int side);
+/// As above of all cells, first axis fastest; further coordinates are 0.
 [[nodiscard]] std::vector<Point> cellMiddles(int dimensions, int side);
 
 /// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.

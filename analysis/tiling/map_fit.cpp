@@ -36,9 +36,44 @@ constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 /// one of 512 x 512.
 constexpr double kTrialsOfProgress = 0.25;
 
+/// Of the progress of a default fit, where other maps are settled.
+constexpr double kAloneOfProgress = 1.0 / (1.0 + kJoiningWork);
+
+/// Of the progress, where an exact transport follows one of the default effort.
+constexpr double kStandardOfExact = 0.1;
+
 /// Of the certificate of an exact transport: the bound ends up about half a step below the optimum,
 /// where the target is to be within 3e-4 of it.
 constexpr double kCertificateStep = 1e-4;
+
+/// Mean squared difference of neighbouring pixels over twice the variance, all channels together:
+/// 1 less their correlation.
+double neighbourDifference(const MapExemplar& map, const ColorSpace& space) {
+  const std::size_t channels = map.channels.size();
+  const auto width = std::size_t(map.width), height = std::size_t(map.height);
+  const auto squares = [&](std::size_t columns, std::size_t rows, std::size_t step) {
+    double sum = 0.0;
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t k = y * width * channels; k < (y * width + columns) * channels; ++k) {
+        const double difference = double(map.values[k + step]) - double(map.values[k]);
+        sum += difference * difference;
+      }
+    return sum;
+  };
+  const double sum =
+      squares(width - 1, height, channels) + squares(width, height - 1, width * channels);
+  const double pairs = double(width - 1) * double(height) + double(width) * double(height - 1);
+  return sum / (2.0 * pairs * space.moments.covariance.trace());
+}
+
+/// The finer the detail, the less share it wants: least squares on two windows of each of six
+/// photographs and on the generated materials, with a deviation of 0.057 from the share without
+/// error. With it 3 of the 18 have an error beyond the tolerance, with 0.1 for all 8.
+float expectedShare(const MapExemplar& map, const ColorSpace& space, float largest) {
+  constexpr double kSmooth = 0.32, kSlope = -0.81;
+  const double difference = neighbourDifference(map, space);
+  return std::clamp(float(kSmooth + kSlope * difference), kLeastShare, largest);
+}
 
 MapExemplar middleOf(const MapExemplar& map) {
   MapExemplar part;
@@ -60,22 +95,30 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
-               const MapFitOptions& options) {
+/// Gaussian image and table from `sources`, one for each pixel.
+MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vector<Point>& sources,
+               int dimensions, const MapFitOptions& options) {
   transport::TransportOptions transport = transport::optionsFor(options.transport);
   MapFit fit;
-  fit.share = share;
-  fit.points = transportPoints(map, space, share);
+  fit.points = std::move(points);
   transport.progress = options.progress.part(0.0, 0.7);
   fit.gaussian =
-      gaussianize(map, fit.points, space.dimensions(), options.periodic, options.precision,
-                  transport, options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
+      gaussianize(map, sources, dimensions, options.periodic, options.precision, transport,
+                  options.transport == TransportEffort::exact ? kCertificateStep : 0.0);
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
                  [&](float value) { return decoded(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
       fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
+  return fit;
+}
+
+MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
+               const MapFitOptions& options) {
+  const std::vector<Point> points = transportPoints(map, space, share);
+  MapFit fit = fitFrom(map, points, points, space.dimensions(), options);
+  fit.share = share;
   return fit;
 }
 
@@ -95,7 +138,7 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
   MapFit best;
   double bestError = 0.0;
   std::vector<std::array<double, 2>> tried;
-  float share = std::min(kUsualShare, options.largestShare);
+  float share = expectedShare(map, space, options.largestShare);
   for (int k = 0; k < kMostTrials; ++k) {
     MapFitOptions once = options;
     once.progress = options.progress.part(double(k) / kMostTrials, double(k + 1) / kMostTrials);
@@ -114,13 +157,14 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
   return best;
 }
 
-} // namespace
-
-MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+/// The map by itself.
+MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
     return fitWith(map, space, options.share.value_or(kUsualShare), options);
-  if (options.transport == TransportEffort::fast || !hasSpectrum(map))
+  if (!hasSpectrum(map))
     return fitWith(map, space, std::min(kUsualShare, options.largestShare), options);
+  if (options.transport == TransportEffort::fast)
+    return fitWith(map, space, expectedShare(map, space, options.largestShare), options);
   const bool onMiddle = std::max(map.width, map.height) > kLargestTrialSide;
   const bool exact = options.transport == TransportEffort::exact;
   if (!onMiddle && !exact)
@@ -133,7 +177,40 @@ MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptio
   MapFitOptions whole = options;
   whole.progress = options.progress.part(kTrialsOfProgress, 1.0);
   whole.share = bestTrial(onMiddle ? middleOf(map) : map, space, trial).share;
-  return fitMap(map, space, whole);
+  return fitWith(map, space, *whole.share, whole);
+}
+
+/// The map and those before it. An exact transport comes last and is certified: of the points as
+/// they are to go with the settled maps.
+MapFit fitJoined(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  const bool exact = options.transport == TransportEffort::exact;
+  const double whole = exact ? kStandardOfExact : 1.0;
+  MapFitOptions alone = options;
+  alone.progress = options.progress.part(0.0, whole * kAloneOfProgress);
+  if (exact)
+    alone.transport = TransportEffort::standard;
+  MapFit fit = fitAlone(map, space, alone);
+  JoinedImage joined = withCrossCovariances(map, space, options.settled, std::move(fit.gaussian),
+                                            fit.table, options.periodic,
+                                            options.progress.part(whole * kAloneOfProgress, whole));
+  if (exact) {
+    MapFitOptions last = options;
+    last.progress = options.progress.part(whole, 1.0);
+    const std::vector<Point>& sources = joined.points.empty() ? fit.points : joined.points;
+    MapFit certified = fitFrom(map, fit.points, sources, space.dimensions(), last);
+    certified.share = fit.share;
+    return certified;
+  }
+  fit.gaussian = std::move(joined.gaussian);
+  return fit;
+}
+
+} // namespace
+
+MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+  if (options.settled.empty() || options.transport == TransportEffort::fast)
+    return fitAlone(map, space, options);
+  return fitJoined(map, space, options);
 }
 
 } // namespace lichen::tiling

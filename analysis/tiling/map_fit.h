@@ -3,12 +3,14 @@
 #pragma once
 
 #include "color_space.h"
+#include "cross_covariance.h"
 #include "gaussianize.h"
 #include "inverse_table.h"
 
 #include <lichen/tiling.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace lichen::tiling {
@@ -19,9 +21,13 @@ inline constexpr float kLargestShare = 0.5f;
 /// (docs/decisions/009-surroundings.md).
 inline constexpr float kLargestShareInSet = 0.05f;
 
+/// What going with the maps before it adds to a map's default fit, as a part of it: 0.15 to 0.25 on
+/// the photographed sets, 512 x 512.
+inline constexpr double kJoiningWork = 0.25;
+
 struct MapFit {
   float share = kUsualShare; ///< as transportPoints takes it
-  std::vector<Point> points; ///< the map's, as they were transported
+  std::vector<Point> points; ///< of its values; those of a map alone were transported
   Gaussianized gaussian;
   InverseTable table;
 };
@@ -32,12 +38,15 @@ struct MapFitOptions {
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen where absent, [-0.25, largestShare]
   float largestShare = kLargestShare;
+  /// Whose Gaussian images this one is to go with; a fast transport leaves them alone.
+  std::span<const SettledMap> settled{};
   ProgressPart progress{};
 };
 
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
 /// not given is chosen so that the noise has as much detail as the exemplar
-/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps.
+/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps. A fast
+/// fit takes the one expected, maps too small for a spectrum the usual one.
 /// Colours on a line have none to choose.
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const ColorSpace& space,
                             const MapFitOptions& options);

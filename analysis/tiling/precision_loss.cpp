@@ -16,13 +16,12 @@ using namespace tiling;
 
 /// Stored values as an image, for the measures of quality.h.
 SrgbImage imageOf(const MapExemplar& exemplar, std::vector<float> stored) {
-  // Two channels would be grey and alpha.
-  const auto channels = exemplar.channels.size();
-  SrgbImage image(exemplar.width, exemplar.height, channels == 1 ? 1 : 3);
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    for (std::size_t c = 0; c < channels; ++c)
-      image.values[i * std::size_t(image.channels) + c] = stored[i * channels + c];
-  return image;
+  SrgbImage image;
+  image.width = exemplar.width;
+  image.height = exemplar.height;
+  image.channels = int(exemplar.channels.size());
+  image.values = std::move(stored);
+  return twoAsRedGreen(std::move(image));
 }
 
 Result<PrecisionLoss> compared(const MapExemplar& exemplar, const std::vector<float>& decodedTexels,
@@ -48,7 +47,7 @@ Result<PrecisionLoss> compared(const MapExemplar& exemplar, const std::vector<fl
   if (periodic)
     loss.roundTrip = std::sqrt(squares / double(stored.size() / std::size_t(channels)) / variance);
   const Result<double> distance =
-      colorDistance(imageOf(exemplar, exemplar.values), imageOf(exemplar, stored));
+      colorDistance(imageOf(exemplar, exemplar.values), imageOf(exemplar, std::move(stored)));
   if (!distance)
     return distance.error();
   loss.colorDistance = distance.value();

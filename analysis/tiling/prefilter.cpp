@@ -31,13 +31,6 @@ std::array<float, 3> sum(const std::array<float, 3>& a, const std::array<float, 
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-std::vector<float> cellMiddles(int side) {
-  std::vector<float> middles;
-  for (int k = 0; k < side; ++k)
-    middles.push_back(float(gaussianQuantile((k + 0.5) / side)));
-  return middles;
-}
-
 /// Element [i * side + j]: the weight of cell j in the mean of a lookup along one axis at the
 /// middle of cell i, displaced by N(0, variance / 36).
 std::vector<float> axisWeights(int side, double variance) {
@@ -45,7 +38,7 @@ std::vector<float> axisWeights(int side, double variance) {
   for (int k = 0; k < kPlacesOnAxis; ++k)
     displacements.push_back(std::sqrt(variance) *
                             (gaussianQuantile((k + 0.5) / kPlacesOnAxis) - kGaussianMean));
-  const std::vector<float> middles = cellMiddles(side);
+  const std::vector<float> middles = axisMiddles(side);
   std::vector<float> weights(std::size_t(side) * std::size_t(side), 0.0f);
   for (std::size_t i = 0; i < std::size_t(side); ++i)
     for (const double displacement : displacements) {
@@ -89,15 +82,11 @@ template <std::size_t kDimensions>
 InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
   const TableLookup<kDimensions> lookup(table);
-  const std::vector<float> middles = cellMiddles(table.side);
-  const auto side = std::size_t(table.side);
+  const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
   const auto channels = std::size_t(table.channels);
   InverseTable result = table;
   tbb::parallel_for(std::size_t(0), table.cellCount(), [&](std::size_t cell) {
-    std::array<float, 3> middle{};
-    std::size_t rest = cell;
-    for (std::size_t axis = 0; axis < kDimensions; ++axis, rest /= side)
-      middle[axis] = middles[rest % side];
+    const std::array<float, 3> middle{middles[cell].x, middles[cell].y, middles[cell].z};
     std::array<float, 4> total{};
     for (const std::array<float, 3>& offset : offsets) {
       const std::array<float, 4> value = lookup(sum(middle, offset));

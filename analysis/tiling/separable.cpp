@@ -51,6 +51,7 @@ std::vector<float> valuesAlong(const MapExemplar& map, const ColorSpace& space, 
 
 SeparableFit fitSeparable(const MapExemplar& map, bool periodic, Precision precision,
                           const transport::TransportOptions& options) {
+  options.progress.reach(0.0);
   const MapExemplar light = decodedMap(map);
   const ColorSpace space = principalSpaceOf(light);
   if (space.dimensions() < 2)
@@ -59,10 +60,17 @@ SeparableFit fitSeparable(const MapExemplar& map, bool periodic, Precision preci
   SeparableFit fit{space.basis.transpose(), space.moments.mean, {}, {}};
   std::vector<Point> along(points.size());
   for (std::size_t axis = 0; axis < std::size_t(space.dimensions()); ++axis) {
+    // A third of it for what the axes share.
+    const auto ended = [&](double parts) {
+      options.progress.reach((1.0 + (2.0 * double(axis) + parts) / double(space.dimensions())) /
+                             3.0);
+    };
+    ended(0.0);
     std::transform(points.begin(), points.end(), along.begin(), [axis](const Point& p) {
       return Point{coordinate(p, axis), 0.0f, 0.0f};
     });
     fit.axes.push_back(gaussianize(light, along, 1, periodic, precision, options));
+    ended(1.0);
     fit.tables.push_back(fitInverseTable(
         fit.axes.back(), along, valuesAlong(light, space, Eigen::Index(axis)), 1, options));
   }

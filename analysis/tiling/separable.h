@@ -22,6 +22,7 @@ struct SeparableFit {
 
 /// Gaussianizes each principal axis of the map's decoded values by sorting. Mean and covariance of
 /// the decoded values are exact, the joint histogram is not: axes are taken for independent.
+/// Tells `options.progress`.
 [[nodiscard]] SeparableFit fitSeparable(const MapExemplar& map, bool periodic, Precision precision,
                                         const transport::TransportOptions& options);
 

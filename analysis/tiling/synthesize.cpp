@@ -24,14 +24,16 @@ constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
+/// The shortest text that gives the number back.
+std::string text(double number) {
+  std::array<char, 32> digits{}; // 24 are enough
+  return std::string(digits.data(),
+                     std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
 Result<void> checkRange(const char* name, double value, NumberRange range) {
   if (value >= range.least && value <= range.most)
     return {};
-  const auto text = [](double number) {
-    std::array<char, 32> digits{}; // 24 are enough for the shortest text that gives the number back
-    return std::string(digits.data(),
-                       std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-  };
   return usage(std::string(name) + " " + text(value) + ": a number from " + text(range.least) +
                " to " + text(range.most) + " is accepted");
 }
@@ -62,13 +64,6 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
     if (Result<void> checked = checkRange("origin", coordinate, kOriginRange); !checked)
       return checked;
   return {};
-}
-
-std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
-  for (std::size_t m = 0; m < noise.maps.size(); ++m)
-    if (noise.maps[m].target == target)
-      return m;
-  return std::nullopt;
 }
 
 /// The texels of the map's Gaussian image.
@@ -149,12 +144,15 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
     const Table& gaussian = gaussianOf(bundle, options.noise, *map);
     const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
     const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
-    if (options.tileable &&
-        std::min(options.width / perTile[0], options.height / perTile[1]) < kLeastPeriodTiles)
+    const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
+    const double largest = pixels * tiles / kLeastPeriodTiles;
+    if (options.tileable && tiles < kLeastPeriodTiles)
       return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
                    " is under half a tile: a tileable image of at least " +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
-                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) + " is accepted");
+                   std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) +
+                   " is accepted, or --texels-per-tile up to " +
+                   text(largest < 1.0 ? largest : std::floor(largest)));
     try {
       return evaluatePixels(bundle, options, perTile, *map);
     } catch (const Interrupted&) {

@@ -123,6 +123,12 @@ Moments momentsOf(std::span<const Point> points) {
   return m;
 }
 
+/// The squared distance of two means.
+double squaredDistance(const Moments& a, const Moments& b) {
+  const double x = a.meanX - b.meanX, y = a.meanY - b.meanY, z = a.meanZ - b.meanZ;
+  return x * x + y * y + z * z;
+}
+
 double sumOfSquares(std::span<const Point> points) {
   double sum = 0.0;
   for (const Point& p : points)
@@ -148,10 +154,7 @@ BoundAndAuction boundByAuction(std::span<const Point> source, std::span<const Po
   const double count = double(source.size());
   const Moments from = momentsOf(source);
   const Moments to = momentsOf(target);
-  const double dx = from.meanX - to.meanX;
-  const double dy = from.meanY - to.meanY;
-  const double dz = from.meanZ - to.meanZ;
-  const double meansApart = dx * dx + dy * dy + dz * dz;
+  const double meansApart = squaredDistance(from, to);
   bound.cost = transportCost(source, target, assignment);
   bound.centredCost = std::max(0.0, bound.cost - meansApart);
   bound.lowerBound = meansApart;
@@ -203,6 +206,14 @@ TransportBound improveByAuction(std::span<const Point> source, std::span<const P
     assignment = std::move(better);
   }
   return found.bound;
+}
+
+TransportBound boundOfOptimum(std::span<const Point> source, std::span<const Point> target,
+                              std::span<const std::uint32_t> assignment) {
+  const double cost = transportCost(source, target, assignment);
+  const double meansApart =
+      source.empty() ? 0.0 : squaredDistance(momentsOf(source), momentsOf(target));
+  return {cost, cost, std::max(0.0, cost - meansApart)};
 }
 
 } // namespace lichen::transport

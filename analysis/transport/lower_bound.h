@@ -36,4 +36,9 @@ namespace lichen::transport {
                                               std::vector<std::uint32_t>& assignment,
                                               double tolerance, ProgressPart progress = {});
 
+/// Of a matching that is known to be optimal, as the sorted one of points on a line: its own cost.
+[[nodiscard]] TransportBound boundOfOptimum(std::span<const Point> source,
+                                            std::span<const Point> target,
+                                            std::span<const std::uint32_t> assignment);
+
 } // namespace lichen::transport

@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 namespace lichen::transport {
@@ -63,22 +65,20 @@ double priceDifference(const PointPair& pairs, std::size_t a, std::size_t b) {
          along(xa.z, xb.z, ya.z, yb.z);
 }
 
-} // namespace
+using Neighbourhood = std::array<Neighbour, kNeighbours>;
 
-std::vector<double> pricesOfMatching(const PointPair& pairs) {
-  const std::size_t count = pairs.target.size();
-  const auto near = neighbours(pairs.target);
-  double meanSquare = 0.0;
-  for (const auto& list : near)
-    for (const Neighbour& neighbour : list)
-      meanSquare += neighbour.squaredDistance / double(count * kNeighbours);
-  std::vector<double> prices(count, 0.0);
-  if (!(meanSquare > 0.0))
-    return prices;
+/// Of every target with each neighbour, with itself, and mirrored.
+std::size_t laplacianEntries(std::size_t count) { return count * (2 * kNeighbours + 1); }
 
-  // Normal equations: a graph Laplacian, each edge weighted by the inverse of its squared length.
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(count * (2 * kNeighbours + 1));
+/// The prices whose differences between neighbours are those of the matching, in the least squares.
+/// Index counts the entries of the normal equations.
+template <class Index>
+Eigen::VectorXd leastSquares(const PointPair& pairs, const std::vector<Neighbourhood>& near,
+                             double leastSquaredDistance) {
+  // A graph Laplacian, each edge weighted by the inverse of its squared length.
+  const std::size_t count = near.size();
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  entries.reserve(laplacianEntries(count));
   std::vector<double> diagonal(count, 0.0);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(Eigen::Index(count));
   for (std::size_t a = 0; a < count; ++a)
@@ -86,25 +86,47 @@ std::vector<double> pricesOfMatching(const PointPair& pairs) {
       const std::size_t b = neighbour.site;
       if (a == b)
         continue;
-      const double weight = 1.0 / std::max(neighbour.squaredDistance, kLeastDistance * meanSquare);
+      const double weight = 1.0 / std::max(neighbour.squaredDistance, leastSquaredDistance);
       const double difference = weight * priceDifference(pairs, a, b);
-      entries.emplace_back(int(a), int(b), -weight);
-      entries.emplace_back(int(b), int(a), -weight);
+      entries.emplace_back(Index(a), Index(b), -weight);
+      entries.emplace_back(Index(b), Index(a), -weight);
       diagonal[a] += weight;
       diagonal[b] += weight;
       right[Eigen::Index(a)] -= difference;
       right[Eigen::Index(b)] += difference;
     }
   for (std::size_t a = 0; a < count; ++a)
-    entries.emplace_back(int(a), int(a), diagonal[a]);
-  Eigen::SparseMatrix<double> laplacian{Eigen::Index(count), Eigen::Index(count)};
+    entries.emplace_back(Index(a), Index(a), diagonal[a]);
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+  Matrix laplacian{Eigen::Index(count), Eigen::Index(count)};
   laplacian.setFromTriplets(entries.begin(), entries.end());
   entries = {};
 
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
   solver.setTolerance(kTolerance);
   solver.setMaxIterations(kMostIterations);
-  const Eigen::VectorXd solution = solver.compute(laplacian).solve(right);
+  return solver.compute(laplacian).solve(right);
+}
+
+} // namespace
+
+std::vector<double> pricesOfMatching(const PointPair& pairs) {
+  const std::size_t count = pairs.target.size();
+  const std::vector<Neighbourhood> near = neighbours(pairs.target);
+  double meanSquare = 0.0;
+  for (const Neighbourhood& list : near)
+    for (const Neighbour& neighbour : list)
+      meanSquare += neighbour.squaredDistance / double(count * kNeighbours);
+  std::vector<double> prices(count, 0.0);
+  if (!(meanSquare > 0.0))
+    return prices;
+
+  // Wide indices take half as much memory again, and only images above 11,000 x 11,000 need them.
+  const bool isNarrow = laplacianEntries(count) <= std::numeric_limits<std::int32_t>::max();
+  const double leastSquaredDistance = kLeastDistance * meanSquare;
+  const Eigen::VectorXd solution =
+      isNarrow ? leastSquares<std::int32_t>(pairs, near, leastSquaredDistance)
+               : leastSquares<std::int64_t>(pairs, near, leastSquaredDistance);
   // The Laplacian of far-apart clusters is singular beyond a constant, which rounding may blow up.
   if (solution.allFinite())
     std::copy(solution.begin(), solution.end(), prices.begin());

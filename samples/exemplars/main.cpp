@@ -5,13 +5,15 @@
 
 #include <lichen/image_io.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <options.h>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -52,6 +54,20 @@ int writePictures(const std::filesystem::path& folder, int side,
   return 0;
 }
 
+int failUsage(const std::string& message) {
+  return fail(ErrorKind::usage, message + "; see 'lichen-exemplars --help'");
+}
+
+/// What the parser found wrong, in the words of the command line.
+int failUsage(const CLI::App& app, const CLI::ParseError& fault) {
+  const std::string text = fault.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr)
+    return failUsage(app.remaining().front() + ": no such option");
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr)
+    return failUsage(text.substr(0, text.find(':')) + ": a value is missing");
+  return failUsage(text);
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> known;
   for (const exemplars::Material& picture : pictures())
@@ -59,23 +75,29 @@ int run(int argc, char** argv) {
 
   CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB.",
                "lichen-exemplars");
-  std::filesystem::path folder;
-  int side = 512;
+  app.set_help_flag("-h,--help", "Print this page and exit");
+  app.formatter(cli::helpFormatter());
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  std::string folder;
+  int side = 0;
   std::vector<std::string> names;
-  app.add_option("OUTDIR", folder, "folder, made when absent")->required();
-  app.add_option("--size", side, "pixels a side; details keep their size")
-      ->check(CLI::Range(exemplars::kSmallestSide, exemplars::kLargestSide))
-      ->capture_default_str();
-  app.add_option("NAME", names,
-                 "which ones; the materials when none is named, not those that do not suit")
-      ->check(CLI::IsMember(known));
+  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent")->required();
+  cli::addTexts(app, "NAME", names, "...",
+                "Which ones: " + cli::alternatives(known) + " [default: the " +
+                    std::to_string(exemplars::kMaterials.size()) + " materials, which come first]");
+  cli::addValue(app, "--size", side,
+                cli::wholeNumber(exemplars::kSmallestSide, exemplars::kLargestSide), "512",
+                "Pixels a side; details keep their size");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
     return app.exit(request); // --help
   } catch (const CLI::ParseError& error) {
-    return fail(ErrorKind::usage, error.what());
+    return failUsage(app, error);
   }
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return failUsage(name + ": no such exemplar; " + cli::alternatives(known) + " is accepted");
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);

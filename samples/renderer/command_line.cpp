@@ -64,7 +64,9 @@ void addOptions(CLI::App& app, Command& command) {
           "The picture: tone-mapped sRGB, or light (required)");
   addValue(app, "--size", command.size, imageSize(kMaxSide), "1280x720", "In pixels");
   addText(app, "--camera", command.camera, "NAME|auto",
-          "A camera of the scene, or one that frames it [default: its first camera, else auto]");
+          "A camera or camera node of the scene, or one that frames it [default: its first camera, "
+          "else "
+          "auto]");
   addText(app, "--environment", command.environment, "FILE",
           "Light from a latitude-longitude panorama, EXR, PNG or JPEG [default: a built-in sky]");
   addValue(app, "--exposure", command.exposureEv, number({-kMaxExposure, kMaxExposure}), "0",

@@ -97,14 +97,20 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
     return autoCamera(subject, aspect);
   if (choice.empty())
     return scene.cameras.front();
-  std::string names = "auto";
-  for (const Camera& camera : scene.cameras) {
-    if (camera.name == choice)
-      return camera;
-    names += ", " + printable(camera.name);
-  }
+  std::vector<std::string> names{"auto"};
+  for (const auto name : {&Camera::nodeName, &Camera::name}) // of a camera may be several nodes
+    for (const Camera& camera : scene.cameras) {
+      if (camera.*name == choice)
+        return camera;
+      if (const std::string shown = printable(camera.*name);
+          !(camera.*name).empty() && std::find(names.begin(), names.end(), shown) == names.end())
+        names.push_back(shown);
+    }
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
   return Error{ErrorKind::usage,
-               "no camera \"" + printable(choice) + "\" in the scene; there are " + names};
+               "no camera \"" + printable(choice) + "\" in the scene; there are " + list};
 }
 
 glm::mat4 clipFromWorld(const Camera& camera, float aspect, glm::vec2 jitterClip) {

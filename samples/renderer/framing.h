@@ -20,8 +20,9 @@ struct Sphere {
 /// large that its square overflows a float.
 [[nodiscard]] Result<Sphere> subjectOf(const Scene& scene);
 
-/// "auto", the name of a camera of the file, or empty for the file's first camera and auto without
-/// one. `aspect` is width over height. Errors: usage, with the names there are.
+/// "auto", the name of a camera's node or of a camera of the file, or empty for the file's first
+/// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
+/// are.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,
                                           const std::string& choice, float aspect);
 

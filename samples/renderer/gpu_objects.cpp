@@ -45,22 +45,33 @@ void recordMips(VkCommandBuffer commands, const DeviceImage& image) {
 } // namespace
 
 ObjectOwner::~ObjectOwner() {
-  for (auto destroy = destroy_.rbegin(); destroy != destroy_.rend(); ++destroy)
-    (*destroy)();
+  for (auto owned = owned_.rbegin(); owned != owned_.rend(); ++owned)
+    if (owned->destroy != nullptr)
+      owned->destroy(device_, owned->handle);
+}
+
+template <class Handle, auto& kDestroy, class Create>
+Handle ObjectOwner::own(const char* what, const Create& create) {
+  Owned& owned = owned_.emplace_back(); // before the object, which would leak if this failed
+  Handle handle = VK_NULL_HANDLE;
+  check(create(&handle), what);
+  owned.handle = reinterpret_cast<std::uint64_t>(handle);
+  owned.destroy = [](VkDevice device, std::uint64_t object) {
+    kDestroy(device, reinterpret_cast<Handle>(object), nullptr);
+  };
+  return handle;
 }
 
 VkSampler ObjectOwner::sampler(const VkSamplerCreateInfo& info) {
-  VkSampler handle = VK_NULL_HANDLE;
-  check(vkCreateSampler(device_, &info, nullptr, &handle), "a sampler");
-  destroy_.emplace_back([this, handle] { vkDestroySampler(device_, handle, nullptr); });
-  return handle;
+  return own<VkSampler, vkDestroySampler>("a sampler", [&](VkSampler* handle) {
+    return vkCreateSampler(device_, &info, nullptr, handle);
+  });
 }
 
 VkImageView ObjectOwner::view(const VkImageViewCreateInfo& info) {
-  VkImageView handle = VK_NULL_HANDLE;
-  check(vkCreateImageView(device_, &info, nullptr, &handle), "an image view");
-  destroy_.emplace_back([this, handle] { vkDestroyImageView(device_, handle, nullptr); });
-  return handle;
+  return own<VkImageView, vkDestroyImageView>("an image view", [&](VkImageView* handle) {
+    return vkCreateImageView(device_, &info, nullptr, handle);
+  });
 }
 
 VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> types,
@@ -71,10 +82,10 @@ VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> t
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = std::uint32_t(bindings.size());
   info.pBindings = bindings.data();
-  VkDescriptorSetLayout handle = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device_, &info, nullptr, &handle), "a descriptor set layout");
-  destroy_.emplace_back([this, handle] { vkDestroyDescriptorSetLayout(device_, handle, nullptr); });
-  return handle;
+  return own<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>(
+      "a descriptor set layout", [&](VkDescriptorSetLayout* handle) {
+        return vkCreateDescriptorSetLayout(device_, &info, nullptr, handle);
+      });
 }
 
 VkDescriptorPool ObjectOwner::pool(std::size_t count, std::span<const VkDescriptorType> types) {
@@ -85,10 +96,10 @@ VkDescriptorPool ObjectOwner::pool(std::size_t count, std::span<const VkDescript
   info.maxSets = std::uint32_t(count);
   info.poolSizeCount = std::uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();
-  VkDescriptorPool handle = VK_NULL_HANDLE;
-  check(vkCreateDescriptorPool(device_, &info, nullptr, &handle), "a descriptor pool");
-  destroy_.emplace_back([this, handle] { vkDestroyDescriptorPool(device_, handle, nullptr); });
-  return handle;
+  return own<VkDescriptorPool, vkDestroyDescriptorPool>(
+      "a descriptor pool", [&](VkDescriptorPool* handle) {
+        return vkCreateDescriptorPool(device_, &info, nullptr, handle);
+      });
 }
 
 VkPipelineLayout ObjectOwner::pipelineLayout(std::span<const VkDescriptorSetLayout> sets,
@@ -100,36 +111,31 @@ VkPipelineLayout ObjectOwner::pipelineLayout(std::span<const VkDescriptorSetLayo
   info.pSetLayouts = sets.data();
   info.pushConstantRangeCount = pushBytes != 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
-  VkPipelineLayout handle = VK_NULL_HANDLE;
-  check(vkCreatePipelineLayout(device_, &info, nullptr, &handle), "a pipeline layout");
-  destroy_.emplace_back([this, handle] { vkDestroyPipelineLayout(device_, handle, nullptr); });
-  return handle;
+  return own<VkPipelineLayout, vkDestroyPipelineLayout>(
+      "a pipeline layout", [&](VkPipelineLayout* handle) {
+        return vkCreatePipelineLayout(device_, &info, nullptr, handle);
+      });
 }
 
 VkShaderModule ObjectOwner::shader(std::span<const std::uint32_t> code) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = code.size_bytes();
   info.pCode = code.data();
-  VkShaderModule handle = VK_NULL_HANDLE;
-  check(vkCreateShaderModule(device_, &info, nullptr, &handle), "a shader module");
-  destroy_.emplace_back([this, handle] { vkDestroyShaderModule(device_, handle, nullptr); });
-  return handle;
+  return own<VkShaderModule, vkDestroyShaderModule>("a shader module", [&](VkShaderModule* handle) {
+    return vkCreateShaderModule(device_, &info, nullptr, handle);
+  });
 }
 
 VkPipeline ObjectOwner::graphicsPipeline(const VkGraphicsPipelineCreateInfo& info) {
-  VkPipeline handle = VK_NULL_HANDLE;
-  check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &handle),
-        "a graphics pipeline");
-  destroy_.emplace_back([this, handle] { vkDestroyPipeline(device_, handle, nullptr); });
-  return handle;
+  return own<VkPipeline, vkDestroyPipeline>("a graphics pipeline", [&](VkPipeline* handle) {
+    return vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
+  });
 }
 
 VkPipeline ObjectOwner::computePipeline(const VkComputePipelineCreateInfo& info) {
-  VkPipeline handle = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &handle),
-        "a compute pipeline");
-  destroy_.emplace_back([this, handle] { vkDestroyPipeline(device_, handle, nullptr); });
-  return handle;
+  return own<VkPipeline, vkDestroyPipeline>("a compute pipeline", [&](VkPipeline* handle) {
+    return vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
+  });
 }
 
 VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout layout) {

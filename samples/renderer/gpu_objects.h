@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,8 +36,16 @@ public:
   VkDescriptorSet set(VkDescriptorPool pool, VkDescriptorSetLayout layout); ///< freed with its pool
 
 private:
+  struct Owned {
+    std::uint64_t handle = 0;
+    void (*destroy)(VkDevice, std::uint64_t) = nullptr; ///< null where creation failed
+  };
+
+  template <class Handle, auto& kDestroy, class Create>
+  Handle own(const char* what, const Create& create);
+
   VkDevice device_;
-  std::vector<std::function<void()>> destroy_;
+  std::vector<Owned> owned_;
 };
 
 /// What one binding of a descriptor set holds: a range of a buffer or an image, by its type.

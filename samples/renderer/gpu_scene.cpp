@@ -115,6 +115,18 @@ std::array<const TextureSlot*, MATERIAL_TEXTURES> slotsOf(const Material& materi
   return slots;
 }
 
+int alphaModeOf(const Material& material) {
+  switch (material.alphaMode) {
+  case AlphaMode::opaque:
+    return ALPHA_OPAQUE;
+  case AlphaMode::mask:
+    return ALPHA_MASK;
+  case AlphaMode::blend:
+    break;
+  }
+  return ALPHA_BLEND;
+}
+
 shader::MaterialData materialData(const Material& material, const NoiseRoles& noise) {
   shader::MaterialData data{};
   const bool masked = material.alphaMode == AlphaMode::mask;
@@ -125,8 +137,8 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   const auto slots = slotsOf(material);
   for (int k = 0; k < 4; ++k)
     data.texCoords[k] = slots[std::size_t(k)]->texCoord;
-  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, material.alphaMode != AlphaMode::opaque,
-                noise.map[NOISE_OPACITY], int(noise.texCoord)};
+  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, alphaModeOf(material), noise.map[NOISE_OPACITY],
+                int(noise.texCoord)};
   data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
   data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {

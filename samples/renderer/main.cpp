@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "picture.h"
 #include "printable.h"
+#include "progress_line.h"
 #include "renderer.h"
 
 #include <lichen/image_io.h>
@@ -88,6 +89,17 @@ void report(const Command& command, const std::string& device, const Scene& scen
   }
 }
 
+Result<Picture> drawn(const Command& command, HeadlessDevice& device, const Scene& scene,
+                      RenderSettings settings) {
+  cli::SharedOptions shared;
+  shared.quiet = command.quiet;
+  cli::ProgressLine progress("render", shared);
+  settings.frameDone = [&](std::uint32_t frames) {
+    progress.show(double(frames) / double(settings.frames));
+  };
+  return renderScene(device, scene, settings);
+}
+
 Result<void> run(const Command& command) {
   if (command.listDevices)
     return listDevices(command.json);
@@ -117,7 +129,7 @@ Result<void> run(const Command& command) {
   Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create(options);
   if (!device)
     return device.error();
-  Result<Picture> picture = renderScene(*device.value(), scene.value(), settings);
+  Result<Picture> picture = drawn(command, *device.value(), scene.value(), settings);
   if (!picture)
     return picture.error();
   note(command, picture.value().notes);

@@ -128,31 +128,55 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
+/// The specialization constants of surface.glsl and scene.frag.
+struct Constants {
+  VkBool32 hasNoise = VK_FALSE;
+  VkBool32 hasNormalMap = VK_FALSE;
+  std::int32_t debugView = DEBUG_NONE;
+  VkBool32 otherTables = VK_FALSE;
+};
+
+constexpr std::array kConstants{
+    VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
+    VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
+    VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
+    VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)}};
+
+VkSpecializationInfo specializationOf(const Constants& constants) {
+  return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
+}
+
 void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
   Description d;
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
   d.fragment = objects.shader(scene_frag);
-  struct Constants {
-    VkBool32 hasNoise;
-    VkBool32 hasNormalMap;
-    std::int32_t debugView;
-    VkBool32 otherTables;
-  };
-  const std::array entries{
-      VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
-      VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
-      VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
-      VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)}};
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables};
-    const VkSpecializationInfo specialization{std::uint32_t(entries.size()), entries.data(),
-                                              sizeof constants, &constants};
+    const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
     d.writesDepth = !d.blends;
     pipelines.surfaces[i] = graphics(objects, d);
+  }
+}
+
+void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
+  Description d;
+  d.layout = pipelines.depthLayout;
+  d.vertex = objects.shader(depth_vert);
+  d.attributes = std::span(kAttributes).first(kDepthAttributes);
+  d.color = false;
+  d.slopeBias = true;
+  d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
+  pipelines.depthOpaque = graphics(objects, d);
+  d.fragment = objects.shader(depth_frag);
+  for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
+    const Constants constants{.hasNoise = i != 0, .otherTables = shared.otherTables};
+    const VkSpecializationInfo specialization = specializationOf(constants);
+    d.specialization = &specialization;
+    pipelines.depthWithGaps[i] = graphics(objects, d);
   }
 }
 
@@ -162,25 +186,15 @@ Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
                           const SurfaceConstants& constants) {
   Pipelines pipelines;
   const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
-  const std::array depthSets{layouts.frame, layouts.material};
   pipelines.sceneLayout =
       objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
   pipelines.depthLayout =
-      objects.pipelineLayout(depthSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
+      objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
   pipelines.accumulateLayout = objects.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
   createSurfaces(objects, pipelines, constants);
 
-  Description depth;
-  depth.layout = pipelines.depthLayout;
-  depth.vertex = objects.shader(depth_vert);
-  depth.attributes = std::span(kAttributes).first(kDepthAttributes);
-  depth.color = false;
-  depth.slopeBias = true;
-  depth.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
-  pipelines.depthOpaque = graphics(objects, depth);
-  depth.fragment = objects.shader(depth_frag);
-  pipelines.depthMasked = graphics(objects, depth);
+  createDepths(objects, pipelines, constants);
 
   Description sky;
   sky.layout = pipelines.sceneLayout;

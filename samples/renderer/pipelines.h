@@ -27,10 +27,10 @@ struct SurfaceKind {
 
 struct Pipelines {
   VkPipelineLayout sceneLayout = VK_NULL_HANDLE; ///< sets: frame, material, noise
-  VkPipelineLayout depthLayout = VK_NULL_HANDLE; ///< sets: frame (unused), material
+  VkPipelineLayout depthLayout = VK_NULL_HANDLE; ///< sets: frame (unused), material, noise
   VkPipelineLayout accumulateLayout = VK_NULL_HANDLE;
-  VkPipeline depthOpaque = VK_NULL_HANDLE; ///< reads no set
-  VkPipeline depthMasked = VK_NULL_HANDLE;
+  VkPipeline depthOpaque = VK_NULL_HANDLE;   ///< reads no set
+  std::array<VkPipeline, 2> depthWithGaps{}; ///< of masks and blends; without and with a noise
   VkPipeline sky = VK_NULL_HANDLE;
   VkPipeline accumulate = VK_NULL_HANDLE;
   std::array<VkPipeline, 8> surfaces{};

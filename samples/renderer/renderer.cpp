@@ -280,21 +280,25 @@ private:
     return scene_.materials[scene_.primitives[instance.primitive].material];
   }
 
+  void bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t material) {
+    const std::array sets{gpu_.materialSets[material], noises_.set(material)};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL,
+                            std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+  }
+
   void recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
                       const glm::mat4& clipFromWorld) {
     beginRendering(commands, {side, side}, VK_NULL_HANDLE, view, 1.0f);
     bindGeometry(commands);
     for (const Instance& instance : scene_.instances) {
       const Material& material = materialOf(instance);
-      if (material.alphaMode == AlphaMode::blend)
-        continue; // glass would cast the shadow of a wall
-      const bool masked = material.alphaMode == AlphaMode::mask;
+      const std::size_t m = scene_.primitives[instance.primitive].material;
+      const bool hasGaps = material.alphaMode != AlphaMode::opaque;
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                        masked ? pipelines_.depthMasked : pipelines_.depthOpaque);
-      if (masked)
-        vkCmdBindDescriptorSets(
-            commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.depthLayout, SET_MATERIAL, 1,
-            &gpu_.materialSets[scene_.primitives[instance.primitive].material], 0, nullptr);
+                        hasGaps ? pipelines_.depthWithGaps[noises_.hasNoise(m) ? 1 : 0]
+                                : pipelines_.depthOpaque);
+      if (hasGaps)
+        bindMaterial(commands, pipelines_.depthLayout, m);
       const shader::DepthData draw{clipFromWorld * instance.worldFromObject};
       vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                          sizeof draw, &draw);
@@ -320,9 +324,7 @@ private:
         commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
         pipelines_.surface({noises_.hasNoise(m), material.normalTexture.image.has_value(),
                             material.alphaMode == AlphaMode::blend}));
-    const std::array sets{gpu_.materialSets[m], noises_.set(m)};
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
-                            SET_MATERIAL, std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+    bindMaterial(commands, pipelines_.sceneLayout, m);
     const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
     vkCmdSetCullMode(commands, material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     vkCmdSetFrontFace(commands,
@@ -425,6 +427,8 @@ Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
       const Clock::time_point frameStart = Clock::now();
       renderer.renderFrame(frame);
       seconds.push_back(secondsSince(frameStart));
+      if (settings.frameDone)
+        settings.frameDone(frame + 1);
     }
     std::sort(seconds.begin(), seconds.end());
     picture.medianFrameSeconds = seconds[seconds.size() / 2];

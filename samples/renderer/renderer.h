@@ -10,6 +10,7 @@
 #include <lichen/headless_device.h>
 #include <lichen/image.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct RenderSettings {
   bool toneMap = true;       ///< false: light as it is, for EXR
   std::string debugView;     ///< empty, or one of debugViewNames(); those are never tone-mapped
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
+  std::function<void(std::uint32_t frames)> frameDone; ///< called with how many are done, or empty
 };
 
 [[nodiscard]] std::vector<std::string_view> debugViewNames();

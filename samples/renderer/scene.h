@@ -108,6 +108,7 @@ struct Light {
 
 struct Camera {
   std::string name;
+  std::string nodeName; ///< of the node that holds it, which is what Blender's users named
   glm::mat4 worldFromCamera{1.0f}; ///< rigid: looks along -z, +y up
   bool perspective = true;
   float verticalFieldOfView = 0.7f; ///< radians; perspective

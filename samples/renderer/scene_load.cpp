@@ -232,8 +232,7 @@ private:
 
   void addCamera(const tinygltf::Node& node, const glm::mat4& world) {
     Camera camera = readCamera(model_.cameras[std::size_t(node.camera)], world);
-    if (camera.name.empty())
-      camera.name = node.name;
+    camera.nodeName = node.name;
     scene_.cameras.push_back(std::move(camera));
   }
 

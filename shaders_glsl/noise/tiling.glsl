@@ -112,17 +112,20 @@ float lichenMipKept(int mip, LichenMap map) {
   return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
 }
 
-/// The variance that a bilinear fetch of one mip keeps.
-float lichenFetchKept(int mip, LichenTaps taps, LichenMap map) {
+/// The variance that a bilinear fetch of one mip keeps. `magnified` is 0 at one texel a pixel and
+/// coarser, 1 from two pixels a texel on.
+float lichenFetchKept(int mip, float magnified, LichenTaps taps, LichenMap map) {
   float kept = lichenMipKept(mip, map);
   // Midway between four texels the fetch is their average, a texel of the next mip.
   const float kLeast = 1.0e-3; // of the unorm bytes, below the smallest
   float loss = 4.0 - 4.0 * lichenMipKept(mip + 1, map) / max(kept, kLeast);
-  // Where the taps do not share their place between texels, the average over all places.
+  // Where the taps do not share their place between texels, or pixels are smaller than texels and
+  // would show the table's level as a mesh, the average over all places.
+  const float kAverage = 1.0 / 6.0;
   vec2 size = vec2(map.widthTexels, map.heightTexels) * exp2(-float(mip));
   vec2 inside = fract(taps.position * size - 0.5);
-  vec2 between = mip < int(map.alignedMips) ? inside * (1.0 - inside) : vec2(1.0 / 6.0);
-  vec2 share = 1.0 - loss * between;
+  vec2 between = mip < int(map.alignedMips) ? inside * (1.0 - inside) : vec2(kAverage);
+  vec2 share = 1.0 - loss * mix(between, vec2(kAverage), magnified);
   return kept * kept * share.x * share.y;
 }
 
@@ -130,8 +133,9 @@ float lichenFetchKept(int mip, LichenTaps taps, LichenMap map) {
 float lichenTilingLostVariance(LichenTaps taps, float level, LichenMap map) {
   float clamped = clamp(level, 0.0, float(int(map.mipCount) - 1));
   int mip = int(clamped);
-  float keptBelow = lichenFetchKept(mip, taps, map);
-  float keptAbove = lichenFetchKept(mip + 1, taps, map);
+  float magnified = clamp(-level, 0.0, 1.0);
+  float keptBelow = lichenFetchKept(mip, magnified, taps, map);
+  float keptAbove = lichenFetchKept(mip + 1, magnified, taps, map);
   // A trilinear blend of a level and its own average.
   float rest = 1.0 - (clamped - float(mip));
   return 1.0 - (keptAbove + rest * rest * (keptBelow - keptAbove));

@@ -34,6 +34,23 @@ std::string reportOf(const Workplace& workplace, const std::string& input,
   return workplace.read("report.html");
 }
 
+/// Width and height of a picture: bytes 16 to 23 of a PNG, of which the data URI has the base64.
+std::array<unsigned, 2> extentsOf(const nlohmann::json& picture) {
+  const std::string uri = picture.at("png");
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t begin = uri.find(',') + 1;
+  const auto byteAt = [&](std::size_t place) {
+    unsigned bits = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      bits = bits << 6u | unsigned(digits.find(uri[begin + place / 3 * 4 + c]));
+    return bits >> (16u - 8u * unsigned(place % 3)) & 255u;
+  };
+  std::array<unsigned, 2> extents{};
+  for (std::size_t place = 16; place < 24; ++place)
+    extents[place / 20] = extents[place / 20] << 8u | byteAt(place);
+  return extents;
+}
+
 } // namespace
 
 TEST_CASE("a report holds the measures that compare finds, and nothing from elsewhere") {
@@ -58,6 +75,77 @@ TEST_CASE("a report holds the measures that compare finds, and nothing from else
   static const std::regex address("[a-z]+://[^\"' ]+");
   for (std::sregex_iterator at(page.begin(), page.end(), address), end; at != end; ++at)
     CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a vocabulary
+}
+
+TEST_CASE("compare finds the measures of the report when it is told what the bake was told") {
+  const Workplace workplace;
+  // Light from one side, which flattening removes, and a normal map whose green points down.
+  SrgbImage lit = speckled(80, 64, 4);
+  for (int y = 0; y < lit.height; ++y)
+    for (int x = 0; x < lit.width; ++x)
+      for (int c = 0; c < 4; ++c)
+        lit.pixel(x, y)[c] *= 0.3f + 0.7f * float(x) / float(lit.width);
+  std::filesystem::create_directory(workplace.path("rock"));
+  workplace.write("rock/rock_color.png", lit);
+  workplace.write("rock/rock_normal.png", speckled(80, 64, 3));
+  const Arguments options{"--crop", "8,0,64,64", "--size", "48x40",   "--flatten",
+                          "16",     "--normal",  "dx",     "--alpha", "opacity"};
+  const nlohmann::json data = dataOf(reportOf(workplace, workplace.path("rock"), options));
+  Arguments compare{"compare", workplace.path("rock"), workplace.path("noise.glb"), "--json"};
+  const auto measuresNow = [&] {
+    return nlohmann::json::parse(runLichen(compare).output).at("measures");
+  };
+  const nlohmann::json without = measuresNow();
+  compare.insert(compare.end(), options.begin(), options.end());
+  const nlohmann::json with = measuresNow();
+  std::vector<nlohmann::json> reported;
+  for (const nlohmann::json& map : data.at("maps"))
+    for (const nlohmann::json& measure : map.at("measures"))
+      reported.push_back(measure.at("value"));
+  std::vector<nlohmann::json> found;
+  for (const nlohmann::json& measure : with)
+    found.push_back(measure.at("value"));
+  CHECK(reported.size() == 15); // base colour, normal and opacity
+  CHECK(reported == found);
+  CHECK(without[0].at("value").get<double>() > 2.0 * with[0].at("value").get<double>());
+}
+
+TEST_CASE("a report says what was done to an exemplar, and shows it as it was before flattening") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("leaf"));
+  workplace.write("leaf/leaf_color.png", smooth(64));
+  workplace.write("leaf/leaf_opacity.png", smoothGrey(32));
+  const std::string leaf = workplace.path("leaf");
+  const nlohmann::json plain = dataOf(reportOf(workplace, leaf));
+  for (const nlohmann::json& map : plain.at("maps")) {
+    CHECK(map.at("steps").empty());
+    CHECK(map.at("original").is_null());
+  }
+  const nlohmann::json maps =
+      dataOf(reportOf(workplace, leaf, {"--crop", "0,0,48,40", "--flatten", "16"})).at("maps");
+  CHECK(maps[0].at("steps") ==
+        nlohmann::json{"cropped", "without variation slower than 16 pixels"});
+  CHECK(extentsOf(maps[0].at("original")) == std::array{48u, 40u});
+  CHECK(maps[0]["original"] != maps[0]["exemplar"]);
+  CHECK(maps[1].at("target") == "opacity"); // which flattening leaves as it is
+  CHECK(maps[1].at("steps") == nlohmann::json{"cropped"});
+  CHECK(maps[1].at("original").is_null());
+}
+
+TEST_CASE("the time that a bake prints is the whole, with that of its report") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smoothGrey(64));
+  const Ended ended = runLichen({"bake", input, "-o", workplace.path("noise.glb"), "--report",
+                                 workplace.path("report.html"), "--json"});
+  const double printed = nlohmann::json::parse(ended.output).at("seconds");
+  const nlohmann::json timings = dataOf(workplace.read("report.html")).at("timings");
+  double sum = 0.0;
+  for (const nlohmann::json& step : timings)
+    if (step.at("name") != "In all")
+      sum += step.at("seconds").get<double>();
+  CHECK(timings.back().at("name") == "In all");
+  CHECK(timings.back().at("seconds").get<double>() == Approx(sum));
+  CHECK(printed >= sum); // and has the writing of the page too
 }
 
 TEST_CASE("each histogram of a report counts every pixel once") {
@@ -111,6 +199,23 @@ TEST_CASE("images of any kind have a report") {
     INFO(input);
     const nlohmann::json data = dataOf(reportOf(workplace, input));
     CHECK(data["maps"][0]["measures"].size() == 5);
+  }
+}
+
+TEST_CASE("a report shows narrow exemplars as they are, beside a result that is not narrow") {
+  struct Shape {
+    int width, height;
+    std::array<unsigned, 2> result;
+  };
+  // Two exemplars long, and half as wide.
+  for (const auto& [width, height, result] :
+       {Shape{300, 2, {600, 300}}, Shape{3, 200, {200, 400}}}) {
+    const Workplace workplace;
+    const std::string input = workplace.write("a.png", speckled(width, height, 3));
+    const nlohmann::json map = dataOf(reportOf(workplace, input))["maps"][0];
+    CHECK(extentsOf(map.at("exemplar")) == std::array{unsigned(width), unsigned(height)});
+    CHECK(extentsOf(map.at("result")) == result);
+    CHECK(extentsOf(map.at("gaussian")) == std::array{unsigned(width), unsigned(height)});
   }
 }
 

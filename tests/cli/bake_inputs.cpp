@@ -219,7 +219,9 @@ TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
   CHECK(holed.size() == opaque.size() + 1);
   const Ended ended =
       runLichen({"bake", workplace.path("holed.png"), "-o", workplace.path("a.glb")});
-  CHECK_THAT(ended.errors, Catch::Contains("note: ") && Catch::Contains("alpha"));
+  CHECK_THAT(ended.errors,
+             Catch::Contains("note: the image has an alpha channel that is not all opaque; it "
+                             "is ignored, or baked as opacity with --alpha opacity\n"));
 }
 
 TEST_CASE("an image of one colour or of few pixels is noted, a good one is not") {
@@ -234,7 +236,59 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));
   CHECK_THAT(only("grey.png", grey), Catch::Contains("one colour"));
   CHECK_THAT(only("stamp.png", smooth(16)), Catch::Contains("16 x 16 pixels show little"));
-  CHECK(only("good.png", smooth(128)) == "0");
+  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 a side are best"));
+  CHECK(only("good.png", smoothGrey(256)) == "0");
+}
+
+TEST_CASE("a photograph is baked upright") {
+  const Workplace workplace;
+  // The rows of the stored picture from the bottom up are columns of the upright one: 6 is a turn
+  // to the right.
+  samples::Png stored{.width = 16, .height = 24, .colourType = 0};
+  samples::Bytes file = samples::makePng(stored);
+  samples::insertPngChunk(file, "eXIf", samples::exifBlock(6, true));
+  SrgbImage upright(24, 16, 1);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x)
+      *upright.pixel(x, y) = float(samples::pngCode(stored, y, 23 - x, 0)) / 255.0f;
+  const std::string turned = workplace.write("stored.png", file);
+  bake(workplace, turned, "a.glb", {"--name", "x"});
+  bake(workplace, workplace.write("upright.png", upright), "b.glb", {"--name", "x"});
+  CHECK((workplace.read("a.glb") == workplace.read("b.glb")));
+  const std::vector<nlohmann::json> notes = notesOf(workplace, turned);
+  CHECK(std::find(notes.begin(), notes.end(), "turned as its EXIF orientation, 6, says") !=
+        notes.end());
+}
+
+TEST_CASE("an exemplar that tiles does so at another size, where its borders stand out more") {
+  const Workplace workplace;
+  // Grain hides a slope of 16 pixels at the borders, until it is averaged away.
+  constexpr int kSide = 128, kSlope = 16;
+  SrgbImage image(kSide, kSide, 1);
+  std::uint32_t state = 1;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      state = state * 1664525u + 1013904223u; // Numerical Recipes, eq. 7.1.6
+      const float fromSeam = float(x < kSide / 2 ? x : x - kSide) + 0.5f;
+      const float rise = std::clamp(fromSeam / float(kSlope), -0.5f, 0.5f);
+      const float fall = 2.0f * fromSeam / float(kSide);
+      *image.pixel(x, y) =
+          0.5f + 0.2f * (rise - 0.5f * fall) + 0.4f * (float(state >> 8u) * 0x1p-24f - 0.5f);
+    }
+  const std::string tiles = workplace.write("tiles.png", image);
+  const auto isPeriodic = [&](const std::string& input, Arguments more) {
+    more.insert(more.begin(), {"bake", input, "-o", workplace.path("o.glb"), "--json"});
+    const Ended ended = runLichen(more);
+    REQUIRE(ended.code == 0);
+    return nlohmann::json::parse(ended.output).at("periodic").get<bool>();
+  };
+  REQUIRE(isPeriodic(tiles, {}));
+  for (const char* size : {"64", "32", "16", "40x24"})
+    CHECK(isPeriodic(tiles, {"--size", size}));
+  CHECK_FALSE(isPeriodic(tiles, {"--size", "16", "--periodic", "no"}));
+  const std::string blobs = workplace.write("blobs.png", smoothGrey(64));
+  CHECK(isPeriodic(blobs, {"--size", "16"}));
+  CHECK_FALSE(isPeriodic(blobs, {"--size", "16", "--crop", "0,0,40,64"}));
 }
 
 TEST_CASE("a file name that is not UTF-8 becomes a name that is") {

@@ -128,9 +128,11 @@ TEST_CASE("--size averages light, and of normals the slopes") {
   REQUIRE(
       runLichen({"synth", bundle, "-o", workplace.path("n.exr"), "--map", "normal", "--size", "8"})
           .code == 0);
-  const auto slopes = std::get<LinearImage>(readImage(workplace.path("n.exr")).value().pixels);
-  for (std::size_t i = 0; i < slopes.pixelCount(); ++i)
-    CHECK(slopes.values[3 * i] == Approx(0.75).margin(1.5 * kLeft));
+  const auto normals = std::get<LinearImage>(readImage(workplace.path("n.exr")).value().pixels);
+  for (std::size_t i = 0; i < normals.pixelCount(); ++i) {
+    const float* code = normals.pixel(int(i), 0);
+    CHECK(-(2.0f * code[0] - 1.0f) / (2.0f * code[2] - 1.0f) == Approx(0.75).margin(1.5 * kLeft));
+  }
 }
 
 TEST_CASE("--alpha opacity makes a map of alpha, whose mean holds at every distance") {

@@ -60,15 +60,76 @@ TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
   CHECK(risks[3].at("level") == "none");
 }
 
-TEST_CASE("of a set, each risk is of the map that it is worst of") {
+TEST_CASE("a picture of few colours is told so, and given no advice on exposure") {
+  const Workplace workplace;
+  constexpr int kSide = 64;
+  SrgbImage dither(kSide, kSide, 1), soft(kSide, kSide, 1);
+  std::uint32_t state = 1;
+  for (std::size_t i = 0; i < dither.values.size(); ++i) {
+    state = state * 1664525u + 1013904223u; // Numerical Recipes, section 7.1
+    soft.values[i] = float(state >> 8u) * 0x1p-24f;
+    dither.values[i] = soft.values[i] < 0.5f ? 0.0f : 1.0f;
+  }
+  const auto risks = [&](const SrgbImage& image) {
+    return jsonOf(workplace, {workplace.write("picture.png", image)}).at("risks");
+  };
+  const nlohmann::json hard = risks(dither);
+  CHECK(hard[1].at("level") == "severe");
+  CHECK_THAT(hard[1].at("sentence").get<std::string>(),
+             Catch::Contains("only 2 colours") && Catch::Contains("ragged"));
+  CHECK(hard[3].at("level") == "none");
+  CHECK(risks(soft)[1].at("level") == "none");
+}
+
+TEST_CASE("of a set, a risk is told of the base colour, unless another map has it worse") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", speckled(64, 64, 3));
-  const std::string height = workplace.write("stone_disp.png", slope());
-  const Ended ended = runLichen({"bake", color, height, "-o", workplace.path("noise.glb")});
+  const std::string uneven = workplace.write("slope_diff.png", slope());
+  const std::string roughness = workplace.write("stone_rough.png", slope());
+  const Ended ended = runLichen({"bake", color, roughness, "-o", workplace.path("noise.glb")});
   CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("low-frequency (severe, height): ") &&
-                               Catch::Contains("--flatten PERIOD"));
-  CHECK(jsonOf(workplace, {color, height}).at("risks")[2].at("map") == "height");
+  CHECK_THAT(ended.errors,
+             Catch::Contains("low-frequency (severe, occlusionRoughnessMetallic): ") &&
+                 Catch::Contains("what helps: --flatten 21, or ")); // a third of the side
+  const nlohmann::json mended = jsonOf(workplace, {color, roughness, "--flatten", "21"});
+  CHECK(mended.at("risks")[2].at("level") == "none");
+  CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
+        "occlusionRoughnessMetallic");
+  CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
+}
+
+TEST_CASE("opacity is not advised to be flattened, which it never is") {
+  const Workplace workplace;
+  const std::string color = workplace.write("leaf_diff.png", speckled(64, 64, 3));
+  const std::string opacity = workplace.write("leaf_opacity.png", slope());
+  const nlohmann::json risk = jsonOf(workplace, {color, opacity}).at("risks")[2];
+  CHECK(risk.at("map") == "opacity");
+  CHECK(risk.at("level") == "severe");
+  CHECK(risk.at("remedy") == "even light");
+}
+
+TEST_CASE("a height that slopes as a whole is no risk, and --flatten auto leaves it") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", slope());
+  const std::string height = workplace.write("stone_disp.png", slope());
+  const nlohmann::json json = jsonOf(workplace, {color, height, "--flatten", "auto"});
+  CHECK(json.at("risks")[2].at("level") == "none");
+  CHECK_THAT(json.at("notes").dump(), Catch::Contains("is removed from baseColor\""));
+}
+
+TEST_CASE("--flatten auto says that an object is none of its business") {
+  const Workplace workplace;
+  SrgbImage disc = speckled(128, 128, 3);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x)
+      for (int c = 0; c < 3; ++c)
+        disc.pixel(x, y)[c] =
+            0.2f * disc.pixel(x, y)[c] + (std::hypot(x - 64.0, y - 64.0) < 40.0 ? 0.7f : 0.1f);
+  const std::string input = workplace.write("disc.png", disc);
+  const nlohmann::json json = jsonOf(workplace, {input, "--flatten", "auto"});
+  CHECK_THAT(json.at("notes").dump(), Catch::Contains("has an outline"));
+  CHECK(json.at("risks")[2].at("level") == "severe");
+  CHECK(json.at("risks")[2].at("remedy").get<std::string>().find("--flatten") == std::string::npos);
 }
 
 TEST_CASE("--flatten removes the risk, by itself or by a period, and says so") {

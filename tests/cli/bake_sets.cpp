@@ -172,6 +172,19 @@ TEST_CASE("the maps of a folder are told by name in every scheme, and keep their
   }
 }
 
+TEST_CASE("synth writes heights in 16 bits, and other maps in 8") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", smooth(16));
+  const std::string height = workplace.write("stone_height.png", smoothGrey(16));
+  const std::string bundle = workplace.path("stone.glb");
+  REQUIRE(runLichen({"bake", color, height, "-o", bundle, "--transport", "fast"}).code == 0);
+  constexpr std::size_t kBitDepth = 24; // of PNG's header, the byte after width and height
+  for (const auto& [map, bits] : {std::pair{"baseColor", 8}, {"height", 16}}) {
+    synth(workplace, bundle, {"--map", map, "--size", "16"});
+    CHECK(int(workplace.read("synth.png")[kBitDepth]) == bits);
+  }
+}
+
 TEST_CASE("the core material of a set has every map in its slot") {
   const Workplace workplace;
   makeFolder(workplace, "set");
@@ -204,7 +217,7 @@ TEST_CASE("the core material of a set has every map in its slot") {
                {1.0f, 1.0f, 1.0f, code(140)});
 }
 
-TEST_CASE("an EXR of a map has its values: slopes in red and green, data as it is") {
+TEST_CASE("an EXR of a map has normals as a normal map has them, and data as it is") {
   const Workplace workplace;
   makeFolder(workplace, "set");
   workplace.write("set/normal.png", flat(kNormal));
@@ -216,11 +229,9 @@ TEST_CASE("an EXR of a map has its values: slopes in red and green, data as it i
                 .code == 0);
     return std::get<LinearImage>(readImage(workplace.path("v.exr")).value().pixels).values;
   };
-  const std::vector<float> slopes = valueOf("normal");
-  const float z = 2.0f * kNormal[2] - 1.0f;
-  // Half floats have steps of 2^-11 of the value.
-  CHECK(slopes[0] == Approx(-(2.0f * kNormal[0] - 1.0f) / z).epsilon(0x1p-10));
-  CHECK(slopes[1] == Approx(-(2.0f * kNormal[1] - 1.0f) / z).epsilon(0x1p-10));
+  const std::vector<float> normals = valueOf("normal");
+  for (std::size_t c = 0; c < 3; ++c) // kNormal is of unit length but for its rounding
+    CHECK(normals[c] == Approx(kNormal[c]).margin(0.5 / 255.0));
   const std::vector<float> orm = valueOf("occlusionRoughnessMetallic");
   CHECK(orm[0] == 1.0f); // absent
   CHECK(orm[1] == Approx(code(102)).margin(0.5 / 255.0));
@@ -268,6 +279,97 @@ TEST_CASE("green of normals points as the name says, else as --normal does") {
   CHECK(bundle("normal.png", kNormal, {}) == up);
   CHECK(bundle("normal.png", kNormalDown, {"--normal", "dx"}) == up);
   CHECK(bundle("normal.png", kNormalDown, {}) != up);
+}
+
+TEST_CASE("the EXR of a noise's normals bakes to the same normals") {
+  const Workplace workplace;
+  const std::string png = workplace.write("normal.png", flat(kNormal));
+  const std::string rough = workplace.write("rough.png", flat({code(102)}));
+  baked(workplace, {png, rough});
+  REQUIRE(runLichen({"synth", workplace.path("set.glb"), "-o", workplace.path("normal.exr"),
+                     "--map", "normal", "--size", "8"})
+              .code == 0);
+  const json report = baked(workplace, {workplace.path("normal.exr"), rough});
+  CHECK_FALSE(hasNote(report, "point into the surface"));
+  checkValue(workplace, "normal", kNormal);
+}
+
+TEST_CASE("normals of which most point into the surface are refused, fewer are noted") {
+  const Workplace workplace;
+  const std::string rough = workplace.write("rough.png", flat({code(102)}));
+  SrgbImage normals = flat(kNormal); // of 16 pixels
+  for (int i = 0; i < 9; ++i)
+    normals.values[std::size_t(3 * i + 2)] = code(20);
+  const std::string input = workplace.write("normal.png", normals);
+  checkRefusal({"bake", input, rough, "-o", workplace.path("new.glb")}, kBadInput,
+               {"normal.png: 9 of 16 normals point into the surface", "blue above one half"});
+  normals.values[2] = kNormal[2];
+  workplace.write("normal.png", normals);
+  CHECK(hasNote(baked(workplace, {input, rough}), "8 of 16 normals point into the surface"));
+}
+
+TEST_CASE("of a packed map and a file of one of its channels the file is taken, with a note") {
+  const Workplace workplace;
+  const Pixel packed{code(51), code(102), code(153)};
+  const auto check = [&](const std::vector<std::pair<std::string, Pixel>>& files,
+                         const std::vector<std::string>& notes, const Pixel& wanted) {
+    const std::string folder = "f" + std::to_string(workplace.names().size());
+    makeFolder(workplace, folder);
+    for (const auto& [name, value] : files)
+      workplace.write(folder + "/" + name, flat(value));
+    const json report = baked(workplace, {workplace.path(folder)});
+    for (const std::string& note : notes)
+      CHECK(hasNote(report, note));
+    CHECK_FALSE(hasNote(report, "has colours"));
+    checkValue(workplace, "occlusionRoughnessMetallic", wanted);
+  };
+  check({{"rock_arm_2k.png", packed}, {"rock_rough_2k.png", {code(30)}}},
+        {"the roughness of rock_arm_2k.png is not used: rock_rough_2k.png has it"},
+        {code(51), code(30), code(153)});
+  check({{"orm.png", packed}, {"roughness.png", {code(30)}}, {"ao.png", {code(40)}}},
+        {"the roughness of orm.png", "the occlusion of orm.png"}, {code(40), code(30), code(153)});
+  check({{"orm.png", packed},
+         {"roughness.png", {code(30)}},
+         {"ao.png", {code(40)}},
+         {"metal.png", {code(60)}}},
+        {"the metallic of orm.png is not used: metal.png has it"}, {code(40), code(30), code(60)});
+  check({{"rock_arm.png", packed}, {"rock_rough.png", {code(30)}}, {"rock_metal.png", {code(60)}}},
+        {"the roughness of rock_arm.png", "the metallic of rock_arm.png"},
+        {code(51), code(30), code(60)});
+  check({{"metallicRoughness.png", packed}, {"roughness.png", {code(30)}}},
+        {"the roughness of metallicRoughness.png"}, {1.0f, code(30), code(153)});
+}
+
+TEST_CASE("a folder without a map stands for its only folder with maps") {
+  const Workplace workplace;
+  makeFolder(workplace, "wall");
+  makeFolder(workplace, "wall/textures");
+  makeFolder(workplace, "wall/source");
+  workplace.write("wall/wall.blend", "not an image");
+  workplace.write("wall/textures/diff.png", flat(kColor));
+  workplace.write("wall/source/sphere.png", flat({0.5f}));
+  const json report = baked(workplace, {workplace.path("wall")});
+  CHECK(hasNote(report, "the maps are those of the folder textures"));
+  CHECK(report.at("name") == "wall");
+  checkValue(workplace, "baseColor", kColor);
+  makeFolder(workplace, "wall/more");
+  workplace.write("wall/more/rough.png", flat({0.5f}));
+  checkRefusal({"bake", workplace.path("wall"), "-o", workplace.path("new.glb")}, kBadInput,
+               {"wall: a folder without a map", "more, textures have maps"});
+}
+
+TEST_CASE("maps whose names begin as those of two materials do are noted, others are not") {
+  const Workplace workplace;
+  const auto isNoted = [&](const std::vector<std::string>& names) {
+    const std::string folder = "f" + std::to_string(workplace.names().size());
+    makeFolder(workplace, folder);
+    for (const std::string& name : names)
+      workplace.write(folder + "/" + name, flat({0.5f, 0.5f, 0.9f}));
+    return hasNote(baked(workplace, {workplace.path(folder)}), "are called after two materials");
+  };
+  CHECK(isNoted({"a_diff.png", "b_nor_gl.png"}));
+  CHECK(isNoted({"rock_01_diff.png", "rock_02_rough.png"}));
+  CHECK_FALSE(isNoted({"rock_01_diff_2k.png", "Rock01_4K-PNG_NormalGL.png", "rough.png"}));
 }
 
 TEST_CASE("of normals in both conventions those of OpenGL are taken, with a note") {
@@ -335,6 +437,7 @@ TEST_CASE("images of every kind and size work inside a set") {
   const json report = baked(workplace, {workplace.path("set")});
   CHECK(mapsOf(report) == kEveryMap);
   CHECK(hasNote(report, "color.png has an alpha channel that is not all opaque; it is ignored"));
+  CHECK_FALSE(hasNote(report, "--alpha opacity")); // there is one
   CHECK(hasNote(report, "emissive.exr has values above 1"));
   CHECK(hasNote(report, "ao.png, metal.png, rough.png differ in size"));
   for (const auto& [target, channels] : kEveryMap) {
@@ -357,12 +460,15 @@ TEST_CASE("a folder without a map and two files for one map are refused by their
   refuses({}, {"a folder without a map"});
   refuses({"sphere.png"}, {"a folder without a map", "diff, nor_gl"});
   refuses({"a_diff.png", "a_albedo.jpg"}, {"a_albedo.jpg", "a_diff.png", "base colour"});
-  refuses({"rock_arm.png", "rock_rough.png"}, {"rock_rough.png", "rock_arm.png", "roughness"});
+  refuses({"rock_arm.png", "rock_orm.png"}, {"rock_orm.png", "rock_arm.png", "occlusion"});
+  refuses({"rock_arm.png", "rock_rough.png", "rock_roughness.png"},
+          {"rock_roughness.png", "rock_rough.png", "roughness"});
   refuses({"nor_gl.png", "normal.png"}, {"normal.png", "nor_gl.png", "normals"});
   const std::string nameless = workplace.write("sphere.png", flat(kColor));
   const std::string color = workplace.write("diff.png", flat(kColor));
   checkRefusal({"bake", color, nameless, "-o", out}, kBadInput,
-               {"sphere.png: its name does not say which map it is", "rough"});
+               {"sphere.png: its name does not say which map it is", "rough",
+                "photographs are baked one at a time"});
   const std::string grey = workplace.write("orm.png", flat({0.5f}));
   checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
   CHECK(!std::filesystem::exists(out));

@@ -121,6 +121,20 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
         Approx(first.value("autocovariance_error")).margin(0.01));
 }
 
+TEST_CASE("an exemplar of another size than was baked is noted, with the options that mend it") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smooth(64));
+  const std::string bundle = bake(workplace, image, "noise.glb", {"--size", "32"});
+  const Ended differs = runLichen({"compare", image, bundle});
+  CHECK_THAT(differs.errors, Catch::Contains("note: ") && Catch::Contains("64 x 64") &&
+                                 Catch::Contains("32 x 32") && Catch::Contains("--size"));
+  CHECK_THAT(runLichen({"compare", image, bundle, "--size", "32"}).errors,
+             !Catch::Contains("64 x 64"));
+  const nlohmann::json report =
+      nlohmann::json::parse(runLichen({"compare", image, bundle, "--json"}).output);
+  CHECK_THAT(report.at("notes").dump(), Catch::Contains("64 x 64"));
+}
+
 TEST_CASE("another noise of the bundle is compared when it is named") {
   const Workplace workplace;
   const std::string moss = workplace.write("moss.png", smooth(32));
@@ -157,7 +171,8 @@ TEST_CASE("a measure that images are too small for says so and counts as none") 
   CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
              Catch::Contains("at least 32"));
   CHECK_THAT(runLichen({"compare", small, small}).output,
-             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16"));
+             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16; this "
+                             "measure takes sides of at least 32 pixels"));
 }
 
 TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {
@@ -177,8 +192,8 @@ TEST_CASE("compare prints a line a measure with target and verdict, and nothing 
   const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
   const std::string page = runLichen({"compare", image, image}).output;
   CHECK_THAT(page, Catch::Contains("color_distance"));
-  CHECK_THAT(page, Catch::Contains("met: 0.003"));
-  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("MISSED: 0.003"));
+  CHECK_THAT(page, Catch::Contains("target 0.003, met"));
+  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("target 0.003, MISSED"));
   const Ended quiet = runLichen({"compare", image, dark, "--quiet"});
   CHECK(quiet.code == kFound);
   CHECK(quiet.output.empty());

@@ -85,8 +85,9 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
   const Ended ended = runLichen({"inspect", bundle});
   INFO(ended.output);
   CHECK(ended.code == 0);
-  for (const char* word : {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb",
-                           "5 fetches a pixel", "uv, seed 7", "moss.baseColor.inverse"})
+  for (const char* word :
+       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb", "5 fetches a pixel",
+        "inverse table 1: joint, 32 x 32 x 32 cells", "uv, seed 7", "moss.baseColor.inverse"})
     CHECK_THAT(ended.output, Catch::Contains(word));
   std::istringstream lines(ended.output);
   std::string line;
@@ -94,6 +95,27 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
   while (std::getline(lines, line))
     CHECK(line.size() <= 80);
   CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
+}
+
+TEST_CASE("inspect tells the kind of each inverse table, and the fetches that it takes") {
+  struct Kind {
+    std::vector<std::string> options;
+    const char* name;
+    const char* line;
+    int fetches;
+  };
+  const Kind kinds[] = {{{}, "joint", "joint, 32 x 32 x 32 cells", 5},
+                        {{"--lut", "separable"}, "separable", "separable, 3 x 256 cells", 6},
+                        {{"--gaussian", "yes"}, "none", "no inverse table", 3}};
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(kSide));
+  for (const Kind& kind : kinds) {
+    const std::string bundle = bake(workplace, input, "moss.glb", kind.options);
+    const nlohmann::json map = inspected(bundle).at("noises")[0].at("maps")[0];
+    CHECK(map.at("table") == kind.name);
+    CHECK(map.at("fetchesPerPixel") == kind.fetches);
+    CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains(kind.line));
+  }
 }
 
 TEST_CASE("inspect refuses what is not a bundle in one line") {

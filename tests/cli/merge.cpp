@@ -7,6 +7,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cmath>
+
 using namespace lichen;
 using namespace lichen::cli_test;
 
@@ -108,6 +111,56 @@ TEST_CASE("every preview shape shows merged noises, and a plane no more than it 
   CHECK_THAT(merge(workplace, many, {"--preview", "plane"}).errors,
              Catch::Contains("49 noises; a preview plane shows at most 48"));
   CHECK(merged(workplace, Arguments(48, moss), {"--preview", "plane"}).noises.size() == 48);
+}
+
+TEST_CASE("the preview's camera sees every ball whole, apart from the others and not small") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(4)), "m.glb");
+  struct Count {
+    std::size_t balls;
+    double leastShare; // of a ball in the height of the picture
+  };
+  // One row of four would have 0.17, one of nine 0.07.
+  for (const auto& [count, leastShare] : {Count{1, 0.6}, {2, 0.3}, {4, 0.28}, {9, 0.15}}) {
+    Arguments arguments(count, moss);
+    arguments.insert(arguments.begin(), "merge");
+    arguments.insert(arguments.end(), {"-o", workplace.path("all.gltf")});
+    REQUIRE(runLichen(arguments).code == 0);
+    const nlohmann::json gltf = nlohmann::json::parse(workplace.read("all.gltf"));
+    std::array<double, 3> eye{};
+    double pitch = 0.0;
+    std::vector<std::array<double, 3>> balls;
+    for (const nlohmann::json& node : gltf.at("nodes"))
+      if (node.contains("camera")) {
+        eye = node.at("translation");
+        pitch = 2.0 * std::asin(node.at("rotation")[0].get<double>());
+      } else if (node.at("name").get<std::string>().rfind("ball", 0) == 0) {
+        balls.push_back(node.at("translation"));
+      }
+    REQUIRE(balls.size() == count);
+    // Sight of a ball of radius 1: its direction in the camera's frame, and half its angle.
+    const double halfHeight =
+        std::tan(gltf["cameras"][0]["perspective"]["yfov"].get<double>() / 2.0);
+    std::vector<std::array<double, 4>> sights;
+    for (const std::array<double, 3>& ball : balls) {
+      const double x = ball[0] - eye[0], y = ball[1] - eye[1], z = ball[2] - eye[2];
+      const double up = std::cos(pitch) * y + std::sin(pitch) * z;
+      const double ahead = std::sin(pitch) * y - std::cos(pitch) * z;
+      const double distance = std::sqrt(x * x + y * y + z * z);
+      sights.push_back({x / distance, up / distance, ahead / distance, std::asin(1.0 / distance)});
+      // Of a square picture, in which the outline reaches a little beyond 1 / ahead.
+      CHECK((std::abs(x) + 1.0) / ahead < halfHeight);
+      CHECK((std::abs(up) + 1.0) / ahead < halfHeight);
+      CHECK(1.0 / ahead / halfHeight > leastShare);
+    }
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        const auto& [ax, ay, az, aHalf] = sights[a];
+        const auto& [bx, by, bz, bHalf] = sights[b];
+        // Seen from nearby, the rows behind are a little lower.
+        CHECK(std::acos(ax * bx + ay * by + az * bz) > 0.9 * (aHalf + bHalf));
+      }
+  }
 }
 
 TEST_CASE("merge --json gives one object with its notes") {

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <regex>
 
 using namespace lichen;
@@ -11,25 +13,51 @@ using namespace lichen::cli_test;
 
 namespace {
 
-/// The verbs' work that lasts over a second on one core of any machine, or else nearly none.
+/// Work that tells as often has lasted well over the second in which nothing is told.
+constexpr auto kTold = 3;
+/// Work as long as this must have told something: a failure of the test, which ends.
+constexpr auto kLong = std::chrono::seconds(30);
+/// Of a side: two and a quarter times the pixels, and the time.
+constexpr double kGrowth = 1.5;
+
+/// The verbs' work that lasts, however fast the machine and the build are, or else nearly none.
 struct Made {
   Workplace workplace;
-  std::string photograph = workplace.write("photograph.png", smooth(512));
   std::string stamp = workplace.write("stamp.png", smooth(16));
   std::string bundle = bake(workplace, stamp, "stamp.glb");
 
   /// With --json, since notes would stand among the progress.
-  [[nodiscard]] Arguments longBake() const {
-    return {"bake", photograph, "-o", workplace.path("new.glb"), "--threads", "1", "--json"};
+  [[nodiscard]] Arguments bakeOf(int side) const {
+    return {"bake",      workplace.write("photograph.png", smooth(side)),
+            "-o",        workplace.path("new.glb"),
+            "--threads", "1",
+            "--json"};
   }
-  [[nodiscard]] Arguments longSynth() const {
-    return {"synth", bundle, "-o", workplace.path("new.png"), "--size", "3200", "--threads", "1"};
+  [[nodiscard]] Arguments synthOf(int side) const {
+    return {"synth",     bundle, "-o", workplace.path("new.png"), "--size", std::to_string(side),
+            "--threads", "1"};
   }
 };
 
 const Made& made() {
   static const Made made;
   return made;
+}
+
+/// Runs the work on a terminal at growing sides, from `side` on, until it lasts long enough to tell
+/// how far it is: nobody knows beforehand how fast a machine and a build are. Returns the last run,
+/// and its side by way of the parameter.
+template <class Work>
+Ended lasting(Work work, int& side) {
+  Limits limits;
+  limits.terminal = true;
+  for (;; side = int(kGrowth * side)) {
+    const auto start = std::chrono::steady_clock::now();
+    Ended ended = runLichen(work(side), limits);
+    const auto told = std::count(ended.errors.begin(), ended.errors.end(), '%');
+    if (ended.code != 0 || told >= kTold || std::chrono::steady_clock::now() - start > kLong)
+      return ended;
+  }
 }
 
 std::string errorsOf(Arguments arguments, bool terminal, const char* option = nullptr) {
@@ -65,24 +93,27 @@ void checkProgress(const std::string& verb, const std::string& text) {
 } // namespace
 
 TEST_CASE("on a terminal a long bake tells how far it is") {
-  checkProgress("bake", errorsOf(made().longBake(), true));
+  int side = 96;
+  const Ended ended = lasting([](int of) { return made().bakeOf(of); }, side);
+  REQUIRE(ended.code == 0);
+  checkProgress("bake", ended.errors);
 }
 
-TEST_CASE("on a terminal a long synth tells how far it is, apart from its JSON") {
-  Arguments arguments = made().longSynth();
-  arguments.push_back("--json");
-  Limits limits;
-  limits.terminal = true;
-  const Ended ended = runLichen(arguments, limits);
-  CHECK(ended.code == 0);
+TEST_CASE("a long synth tells how far it is, apart from its JSON, and only on a terminal") {
+  const auto work = [](int side) {
+    Arguments arguments = made().synthOf(side);
+    arguments.push_back("--json");
+    return arguments;
+  };
+  int side = 400;
+  const Ended ended = lasting(work, side);
+  REQUIRE(ended.code == 0);
   CHECK(ended.output.front() == '{');
   CHECK(ended.output.find('%') == std::string::npos);
   checkProgress("synth", ended.errors);
-}
-
-TEST_CASE("no progress is told where standard error is no terminal, or with --quiet") {
-  CHECK(errorsOf(made().longSynth(), false).empty());
-  CHECK(errorsOf(made().longSynth(), true, "--quiet").empty());
+  // Of what has just lasted long enough.
+  CHECK(errorsOf(made().synthOf(side), false).empty());
+  CHECK(errorsOf(made().synthOf(side), true, "--quiet").empty());
 }
 
 TEST_CASE("no progress is told of what takes less than a second") {

@@ -2,6 +2,8 @@
 // Where and how `lichen synth` evaluates the noise: seeds, origins and borders.
 #include "command_run.h"
 
+#include <lichen/result.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -108,6 +110,18 @@ TEST_CASE("--origin shifts a tileable image in itself") {
   CHECK(shareOfDifferent(shifted, expected) == 0.0);
   CHECK(seam(shifted, false) < 1.5);
   CHECK(seam(shifted, true) < 1.5);
+}
+
+TEST_CASE("a size under half a tile is refused with the options that make it tileable") {
+  const Workplace workplace;
+  const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(32)));
+  const Arguments synthesis{"synth",      bundle,   "-o",   workplace.path("a.png"),
+                            "--tileable", "--size", "10x20"};
+  checkRefusal(synthesis, int(ErrorKind::usage),
+               {"16x16 is accepted, or --texels-per-tile up to 20"});
+  Arguments accepted = synthesis;
+  accepted.insert(accepted.end(), {"--texels-per-tile", "20"});
+  CHECK(runLichen(accepted).code == 0);
 }
 
 TEST_CASE("a tileable image is as varied as an endless one") {

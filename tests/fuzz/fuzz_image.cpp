@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes -> decodeImage(): an image that keeps its contract, or an error that does.
+// Any bytes -> decodeImage() and upright(): an image that keeps its contract, or an error that
+// does.
 #include <lichen/image_io.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 using namespace lichen;
 
@@ -43,13 +45,14 @@ bool isOneLine(const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto* bytes = reinterpret_cast<const std::byte*>(data);
-  const Result<ImageFile> result = decodeImage({bytes, size}, "file");
+  Result<ImageFile> result = decodeImage({bytes, size}, "file");
   if (!result) {
     require(isOneLine(result.error().message), "a message of more or less than one line");
     return 0;
   }
-  std::visit([](const auto& image) { checkImage(image); }, result.value().pixels);
-  for (const std::string& note : result.value().notes)
+  const ImageFile file = upright(std::move(result).value());
+  std::visit([](const auto& image) { checkImage(image); }, file.pixels);
+  for (const std::string& note : file.notes)
     require(isOneLine(note), "a note of more or less than one line");
   return 0;
 }

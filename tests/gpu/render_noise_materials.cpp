@@ -180,10 +180,34 @@ TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode make
   // The table's half floats below 1 have steps of 2^-11, pictures a few of light.
   CHECK(largest < 4.0 * 0x1p-11);
   CHECK(drawn(scene, "OPAQUE", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
-  // The cutoff is 1/2.
+  // The cutoff is 1/2, and the ground has the shadow of what it leaves.
+  for (GltfScene* shown : {&scene, &plain})
+    shown->addGround(shown->addMaterial(json::object()), 10.0f, -1.0f);
   CHECK(drawn(scene, "MASK", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
   CHECK(drawn(scene, "MASK", 0.6).values == drawn(plain, "MASK", 0.4).values);
   CHECK(drawn(scene, "MASK", 0.6).values != drawn(plain, "OPAQUE", 1.0).values);
+}
+
+TEST_CASE("what is blended casts a shadow where its opacity is at least a half") {
+  GltfScene scene = noiseBall({kBaseColor});
+  scene.addGround(scene.addMaterial(json::object()), 10.0f, -1.0f);
+  addHoles(scene); // texels of alpha 0 and 1, by halves
+  const auto drawn = [&](bool hasNoise, double alpha) {
+    GltfScene shown = hasNoise ? scene : withoutNoise(scene);
+    materialOf(shown)["alphaMode"] = "BLEND";
+    materialOf(shown)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
+    return picture(shown);
+  };
+  const auto largestDifference = [](const LinearImage& a, const LinearImage& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+      largest = std::max(largest, std::abs(double(a.values[i]) - double(b.values[i])));
+    return largest;
+  };
+  for (const bool hasNoise : {false, true})
+    CHECK(largestDifference(drawn(hasNoise, 0.49), drawn(hasNoise, 0.51)) > 0.1);
+  // Without a shadow, a hundredth of opacity changes a pixel by about a hundredth of its range.
+  CHECK(largestDifference(drawn(true, 0.48), drawn(true, 0.49)) < 0.02);
 }
 
 TEST_CASE("a material whose noise is of a later revision is drawn as without it, with a note") {

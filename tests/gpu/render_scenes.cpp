@@ -262,3 +262,27 @@ TEST_CASE("the automatic camera has the whole subject in its picture, a ground l
   REQUIRE_FALSE(unknown.ok());
   CHECK(unknown.error().kind == ErrorKind::usage);
 }
+
+TEST_CASE("a camera is found by the name of its node or its own, and a refusal lists both") {
+  GltfScene scene = quadScene(2);
+  scene.addCamera(4.0f, 0.6f); // a camera called "front"
+  scene.json["nodes"].back()["name"] = "Camera.left";
+  scene.json["nodes"].push_back(scene.json["nodes"].back());
+  scene.json["nodes"].back()["name"] = "Camera.right";
+  scene.json["nodes"].back()["translation"] = {5, 0, 4};
+  scene.json["scenes"][0]["nodes"].push_back(scene.json["nodes"].size() - 1);
+  const Scene loaded = load(scene);
+  const renderer::Sphere subject = renderer::subjectOf(loaded).value();
+  const auto placeOf = [&](const char* name) {
+    const auto chosen = renderer::chooseCamera(loaded, subject, name, 1.0f);
+    REQUIRE(chosen.ok());
+    return chosen.value().worldFromCamera[3].x;
+  };
+  CHECK(placeOf("Camera.left") == 0.0f);
+  CHECK(placeOf("Camera.right") == 5.0f);
+  CHECK(placeOf("front") == 0.0f); // the first of its nodes
+  const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
+  REQUIRE_FALSE(unknown.ok());
+  CHECK(unknown.error().message ==
+        "no camera \"side\" in the scene; there are auto, Camera.left, Camera.right, front");
+}

@@ -13,7 +13,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <tiling_evaluate.comp.h>
+#include <tiling_evaluate.comp.anisotropic.h>
+#include <tiling_evaluate.comp.joint_table.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -163,6 +164,19 @@ TEST_CASE("16-bit tiling is the oracle's: 99.9 % within 1/1024 and all within 1/
   }
 }
 
+TEST_CASE("a shader without the code of other tables decodes joint ones as the whole shader does") {
+  for (const SyntheticMap& map : kSixteenBits) {
+    if (map.table != joint)
+      continue;
+    int uniforms = 0;
+    for (const Parity& parity : parities(map, tiling_evaluate_comp_joint_table)) {
+      INFO("D = " << map.dimensions << ", uniforms " << uniforms++);
+      CHECK(parity.value.largest <= 1.0 / 255.0);
+      CHECK(parity.value.fractionBeyond <= 0.001);
+    }
+  }
+}
+
 TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   // A sampler that filters in 8 bits rounds G twice (in a level, between levels) by 1/255 each at
@@ -267,7 +281,7 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
 TEST_CASE("with gradients left to the sampler, only the driver's level of detail differs") {
   // lavapipe approximates the level, and levels of independent texels differ much: 0.016 measured,
   // 0.025 where contrast is 1.4.
-  for (const Parity& parity : parities({3, 64, 64}, tiling_evaluate_comp)) {
+  for (const Parity& parity : parities({3, 64, 64}, tiling_evaluate_comp_anisotropic)) {
     CHECK(parity.value.largest <= 0.03);
     CHECK(parity.gaussian.largest <= 0.03);
   }

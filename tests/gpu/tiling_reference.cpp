@@ -118,6 +118,7 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMa
     mip = std::min(mip, 15);
     return double(words[mip / 4] >> (8 * (mip % 4)) & 255u) / 255.0;
   };
+  const double magnified = std::clamp(-lambda, 0.0, 1.0);
   const auto kept = [&](int mip) {
     const double a = amplitude(mip);
     if (a == 0.0)
@@ -125,7 +126,8 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMa
     const double c = 4.0 * (1.0 - amplitude(mip + 1) / a);
     const auto share = [&](double position, float size) {
       const double x = position * double(size) / std::exp2(mip) - 0.5, f = x - std::floor(x);
-      return 1.0 - c * (mip < int(m.alignedMips) ? f * (1.0 - f) : 1.0 / 6.0);
+      const double here = mip < int(m.alignedMips) ? f * (1.0 - f) : 1.0 / 6.0;
+      return 1.0 - c * (here * (1.0 - magnified) + magnified / 6.0);
     };
     return a * a * share(p[0], m.widthTexels) * share(p[1], m.heightTexels);
   };

@@ -186,7 +186,7 @@ TEST_CASE("joined channels stand in the format's order, at the size of the large
   }
 }
 
-TEST_CASE("the last words of a name that mean a map decide") {
+TEST_CASE("the last words of a name decide which map a file is") {
   using enum FileRole;
   const std::pair<const char*, FileRole> cases[] = {
       {"rough_plaster_diff_4k", baseColor},
@@ -207,13 +207,80 @@ TEST_CASE("the last words of a name that mean a map decide") {
       {"ROCK_EMISSIVE_COLOR", emissive},
       {"RockAORoughness", roughness},
       {"Fence003_Opacity", opacity},
-      {"Rock_Displacement_16bit", height}};
+      {"Rock_Displacement_16bit", height},
+      {"brick_normal_map_v2", normal},
+      {"Bark_Albedo_LOD0", baseColor},
+      {"wood_albedo_1001", baseColor}};
   for (const auto& [name, role] : cases) {
     INFO(name);
     CHECK(fileRole(name) == role);
   }
-  for (const char* name : {"Metal009", "preview", "roughen", "2K-PNG", "", "___", "\xff\xfe"}) {
+  for (const char* name : {"Metal009", "metal_plate", "rough_stone_thumb", "MetalPlate", "preview",
+                           "roughen", "2K-PNG", "", "___", "\xff\xfe"}) {
     INFO(name);
     CHECK(fileRole(name) == std::nullopt);
+  }
+}
+
+TEST_CASE("the names of those who publish materials say which map each file is") {
+  using enum FileRole;
+  const std::pair<const char*, std::optional<FileRole>> cases[] = {
+      // Poly Haven
+      {"rock_face_03_diff_2k", baseColor},
+      {"rock_face_03_nor_gl_2k", normalGl},
+      {"rock_face_03_nor_dx_2k", normalDx},
+      {"rock_face_03_arm_2k", occlusionRoughnessMetallic},
+      {"rock_face_03_disp_2k", height},
+      {"rock_face_03_rough_2k", roughness},
+      {"rock_face_03_ao_2k", occlusion},
+      {"metal_plate_metal_4k", metallic},
+      {"metal_plate_spec_4k", std::nullopt},
+      {"fabric_pattern_05_col_01_1k", baseColor},
+      // ambientCG
+      {"Metal032_2K-PNG_Color", baseColor},
+      {"Metal032_2K-PNG_Metalness", metallic},
+      {"Metal032_2K-PNG_NormalGL", normalGl},
+      {"Metal032_2K_Roughness", roughness},
+      {"Metal032_8K-JPG_Displacement", height},
+      {"Lava004_1K-JPG_Emission", emissive},
+      {"Metal032", std::nullopt}, // the picture of a ball
+      {"Metal032_PREVIEW", std::nullopt},
+      // FreePBR
+      {"rusty-metal_albedo", baseColor},
+      {"rusty-metal_normal-ogl", normalGl},
+      {"rusty-metal_normal-dx", normalDx},
+      {"rusty-metal_metallic", metallic},
+      {"rusty-metal_roughness", roughness},
+      {"rusty-metal_ao", occlusion},
+      {"rusty-metal_height", height},
+      {"rusty-metal_preview", std::nullopt},
+      // 3dtextures.me, now and once
+      {"Metal_Plate_047_basecolor", baseColor},
+      {"Metal_Plate_047_ambientOcclusion", occlusion},
+      {"Metal_Plate_047_metallic", metallic},
+      {"Metal_Plate_047_normal", normal},
+      {"Stone_Wall_001_COLOR", baseColor},
+      {"Stone_Wall_001_NORM", normal},
+      {"Stone_Wall_001_OCC", occlusion},
+      {"Stone_Wall_001_ROUGH", roughness},
+      {"Stone_Wall_001_DISP", height},
+      {"Stone_Wall_001_SPEC", std::nullopt},
+      {"Material_2076", std::nullopt},
+      // textures.com
+      {"TexturesCom_Metal_Plates_3x3_2K_albedo", baseColor},
+      {"TexturesCom_Metal_Plates_3x3_2K_normal", normal},
+      {"TexturesCom_Metal_Plates_3x3_2K_roughness", roughness},
+      {"TexturesCom_Metal_Plates_header", std::nullopt},
+      {"MetalPlatesBare0012_1_M", std::nullopt}};
+  const auto changed = [](std::string name, int (*change)(int)) {
+    for (char& c : name)
+      c = char(change(static_cast<unsigned char>(c)));
+    return name;
+  };
+  for (const auto& [name, role] : cases) {
+    INFO(name);
+    CHECK(fileRole(name) == role);
+    CHECK(fileRole(changed(name, std::tolower)) == role);
+    CHECK(fileRole(changed(name, std::toupper)) == role);
   }
 }

@@ -4,6 +4,7 @@
 #include "measured_cloudiness.h"
 
 #include <lichen/flatten.h>
+#include <lichen/lattice.h>
 #include <lichen/spectrum.h>
 #include <lichen/suitability.h>
 
@@ -66,10 +67,14 @@ double scoreOf(const MapExemplar& map, std::string_view name, bool periodic) {
   return 0.0;
 }
 
+FlatteningChoice automatic(MapExemplar map, bool periodic) {
+  Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, periodic);
+  REQUIRE(choice.ok());
+  return std::move(choice).value();
+}
+
 std::optional<double> automaticPeriod(const MapExemplar& map, bool periodic) {
-  const Result<std::optional<double>> period = flatteningPeriod(map, periodic);
-  REQUIRE(period.ok());
-  return period.value();
+  return automatic(map, periodic).periodPixels;
 }
 
 SrgbImage imageOf(const MapExemplar& map) {
@@ -104,17 +109,36 @@ TEST_CASE("Waves of the period are halved, shorter ones kept, longer ones and no
   CHECK(amplitude(map, 16) == Approx(0.1).epsilon(1e-4));
 }
 
-TEST_CASE("A ramp goes without a trace at the borders where the exemplar does not tile") {
+TEST_CASE(
+    "A ramp is continued by its mirror image where the exemplar does not tile, else by itself") {
   constexpr int kSide = 64;
   const MapExemplar ramp = slopes(kSide, kSide, [](int x, int) { return double(x) / kSide; });
-  // The mirror image turns the ramp into a wave of twice the side, of which the period of half a
-  // side leaves 1 - 2^-(1/16); its harmonics, odd and falling with their square, are left more.
-  // Continued by itself the ramp would jump by 1 at the border.
-  const auto border = [](const MapExemplar& map) {
-    return std::abs(double(map.values[0]) - 0.5 * double(kSide - 1) / kSide);
+  // The first pixel of what the filter leaves of a row of `period` pixels, as the sum over its
+  // frequencies: gains by 1 - 2^-(cycles a period)^2 for a period of half a side.
+  const auto filteredStart = [](int period, const auto& valueAt) {
+    double start = 0.0;
+    for (int cycles = 1 - period / 2; cycles <= period / 2; ++cycles) {
+      std::complex<double> sum = 0.0;
+      for (int x = 0; x < period; ++x)
+        sum += valueAt(x) * std::polar(1.0, -kTurn * cycles * x / period);
+      const double perPeriod = 0.5 * kSide * cycles / period;
+      start += sum.real() / period * (1.0 - std::exp2(-perPeriod * perPeriod));
+    }
+    return start;
   };
-  CHECK(border(flattened(ramp, kSide / 2.0, false)) < 0.1);
-  CHECK(border(flattened(ramp, kSide / 2.0, true)) > 0.3);
+  const double mean = 0.5 * double(kSide - 1) / kSide;
+  const auto start = [&](bool periodic) {
+    return double(flattened(ramp, kSide / 2.0, periodic).values[0]) - mean;
+  };
+  const auto rampAt = [](int x) { return double(x) / kSide; };
+  const auto mirroredAt = [&](int x) { return rampAt(x < kSide ? x : 2 * kSide - 1 - x); };
+  const double mirrored = filteredStart(2 * kSide, mirroredAt);
+  const double repeated = filteredStart(kSide, rampAt);
+  // Float transforms err by about 1e-7 of the plane's values, twice.
+  CHECK(start(false) == Approx(mirrored).margin(1e-6));
+  CHECK(start(true) == Approx(repeated).margin(1e-6));
+  // The jump of 1 at the border stays a step of nearly a half to each side.
+  CHECK(std::abs(mirrored) < 0.25 * std::abs(repeated));
 }
 
 TEST_CASE("Uneven light goes as a factor: what is left is what even light shows") {
@@ -177,7 +201,92 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
 TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::granite(256)), true).has_value());
   CHECK_FALSE(automaticPeriod(baseColor(exemplars::rust(256)), true).has_value());
-  CHECK_FALSE(automaticPeriod(baseColor(exemplars::weave(128)), true).has_value());
+  const FlatteningChoice weave = automatic(baseColor(exemplars::weave(128)), true);
+  CHECK(weave.reason == FlatteningChoice::Reason::stubborn);
+  CHECK_FALSE(weave.periodPixels.has_value());
+}
+
+TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
+  for (const int side : {128, 256}) {
+    const MapExemplar stone = baseColor(exemplars::oneStone(side));
+    MapExemplar map = stone;
+    const Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, true);
+    REQUIRE(choice.ok());
+    CHECK(choice.value().reason == FlatteningChoice::Reason::object);
+    CHECK(choice.value().flattened.empty());
+    CHECK(map.values == stone.values);
+  }
+}
+
+TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly themselves") {
+  std::vector<MapExemplar> maps{baseColor(exemplars::slopingLight(128))};
+  MapExemplar data;
+  data.encoding = ValueEncoding::linear;
+  data.width = data.height = 128;
+  data.target = MapTarget::occlusionRoughnessMetallic;
+  data.channels = {MapChannel::roughness};
+  const auto add = [&](double slope) {
+    data.values.clear();
+    for (int i = 0; i < 128 * 128; ++i)
+      data.values.push_back(
+          float(0.3 + slope * (i % 128) / 128.0 + 0.2 * (pcg(std::uint32_t(i)) * 0x1p-32)));
+    maps.push_back(data);
+  };
+  add(0.0);
+  data.target = MapTarget::height;
+  data.channels = {MapChannel::height};
+  add(0.4); // a tilt, which no light shows
+  data.target = MapTarget::emissive;
+  data.channels = {MapChannel::red};
+  add(0.4);
+  const std::vector<MapExemplar> before = maps;
+  const Result<FlatteningChoice> choice = flattenAutomatically(maps, false);
+  REQUIRE(choice.ok());
+  CHECK(choice.value().reason == FlatteningChoice::Reason::mended);
+  CHECK(choice.value().flattened == std::vector{MapTarget::baseColor, MapTarget::emissive});
+  CHECK(maps[1].values == before[1].values);
+  CHECK(maps[2].values == before[2].values);
+  // The light that is left is what its own period leaves.
+  CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
+}
+
+TEST_CASE("Flattening and assessing tell how far they are, and end where they are stopped") {
+  const MapExemplar cloudy = baseColor(exemplars::carpet(128));
+  const auto check = [](const auto& operation, const std::string& message) {
+    std::vector<double> told;
+    REQUIRE(operation([&](double fraction) {
+              told.push_back(fraction);
+              return true;
+            }).ok());
+    CHECK(told.size() > 2);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.front() >= 0.0);
+    CHECK(told.back() <= 1.0);
+    for (std::size_t last = 1; last <= told.size(); ++last) {
+      std::size_t calls = 0;
+      const auto stopped = operation([&](double) { return ++calls < last; });
+      REQUIRE_FALSE(stopped.ok());
+      CHECK(stopped.error().kind == ErrorKind::environment);
+      CHECK(stopped.error().message == message);
+      CHECK(calls == last);
+    }
+  };
+  check([&](const Progress& progress) { return assessSuitability(cloudy, true, progress); },
+        "the assessment: interrupted");
+  const auto withCopy = [&](const auto& operation) {
+    return [&, operation](const Progress& progress) {
+      MapExemplar map = cloudy;
+      return operation(map, progress);
+    };
+  };
+  check(withCopy([](MapExemplar& map, const Progress& progress) {
+          return flatten({&map, 1}, 32.0, true, progress);
+        }),
+        "flattening: interrupted");
+  check(withCopy([](MapExemplar& map, const Progress& progress) {
+          return flattenAutomatically({&map, 1}, false, progress);
+        }),
+        "flattening: interrupted");
 }
 
 TEST_CASE("The maps of a set lose the same share of their sides") {
@@ -237,5 +346,5 @@ TEST_CASE("A period or a map out of range is refused by name") {
   CHECK_FALSE(flatten({}, 64.0, true).ok());
   maps.front().values.pop_back();
   CHECK_FALSE(flatten(maps, 64.0, true).ok());
-  CHECK_FALSE(flatteningPeriod(maps.front(), true).ok());
+  CHECK_FALSE(flattenAutomatically(maps, true).ok());
 }

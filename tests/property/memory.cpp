@@ -8,7 +8,9 @@
 #include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
+#include <lichen/measures.h>
 #include <lichen/noise_report.h>
+#include <lichen/precision_loss.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
@@ -108,6 +110,32 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
+TEST_CASE("a bake of another kind of table that runs out of memory says so as well") {
+  const MapExemplar color = test::threeMaterials(16, 12, 1, 1);
+  TilingOptions separable, gaussian;
+  separable.lut = LookupTable::separable;
+  gaussian.gaussian = GaussianOnly::yes;
+  for (const TilingOptions& options : {separable, gaussian})
+    CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
+}
+
+TEST_CASE("what a table has lost is not told where memory runs out, whichever allocation fails") {
+  const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  const Bundle bundle = bakedBundle(map);
+  CHECK(exhaustMemory(First::each, [&] { return precisionLoss(bundle, 0, 0, map, true); }) > 5);
+}
+
+TEST_CASE("a bake of a set that runs out of memory says so, whichever allocation fails") {
+  const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
+  MapExemplar height = grey;
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  std::reverse(height.values.begin(), height.values.end());
+  const std::vector<MapExemplar> maps{grey, height};
+  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", maps, {}); }) > 64);
+}
+
 TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
   const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
   CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
@@ -115,7 +143,7 @@ TEST_CASE("an assessment that runs out of memory says so, whichever allocation f
 
 TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
   MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
-  CHECK(exhaustMemory(First::each, [&] { return flatteningPeriod(map, false); }) > 10);
+  CHECK(exhaustMemory(First::each, [&] { return flattenAutomatically({&map, 1}, false); }) > 10);
   CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
 }
 
@@ -125,7 +153,9 @@ TEST_CASE("reading a set that runs out of memory says so, whichever allocation f
     REQUIRE(writeImage(folder / name, image));
   };
   write("a_material_with_a_long_name_diff.png", SrgbImage(6, 5, 4));
-  write("a_material_with_a_long_name_nor_gl.png", SrgbImage(6, 5, 3));
+  SrgbImage flat(6, 5, 3);
+  std::fill(flat.values.begin(), flat.values.end(), 1.0f); // normals that point out of the surface
+  write("a_material_with_a_long_name_nor_gl.png", flat);
   write("a_material_with_a_long_name_rough.png", SrgbImage(6, 5, 1));
   write("a_material_with_a_long_name_ao.png", SrgbImage(3, 5, 1));
   write("nothing_that_is_known.png", SrgbImage(1, 1, 1));
@@ -189,8 +219,10 @@ TEST_CASE("a report that runs out of memory says so, whichever allocation fails"
   const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
   Bundle bundle = bakedBundle(map);
   bundle.materials = {MaterialNoise{}};
-  const BakeRecord record{bundle,          {&map, 1}, true, "command", {{"name", "value"}},
-                          {{"step", 1.0}}, {"a note"}};
+  const std::vector<Risk> risks = assessSuitability(map, true).value();
+  const ExemplarOrigin origin{{"without what is slow"}, map};
+  const BakeRecord record{bundle,    {&map, 1},           {&risks, 1},     {&origin, 1},
+                          "command", {{"name", "value"}}, {{"step", 1.0}}, {"a note"}};
   CHECK(exhaustMemory(First::sampled, [&] { return encodeNoiseReport(record); }) > 50);
 }
 
@@ -208,6 +240,7 @@ TEST_CASE("a measure that runs out of memory says so, whichever allocation fails
   CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
+  CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
 }
 
 TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails") {

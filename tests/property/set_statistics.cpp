@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -104,6 +105,26 @@ Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
   bundle.materials = {MaterialNoise{}};
   bundle.materialNames = {"set"};
   return bundle;
+}
+
+/// Of a field of variance 1, about two deviations a step: the roughness of a photographed plaster
+/// wall has as few values.
+constexpr double kCoarseStep = 0.05;
+
+/// The colour of materialSet() and a roughness of a few values, which follows the light in it or
+/// has nothing to do with it.
+std::vector<MapExemplar> coarseSet(bool related) {
+  const MapExemplar color = materialSet().front();
+  MapExemplar orm = mapLike(color, MapTarget::occlusionRoughnessMetallic, {MapChannel::roughness},
+                            ValueEncoding::linear);
+  orm.quantum = kCoarseStep;
+  const std::vector<double> grain = smoothField(4);
+  for (std::size_t i = 0; i < grain.size(); ++i) {
+    const double shade = std::atanh((double(color.values[3 * i]) - 0.5) / 0.2);
+    const double fine = related ? 0.5 * shade + 0.2 * grain[i] : 0.6 * grain[i];
+    orm.values.push_back(float(0.5 + kCoarseStep * std::round(fine)));
+  }
+  return {color, orm};
 }
 
 /// Covariances between every two channels of different maps; all images of one size.
@@ -220,4 +241,45 @@ TEST_CASE("covariances between the maps of a set are those of the exemplar") {
   INFO("apart: error " << apart.error << ", standard error " << apart.standardError);
   CHECK(apart.error > 1.0 - 3.0 * apart.standardError);
   CHECK(apart.error > limit(apart));
+}
+
+TEST_CASE("a map of few values keeps its covariances with the others") {
+  const std::vector<MapExemplar> maps = coarseSet(true);
+  const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
+  const Deviation found = deviationOf(bakedBundle(maps), wanted, kSeeds, true);
+  // The target, and chance as above.
+  INFO("error " << found.error << ", standard error " << found.standardError);
+  CHECK(found.standardError < 0.03);
+  CHECK(found.error < 0.03 + 3.0 * found.standardError);
+}
+
+TEST_CASE("a map of few values that has nothing to do with the others stays so") {
+  const std::vector<MapExemplar> maps = coarseSet(false);
+  const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
+  // As shares of what the covariances would be if the maps had all to do with one another.
+  const double related = norm(crossCovariances(decodedMaps(coarseSet(true))));
+  const Deviation found = deviationOf(bakedBundle(maps), wanted, kSeedsOfControl, true);
+  const double scale = norm(wanted) / related;
+  INFO("error " << found.error * scale << ", standard error " << found.standardError * scale);
+  CHECK(found.error * scale < 0.03 + 3.0 * found.standardError * scale);
+}
+
+TEST_CASE("the Gaussian values of a map on a line keep the order of its values beside others") {
+  const std::vector<MapExemplar> maps = coarseSet(true);
+  const Bundle bundle = bakedBundle(maps);
+  const std::vector<float> gaussian =
+      decodeLevel(bundle.tables[bundle.noises[0].maps[1].gaussian], 0);
+  std::map<float, std::pair<float, float>> ranges; // of Gaussian values, by roughness
+  for (std::size_t i = 0; i < gaussian.size(); ++i) {
+    const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);
+    auto& [least, most] = place->second;
+    least = std::min(least, gaussian[i]);
+    most = std::max(most, gaussian[i]);
+  }
+  REQUIRE(ranges.size() > 2);
+  float before = -1.0f;
+  for (const auto& [value, range] : ranges) {
+    CHECK(range.first >= before);
+    before = range.second;
+  }
 }

@@ -15,8 +15,11 @@
 #include <limits>
 #include <materials.h>
 #include <numbers>
+#include <suitability/as_seen.h>
 #include <suitability/clipped_share.h>
 #include <suitability/cloudiness.h>
+#include <suitability/edge_concentration.h>
+#include <suitability/few_colors.h>
 #include <suitability/gaussian_plane.h>
 #include <suitability/lattice_share.h>
 #include <suitability/phase_coherence.h>
@@ -34,8 +37,8 @@ namespace {
 
 MapExemplar grey(int width, int height, std::vector<float> values) {
   MapExemplar map;
-  map.target = MapTarget::height;
-  map.channels = {MapChannel::height};
+  map.target = MapTarget::occlusionRoughnessMetallic;
+  map.channels = {MapChannel::roughness};
   map.encoding = ValueEncoding::linear;
   map.width = width;
   map.height = height;
@@ -92,7 +95,7 @@ double predictedCloudiness(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("Exemplars that work have no severe risk, with a margin") {
+TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
     for (const Risk& risk : risksOf(baseColor(material.generate(256)))) {
       INFO(material.name << ", " << risk.name << ": " << risk.score);
@@ -138,7 +141,7 @@ TEST_CASE("The closed form of cloudiness is the exact sum over all offsets") {
         Approx(std::sqrt(variance(variances))).epsilon(1e-5)); // float rounding
 }
 
-TEST_CASE("The cloudiness foretold is that of the decoded blend") {
+TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
   // The standard error of a deviation measured on 400 samples is 3.5 %, somewhat more for their
   // skewed distribution. One channel by rank stands for three by transport: that made the foretold
   // values 7, 15 and 13 % larger.
@@ -242,6 +245,35 @@ TEST_CASE("White and black pixels are counted where they mean lost detail") {
   CHECK(named(risksOf(map), "clipping").score == 0.0);
 }
 
+TEST_CASE("The spacing of codes is that of their distribution, and few colours are counted") {
+  constexpr int kSide = 64, kPixels = kSide * kSide;
+  // Levels k / n of equal frequency, 255 / n codes apart: entropy ln n, and the deviation of n
+  // points of a line of that spacing, sqrt((n^2 - 1) / 12).
+  for (const int n : {2, 4, 8, 16}) {
+    INFO(n << " levels");
+    SrgbImage image = constant(kSide, kSide, 0.0f);
+    for (std::size_t i = 0; i < kPixels; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        image.values[3 * i + c] = float(255 / n * (int(i) % n)) / 255.0f;
+    const FewColors few = fewColors(baseColor(image));
+    const double deviation = (255 / n) * std::sqrt((n * n - 1) / 12.0);
+    const double spacing =
+        std::sqrt(2.0 * std::numbers::pi * std::numbers::e) * deviation / double(n);
+    CHECK(few.spacing == Approx(spacing));
+    CHECK(few.count == Approx(spacing < 10.0 ? 0.0 : n));
+  }
+  SrgbImage colors = constant(kSide, kSide, 0.0f); // one channel with all codes: a photograph
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    colors.values[3 * i] = float(i % 2);
+    colors.values[3 * i + 1] = float(i % 256) / 255.0f;
+  }
+  // A uniform distribution: sqrt(2 pi e / 12), but for steps of 1 / 256.
+  CHECK(fewColors(baseColor(colors)).spacing ==
+        Approx(std::sqrt(std::numbers::pi * std::numbers::e / 6.0)).epsilon(1e-4));
+  CHECK(fewColors(baseColor(constant(8, 8, 1.0f))).spacing == 0.0);
+  CHECK(fewColors(grey(2, 1, {0.0f, 1.0f})).spacing == 0.0); // data may be 0 or 1
+}
+
 TEST_CASE("Maps of any size and content have all risks, in order, with scores in [0, 1]") {
   const auto check = [](const MapExemplar& map) {
     for (const bool periodic : {true, false}) {
@@ -286,4 +318,73 @@ TEST_CASE("Risks do not depend on the number of threads") {
   const std::vector<Risk> alone = risksOf(map, false);
   for (std::size_t k = 0; k < many.size(); ++k)
     CHECK(many[k].score == alone[k].score);
+}
+
+TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of itself") {
+  constexpr int kSide = 64;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  // A slow wave that would be a risk of other data, and a fast one of nearly all the slopes.
+  MapExemplar height = grey(kSide, kSide, {});
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.quantum = 1.0 / 65535.0;
+  MapExemplar normal = height;
+  normal.target = MapTarget::normal;
+  normal.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  normal.encoding = ValueEncoding::slope;
+  // Half the difference of neighbours takes a wave of k cycles times sin(2 pi k / side). Slopes are
+  // scaled to deviations of 0.27 in the mean square of both.
+  const double slow = 0.06 * std::sin(kTurn / kSide), fast = 0.1 * std::sin(kTurn * 23 / kSide);
+  const double scale = 0.27 / std::sqrt(0.25 * (slow * slow + fast * fast));
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      height.values.push_back(
+          float(0.5 + 0.06 * std::sin(kTurn * x / kSide) + 0.1 * std::sin(kTurn * 23 * y / kSide)));
+      normal.values.push_back(float(scale * slow * std::cos(kTurn * x / kSide)));
+      normal.values.push_back(float(-scale * fast * std::cos(kTurn * 23 * y / kSide)));
+    }
+  const MapExemplar slopes = slopesOfHeight(height, true);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < slopes.values.size(); ++i)
+    worst = std::max(worst, std::abs(double(slopes.values[i]) - double(normal.values[i])));
+  CHECK(worst < scale * 0x1p-23); // two roundings of heights below 1
+  const std::vector<Risk> seen = risksOf(height), wanted = risksOf(normal);
+  CHECK(named(seen, "low-frequency").score ==
+        Approx(named(wanted, "low-frequency").score).epsilon(1e-4));
+  CHECK(named(seen, "low-frequency").level == Risk::Level::none);
+  MapExemplar data = height;
+  data.target = MapTarget::occlusionRoughnessMetallic;
+  data.channels = {MapChannel::roughness};
+  CHECK(named(risksOf(data), "low-frequency").level != Risk::Level::none);
+}
+
+TEST_CASE("A height that rises evenly has no risk, for its slope is the same everywhere") {
+  MapExemplar ramp = grey(64, 64, {});
+  ramp.target = MapTarget::height;
+  ramp.channels = {MapChannel::height};
+  for (int i = 0; i < 64 * 64; ++i)
+    ramp.values.push_back(float(i % 64) / 64.0f); // exact, and so are the slopes
+  CHECK(named(risksOf(ramp, false), "low-frequency").score < 1e-12);
+  CHECK(named(risksOf(ramp, false), "cloudiness").score == 0.0);
+}
+
+TEST_CASE(
+    "The concentration of slow gradients has the closed forms of waves, and tells an object") {
+  constexpr int kSide = 64;
+  const auto of = [](const auto& valueAt, bool periodic) {
+    std::vector<float> values;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        values.push_back(float(valueAt(x, y)));
+    return edgeConcentration(grey(kSide, kSide, std::move(values)), periodic);
+  };
+  const auto wave = [](int at) { return 0.2 * std::sin(2.0 * std::numbers::pi * at / kSide); };
+  // Means of cos^4 over those of cos^2 squared: 3/8 / 1/4; and of two across each other, 5/4. The
+  // last differences are left out: one 63rd of a period at most.
+  CHECK(of([&](int x, int) { return wave(x); }, true) == Approx(1.5).epsilon(2.0 / 63.0));
+  CHECK(of([&](int x, int y) { return wave(x) + wave(y); }, true) ==
+        Approx(1.25).epsilon(2.0 / 63.0));
+  CHECK(of([](int, int) { return 0.5; }, true) == 0.0);
+  const auto disc = [](int x, int y) { return std::hypot(x - 32, y - 32) < 20 ? 0.8 : 0.2; };
+  CHECK(of(disc, true) > 4.2);
 }

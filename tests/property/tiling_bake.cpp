@@ -75,7 +75,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
 }
 
 TEST_CASE("a bake does not depend on the number of threads") {
-  const MapExemplar map = test::threeMaterials(160, 120, 21);
+  const MapExemplar map = test::threeMaterials(80, 60, 21);
   const auto bakeWith = [&](std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     Result<TilingBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
@@ -91,8 +91,15 @@ TEST_CASE("a bake does not depend on the number of threads") {
 }
 
 TEST_CASE("one map that does not tile makes the whole set be blended") {
-  const MapExemplar whole = test::threeMaterials(64, 64, 1);
-  const MapExemplar crop = test::cropped(test::threeMaterials(128, 128, 2), 9, 5, 64, 64);
+  const auto red = [](MapExemplar map) { // a table of one axis takes the least time
+    for (std::size_t i = 0; i < map.values.size() / 3; ++i)
+      map.values[i] = map.values[3 * i];
+    map.values.resize(map.values.size() / 3);
+    map.channels = {MapChannel::red};
+    return map;
+  };
+  const MapExemplar whole = red(test::threeMaterials(64, 64, 1));
+  const MapExemplar crop = red(test::cropped(test::threeMaterials(128, 128, 2), 9, 5, 64, 64));
   TilingOptions options;
   options.transport = TransportEffort::fast;
   const auto wasPeriodic = [&](const std::vector<MapExemplar>& maps) {

@@ -85,7 +85,7 @@ TEST_CASE("taps lie whole texels away from the point, so that a texel grid stays
   }
 }
 
-TEST_CASE("the noise is continuous across the lattice's edges of all three directions") {
+TEST_CASE("the noise is continuous across the lattice's edges of all three directions", "[large]") {
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
   const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
@@ -128,7 +128,7 @@ TEST_CASE("the noise is continuous across the lattice's edges of all three direc
   CHECK(jumps > 0.0);
 }
 
-TEST_CASE("a synthesized image has the exemplar's mean and covariance") {
+TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]") {
   // Patches of 7 x 7 texels: a value is correlated over sum rho = 49 texels, its square over
   // sum rho^2 = 22. Standard errors over 1536^2 pixels: 0.46 % of a deviation for a mean, 0.43 %
   // for a variance, 0.1 % of it for the offsets' (2/3) sqrt(3 x 22 / 128^2) a triangle. Tolerances
@@ -143,7 +143,7 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance") {
   CHECK((found.covariance - wanted.covariance).norm() < 0.02 * wanted.covariance.norm());
 }
 
-TEST_CASE("variance does not depend on where in a triangle a point lies") {
+TEST_CASE("variance does not depend on where in a triangle a point lies", "[large]") {
   // At vertices one tap has all the weight, at centres three share it. Linear blending keeps a
   // third of the variance there; the method keeps it all.
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
@@ -177,7 +177,7 @@ TEST_CASE("variance does not depend on where in a triangle a point lies") {
   CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, linear) < 0.5 * vertex);
 }
 
-TEST_CASE("minified views keep the mean colour of a supersampled reference") {
+TEST_CASE("minified views keep the mean colour of a supersampled reference", "[large]") {
   // Views of 8 x 8 tiles show the reference's own part of the plane. The smaller scales show more
   // of it: there the reference's standard error counts, 0.2 sqrt(49) / 1024 = 0.0014, and the
   // tolerance is 2.9 of it, alpha 4e-3 a channel.
@@ -270,7 +270,7 @@ TEST_CASE("an offset of the material is exact however far it goes") {
   same(shaderNoise(bundle, far, periodic), shaderNoise(bundle, near, periodic));
 }
 
-TEST_CASE("a tileable image continues across all its borders as it does inside") {
+TEST_CASE("a tileable image continues across all its borders as it does inside", "[large]") {
   // Mean step from line k to line k + 1, wrapping; a line is a column when `columns`.
   const auto stepAfter = [](const LinearImage& image, int k, bool columns) {
     const int length = columns ? image.height : image.width;

@@ -56,7 +56,8 @@ TEST_CASE("each coordinate of a stratified set has one value in the middle of ea
   }
 }
 
-TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at three deviations") {
+TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at three deviations",
+          "[large]") {
   std::vector<float> values;
   for (const Point& p : stratifiedGaussian(65536, 3, Precision::bits8)) {
     values.insert(values.end(), {p.x, p.y, p.z});

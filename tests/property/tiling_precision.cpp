@@ -34,23 +34,29 @@ PrecisionLoss lossOf(const Bundle& bundle, const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure") {
+TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const PrecisionLoss eight = lossOf(bakedWith(map, 8), map);
   const PrecisionLoss sixteen = lossOf(bakedWith(map, 16), map);
   INFO("8 bits: " << eight.mean << ", " << eight.variance << ", " << eight.colorDistance << ", "
                   << *eight.roundTrip << "; 16 bits: " << sixteen.mean << ", " << sixteen.variance
                   << ", " << sixteen.colorDistance << ", " << *sixteen.roundTrip);
+  // Three colours with nothing between them are hard on interpolation. Measured on this exemplar,
+  // the larger of both precisions: 0.0007, 0.0071, 0.0097 and 0.166. The first two, differences of
+  // large numbers, get nearly three times that, the other two half as much again.
+  constexpr double kMean = 0.002, kVariance = 0.02, kDistance = 0.015, kRoundTrip = 0.25;
   for (const PrecisionLoss& loss : {eight, sixteen}) {
-    CHECK(loss.mean < 0.002);
-    CHECK(std::abs(loss.variance) < 0.02);
-    // Three colours with nothing between them are hard on interpolation: 0.0096 measured.
-    CHECK(loss.colorDistance < 0.015);
-    CHECK(*loss.roundTrip < 0.25);
+    CHECK(loss.mean < kMean);
+    CHECK(std::abs(loss.variance) < kVariance);
+    CHECK(loss.colorDistance < kDistance);
+    CHECK(*loss.roundTrip < kRoundTrip);
   }
-  // A step of 8 bits is 1/42 of a deviation of G, and 1/255 of a colour.
+  // Rounding moves a colour by half a step at most. A step of G is 6/255 of its deviation, of which
+  // rounding has 1/sqrt(12) along each of three axes: 0.012 of a colour's deviation, if errors only
+  // added up. 0.006 is measured; colours that rounding takes to another cell get the rest.
+  constexpr double kRounded = 0.02;
   CHECK(eight.colorDistance < sixteen.colorDistance + 0.5 / 255.0);
-  CHECK(*eight.roundTrip < *sixteen.roundTrip + 0.05);
+  CHECK(*eight.roundTrip < *sixteen.roundTrip + kRounded);
 }
 
 TEST_CASE("an image that is stored in fewer steps has lost more") {
@@ -91,7 +97,7 @@ TEST_CASE("an exemplar of another shape is refused") {
   CHECK_FALSE(precisionLoss(bundle, 1, 0, map, true));
 }
 
-TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels") {
+TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const Bundle bundle = bakedWith(map, 8);
   const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];
@@ -102,8 +108,11 @@ TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels") {
       ++codes[std::size_t(std::lround(255.0f * texels[i]))];
   const double count = 3.0 * 128.0 * 128.0;
   CHECK(std::count(codes.begin(), codes.end(), std::size_t(0)) == 0);
-  // Beyond three deviations lies 0.135 % at each end; half a step more is rounded to the end, and
-  // restoring the variance moves a few more there.
-  CHECK(double(codes.front()) / count < 0.003);
-  CHECK(double(codes.back()) / count < 0.003);
+  // An end code holds what lies beyond three deviations less half a step, 1/510, where clamping has
+  // cost 5e-3 of the variance (gaussian_distribution.cpp) and whitening has scaled by its root. Of
+  // 128^2 stratified points an axis has that share to two points.
+  const double end = 6.0 * (0.5 - 0.5 / 255.0) / (1.0 + 0.5 * 5e-3);
+  const double most = 0.5 * std::erfc(end / std::sqrt(2.0)) + 2.0 / (128.0 * 128.0);
+  CHECK(double(codes.front()) / count < most);
+  CHECK(double(codes.back()) / count < most);
 }

@@ -30,7 +30,7 @@ double deviate(std::uint64_t seed, std::uint64_t counter) {
 
 } // namespace
 
-TEST_CASE("the mips of white noise lose what averaging of white noise must lose") {
+TEST_CASE("the mips of white noise lose what averaging of white noise must lose", "[large]") {
   // Each mip averages four independent texels: it keeps a quarter of the variance before.
   Gaussianized white{256, 256, 3, stratifiedGaussian(256 * 256, 3, Precision::bits16), {}};
   for (std::size_t i = white.image.size(); i-- > 1;)
@@ -83,7 +83,7 @@ TEST_CASE("each mip texel is the average of the area it covers, for any size") {
   }
 }
 
-TEST_CASE("blended mips decode to the mean colour, Gaussian or not") {
+TEST_CASE("blended mips decode to the mean colour, Gaussian or not", "[large]") {
   const Baked b = baked(threeMaterials(128, 128, 4));
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
@@ -134,7 +134,7 @@ TEST_CASE("blended mips decode to the mean colour, Gaussian or not") {
   }
 }
 
-TEST_CASE("slabs blur a step along any axis as the Gaussian does") {
+TEST_CASE("slabs blur a step along any axis as the Gaussian does", "[large]") {
   constexpr int kPlaces = 4096;
   const std::vector<double> levels = tableLevels();
   for (int dimensions = 1; dimensions <= 3; ++dimensions)

@@ -60,7 +60,8 @@ SlopeTable slopeTable(const MapExemplar& map, bool shuffled) {
 
 } // namespace
 
-TEST_CASE("the third channel of a slope table is the variance of what a fetch has lost") {
+TEST_CASE("the third channel of a slope table is the variance of what a fetch has lost",
+          "[large]") {
   const SlopeTable t = slopeTable(slopes(), true);
   const double whole = interpolatedMoments(t.table).covariance.trace() / 2.0;
   std::mt19937 random(5);
@@ -89,7 +90,8 @@ TEST_CASE("the third channel of a slope table is the variance of what a fetch ha
     }
 }
 
-TEST_CASE("on every slab shown and hidden variance of the slopes add up to the exemplar's") {
+TEST_CASE("on every slab shown and hidden variance of the slopes add up to the exemplar's",
+          "[large]") {
   for (const bool flatAcross : {false, true}) {
     const MapExemplar map = slopes(flatAcross);
     const SlopeTable t = slopeTable(map, true);

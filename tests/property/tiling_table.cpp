@@ -12,7 +12,7 @@ using namespace lichen;
 using namespace lichen::test;
 using namespace lichen::tiling;
 
-TEST_CASE("lookups in the table have the exemplar's mean and covariance") {
+TEST_CASE("lookups in the table have the exemplar's mean and covariance", "[large]") {
   const Baked b = baked(threeMaterials(160, 160, 3));
   const std::vector<float> values = light(b.map);
   const InverseTable table =
@@ -53,7 +53,7 @@ TEST_CASE("a one-dimensional cell averages the values whose ranks it covers") {
   CHECK(double(table.values[171]) == Approx(1.0).margin(0.01));
 }
 
-TEST_CASE("the table stays inside the hull of the exemplar's colours") {
+TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]") {
   // Lookups interpolate cells, so they stay inside the cells' convex hull: it is enough that no
   // cell reaches farther in any direction than the exemplar does.
   for (const std::uint64_t seed : {5u, 6u}) {

@@ -82,7 +82,7 @@ Moments lightMoments(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("exemplars that are Gaussian are told from those that are not") {
+TEST_CASE("exemplars that are Gaussian are told from those that are not", "[large]") {
   for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const int radius : {0, 1, 2}) {
       INFO("radius " << radius << ", distance "
@@ -145,7 +145,7 @@ TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
     }
 }
 
-TEST_CASE("a noise without a table has the exemplar's light, near and far") {
+TEST_CASE("a noise without a table has the exemplar's light, near and far", "[large]") {
   const MapExemplar map = gaussianExemplar(128, 1, 0.12, 6);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
@@ -273,7 +273,7 @@ TEST_CASE("every level of a separable table has the exemplar's mean and its axis
   }
 }
 
-TEST_CASE("a noise with a separable table has the exemplar's light, near and far") {
+TEST_CASE("a noise with a separable table has the exemplar's light, near and far", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 11);
   TilingOptions options;
   options.lut = LookupTable::separable;

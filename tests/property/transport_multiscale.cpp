@@ -134,7 +134,8 @@ TEST_CASE("an auction gives a site to one buyer only, also when it ends early") 
   CHECK(taken == 12);
 }
 
-TEST_CASE("sets of several levels are matched to within half a per cent of the targets' variance") {
+TEST_CASE("sets of several levels are matched to within half a per cent of the targets' variance",
+          "[large]") {
   for (const std::size_t count : {600u, 2100u}) {
     for (const NamedSet& source : {NamedSet{"a Gaussian cloud", gaussianCloud(count, 11)},
                                    NamedSet{"clusters", clusters(count, 12)},

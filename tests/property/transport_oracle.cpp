@@ -48,7 +48,8 @@ TEST_CASE("a problem of one block is solved exactly") {
       }
 }
 
-TEST_CASE("a problem of several blocks is solved to within a per cent, or eight of mere noise") {
+TEST_CASE("a problem of several blocks is solved to within a per cent, or eight of mere noise",
+          "[large]") {
   double sum = 0.0;
   int problems = 0;
   for (unsigned seed = 1; seed <= 3; ++seed)

@@ -120,8 +120,8 @@ TEST_CASE("a good start is not made worse") {
 }
 
 TEST_CASE("one thread and two give the same matching, and so does a second run") {
-  for (const NamedSet& source : everyKindOfSet(20000, 11)) {
-    const Points target = gaussianCloud(20000, 12);
+  for (const NamedSet& source : everyKindOfSet(6000, 11)) {
+    const Points target = gaussianCloud(6000, 12);
     const std::vector<std::uint32_t> alone = assignWithThreads(1, source.points, target);
     INFO(source.name);
     CHECK(assignWithThreads(2, source.points, target) == alone);

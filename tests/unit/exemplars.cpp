@@ -110,7 +110,8 @@ TEST_CASE("every exemplar is the same bytes on every run and machine") {
   }
 }
 
-TEST_CASE("every exemplar tiles: the step across the border is one of the steps inside") {
+TEST_CASE("every exemplar tiles: the step across the border is one of the steps inside",
+          "[large]") {
   for (const Material& material : kMaterials) {
     const std::vector<float> plane = luminancePlane(exemplar(material));
     for (const bool columns : {true, false}) {
@@ -127,7 +128,7 @@ TEST_CASE("every exemplar tiles: the step across the border is one of the steps 
   }
 }
 
-TEST_CASE("the colours of an exemplar have more than one mode") {
+TEST_CASE("the colours of an exemplar have more than one mode", "[large]") {
   for (const Material& material : kMaterials) {
     double deepest = 0.0;
     for (const std::vector<float>& plane : opponentPlanes(exemplar(material)))
@@ -137,7 +138,7 @@ TEST_CASE("the colours of an exemplar have more than one mode") {
   }
 }
 
-TEST_CASE("an exemplar has little energy below four cycles a side") {
+TEST_CASE("an exemplar has little energy below four cycles a side", "[large]") {
   for (const Material& material : kMaterials) {
     const HalfSpectrum spectrum = forwardFft(luminancePlane(exemplar(material)), kSide, kSide);
     double low = 0.0, all = 0.0;

@@ -15,6 +15,7 @@
 
 using namespace lichen;
 using namespace lichen::samples;
+using namespace std::string_literals;
 
 namespace {
 
@@ -29,9 +30,34 @@ Bytes bytesOf(const std::string& text) {
 
 TEST_CASE("what is not an image is refused with its first bytes") {
   CHECK(refusal({}) == "file: empty file; a PNG, JPEG or EXR image is accepted");
-  CHECK(refusal(bytesOf("GIF89a")) ==
-        "file: not a PNG, JPEG or EXR image (starts with 47 49 46 38)");
+  CHECK(refusal(bytesOf("<html>")) ==
+        "file: not a PNG, JPEG or EXR image (starts with 3c 68 74 6d)");
   CHECK(refusal(bytesOf("\xff")) == "file: not a PNG, JPEG or EXR image (starts with ff)");
+}
+
+TEST_CASE("an image of another format is refused by the format's name") {
+  // The first bytes of files that libwebp, ImageMagick, libtiff, libheif and libjxl write.
+  const std::pair<std::string, const char*> files[] = {
+      {"RIFF\x24\0\0\0WEBPVP8 "s, "a WebP"},
+      {"GIF89a", "a GIF"},
+      {"GIF87a", "a GIF"},
+      {"II*\0\x08\0\0\0"s, "a TIFF"},
+      {"MM\0*\0\0\0\x08"s, "a TIFF"},
+      {"8BPS\0\1"s, "a Photoshop"},
+      {"\0\0\0\030ftypheic\0\0\0\0"s, "a HEIC"},
+      {"\0\0\0\034ftypmif1\0\0\0\0"s, "a HEIF"},
+      {"\0\0\0\040ftypavif\0\0\0\0"s, "an AVIF"},
+      {"\xff\x0a\xfa\x1f", "a JPEG XL"},
+      {"\0\0\0\x0cJXL \r\n\x87\n"s, "a JPEG XL"},
+  };
+  for (const auto& [start, format] : files) {
+    CHECK(refusal(bytesOf(start)) ==
+          "file: " + std::string(format) + " file; PNG, JPEG and EXR are read");
+    const Bytes cut = bytesOf(start.substr(0, 1));
+    CHECK(refusal(cut).starts_with("file: not a PNG, JPEG or EXR image (starts with "));
+  }
+  // A WAV file is a RIFF too.
+  CHECK(refusal(bytesOf("RIFF\x24\0\0\0WAVEfmt "s)).starts_with("file: not a PNG"));
 }
 
 TEST_CASE("every kind of sample is accepted, also with bytes after its end") {

@@ -24,6 +24,10 @@ std::vector<Bytes> everyAcceptedKind() {
     for (const JpegColour colour :
          {JpegColour::grey, JpegColour::ycbcr, JpegColour::cmyk, JpegColour::ycck})
       files.push_back(makeJpeg({.colour = colour, .progressive = progressive}));
+  files.push_back(makeJpeg({.width = 24}));
+  insertJpegExif(files.back(), exifBlock(6, true));
+  files.push_back(makePng({.width = 5}));
+  insertPngChunk(files.back(), "eXIf", exifBlock(8, false));
   for (int compression = 0; compression <= 9; ++compression)
     for (const int tileSide : {0, 4})
       files.push_back(makeExr({.compression = compression, .tileSide = tileSide}));

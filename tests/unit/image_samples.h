@@ -33,6 +33,11 @@ struct Png {
 void patchPngHeader(Bytes& png, std::size_t offset, std::uint32_t value);
 /// Mends the checksum of every chunk that is whole; other files are left alone.
 void mendPngChecksums(Bytes& file);
+/// An EXIF block whose IFD 0 has nothing but an orientation, as a short of either byte order.
+[[nodiscard]] std::string exifBlock(int orientation, bool bigEndian);
+/// Inserts an APP1 marker of EXIF behind the first marker.
+void insertJpegExif(Bytes& jpeg, const std::string& block);
+
 /// Inserts a chunk with a right checksum after IHDR.
 void insertPngChunk(Bytes& png, const std::string& type, const std::string& data);
 
@@ -44,6 +49,7 @@ struct Jpeg {
   bool progressive = false;
   bool scanPerCoefficient = false; ///< progressive, of grey: 1 + 63 + 63 scans, all legal
   bool arithmetic = false;
+  bool darkFirstBlock = false;                            ///< the first 8 x 8 pixels have code 0
   bool adobeMarker = true;                                ///< of CMYK and YCCK
   std::vector<unsigned char> codes = {200, 100, 50, 220}; ///< of every pixel, channel by channel
 };

@@ -50,11 +50,13 @@ Bytes makeJpeg(const Jpeg& jpeg) {
     info.num_scans = int(scans.size());
   }
   jpeg_start_compress(&info, TRUE);
-  std::vector<JSAMPLE> row;
-  for (int x = 0; x < jpeg.width; ++x)
-    for (int c = 0; c < info.input_components; ++c)
-      row.push_back(jpeg.codes[std::size_t(c)]);
   for (int y = 0; y < jpeg.height; ++y) {
+    std::vector<JSAMPLE> row;
+    for (int x = 0; x < jpeg.width; ++x)
+      for (int c = 0; c < info.input_components; ++c) {
+        const bool isDark = jpeg.darkFirstBlock && x < DCTSIZE && y < DCTSIZE;
+        row.push_back(isDark ? JSAMPLE(0) : jpeg.codes[std::size_t(c)]);
+      }
     JSAMPROW pointer = row.data();
     jpeg_write_scanlines(&info, &pointer, 1);
   }
@@ -64,6 +66,38 @@ Bytes makeJpeg(const Jpeg& jpeg) {
   Bytes bytes(first, first + size);
   std::free(buffer);
   return bytes;
+}
+
+std::string exifBlock(int orientation, bool bigEndian) {
+  std::string block = bigEndian ? "MM" : "II";
+  const auto append = [&](unsigned value, unsigned bytes) {
+    for (unsigned b = 0; b < bytes; ++b)
+      block += char(value >> 8 * (bigEndian ? bytes - 1 - b : b) & 0xff);
+  };
+  append(42, 2); // TIFF
+  append(8, 4);  // where IFD 0 begins
+  append(1, 2);  // its entries: tag, type SHORT, count, value, 2 bytes of padding
+  append(0x112, 2);
+  append(3, 2);
+  append(1, 4);
+  append(unsigned(orientation), 2);
+  append(0, 2);
+  append(0, 4); // no other IFD
+  return block;
+}
+
+void insertJpegExif(Bytes& jpeg, const std::string& block) {
+  constexpr std::size_t kStart = 2; // SOI
+  // The length of the first segment counts itself but not the marker before it.
+  const std::size_t at = kStart + 2 +
+                         (std::to_integer<std::size_t>(jpeg[kStart + 2]) << 8 |
+                          std::to_integer<std::size_t>(jpeg[kStart + 3]));
+  const std::string data = std::string("Exif\0\0", 6) + block;
+  Bytes marker{std::byte(0xff), std::byte(0xe1), std::byte((data.size() + 2) >> 8),
+               std::byte(data.size() + 2)};
+  for (const char c : data)
+    marker.push_back(std::byte(static_cast<unsigned char>(c)));
+  jpeg.insert(jpeg.begin() + std::ptrdiff_t(at), marker.begin(), marker.end());
 }
 
 } // namespace lichen::samples

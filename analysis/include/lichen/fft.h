@@ -25,6 +25,8 @@ struct HalfSpectrum {
   [[nodiscard]] const std::complex<float>& at(int u, int v) const {
     return values[std::size_t(v) * std::size_t(columns()) + std::size_t(u)];
   }
+  /// The frequency of row v in cycles per image, in (-height / 2, height / 2].
+  [[nodiscard]] int signedRow(int v) const { return v <= height / 2 ? v : v - height; }
   /// How many frequencies of the full plane column u stands for: 1 where it is its own mirror.
   [[nodiscard]] int multiplicity(int u) const { return u == 0 || 2 * u == width ? 1 : 2; }
 };

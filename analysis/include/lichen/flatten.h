@@ -3,11 +3,13 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/progress.h>
 #include <lichen/result.h>
 #include <lichen/tiling.h>
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace lichen {
 
@@ -23,14 +25,34 @@ inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
 /// kept up to what is clipped. Opacity stays as it is: its coverage is the material's shape. At
 /// least one map, each within the ranges of MapExemplar; unspecified after an Error. Errors: usage
 /// for maps or a period out of range, resources for memory. Thread-safe, and the same values for
-/// any number of threads. O(N log N); 64 bytes a pixel.
-[[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic);
+/// any number of threads. O(N log N); 64 bytes a pixel. Stopped by `progress` it is an Error,
+/// environment.
+[[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                                   const Progress& progress = {});
 
-/// The longest period, in steps of half an octave from twice the longer side to an eighth of it,
-/// whose removal leaves the map neither cloudy nor of low frequency (no mild risk of either name).
-/// Nothing for a map that has neither risk, and for one that not even the shortest would rid of
-/// them. Errors and threads as above; as long as about four times flatten() and
-/// assessSuitability().
-[[nodiscard]] Result<std::optional<double>> flatteningPeriod(const MapExemplar& map, bool periodic);
+/// What flattenAutomatically() did, and why.
+struct FlatteningChoice {
+  enum class Reason {
+    mended,   ///< the first map has lost its risks
+    calm,     ///< it had neither
+    object,   ///< what varies slowly is an object with an outline, which is no light
+    stubborn, ///< not even the shortest period would rid it of them
+  };
+
+  Reason reason = Reason::calm;
+  std::optional<double> periodPixels; ///< of the first map; where it was mended
+  std::vector<MapTarget> flattened;   ///< the maps that are changed, in their order
+};
+
+/// Flattens by the longest period, in steps of half an octave from twice the longer side of the
+/// first map to an eighth of it, whose removal leaves that map neither cloudy nor of low frequency
+/// (no mild risk of either name). The others are flattened by the same share of their sides where
+/// they have one of the two risks themselves; those that are calm stay as they are, for a
+/// photograph's light falls on its colours, and normals, heights and other data have none. Nothing
+/// is changed for any other reason than Reason::mended. Maps, errors and threads as above; as long
+/// as about five times flatten() and assessSuitability() of the first map, and once of the others.
+/// Source: docs/decisions/013-suitability.md.
+[[nodiscard]] Result<FlatteningChoice>
+flattenAutomatically(std::span<MapExemplar> maps, bool periodic, const Progress& progress = {});
 
 } // namespace lichen

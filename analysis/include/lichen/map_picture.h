@@ -13,7 +13,8 @@
 
 namespace lichen {
 
-/// How an exemplar, and a noise made from it, become pictures of 1 or 3 channels.
+/// How an exemplar, and a noise made from it, become pictures of 1 or 3 channels. Copies, the
+/// constructor and picture() throw std::bad_alloc, as building blocks do.
 class MapLook {
 public:
   /// The exemplar is within its documented ranges. `encoding`, which may be another than its own,

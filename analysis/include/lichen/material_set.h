@@ -51,8 +51,11 @@ struct MaterialSetOptions {
 
 /// What the files hold, ready for bakeTiling().
 struct MaterialSet {
-  std::string name;               ///< the folder's, or what the files' names begin with
-  std::vector<MapExemplar> maps;  ///< each with another target, in the order of MapTarget
+  std::string name;              ///< the folder's, or what the files' names begin with
+  std::vector<MapExemplar> maps; ///< each with another target, in the order of MapTarget
+  /// Whether the maps' borders fit together, where that was decided: before they were resampled,
+  /// which smooths the differences that a seam is measured against.
+  Periodic periodic = Periodic::detect;
   std::vector<std::string> notes; ///< what the user should know, one sentence each
 };
 

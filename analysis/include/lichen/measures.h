@@ -46,7 +46,7 @@ struct Measure {
 
 /// How much the gradients of the luminance prefer one direction: the difference of their energies
 /// across and along it, over the sum. In [0, 1]: 0 for none, 1 for straight stripes, 0 for an image
-/// without variance. Source: coherence of the structure tensor [BG87].
+/// without variance. Throws std::bad_alloc. Source: coherence of the structure tensor [BG87].
 [[nodiscard]] double gradientAnisotropy(const SrgbImage& image);
 
 } // namespace lichen

@@ -13,4 +13,11 @@ namespace lichen {
 /// empty function is never called. It must not throw.
 using Progress = std::function<bool(double fraction)>;
 
+/// For a step that takes an operation from one fraction of it to another.
+[[nodiscard]] inline Progress partOf(const Progress& whole, double begin, double end) {
+  if (!whole)
+    return {};
+  return [=](double fraction) { return whole(begin + (end - begin) * fraction); };
+}
+
 } // namespace lichen

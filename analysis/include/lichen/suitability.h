@@ -2,6 +2,7 @@
 // Whether an exemplar suits random blending, told before anyone ships its noise.
 #pragma once
 
+#include <lichen/progress.h>
 #include <lichen/result.h>
 #include <lichen/tiling.h>
 
@@ -27,9 +28,11 @@ struct Risk {
 
 /// Every risk of one map, in the order of the names above, those of no concern included.
 /// `periodic`: whether the exemplar's opposite borders fit together. A map without variance has
-/// none. Errors: usage for maps outside the ranges of MapExemplar, resources for memory.
-/// Thread-safe; the same result for any number of threads. O(N log N) in the number of pixels.
-/// Source: docs/decisions/013-suitability.md.
-[[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic);
+/// none. Of a height map cloudiness and low frequency are those of its slopes, which light shows.
+/// Errors: usage for maps outside the ranges of MapExemplar, resources for memory, environment when
+/// `progress` stops it. Thread-safe; the same result for any number of threads. O(N log N) in the
+/// number of pixels. Source: docs/decisions/013-suitability.md.
+[[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
+                                                          const Progress& progress = {});
 
 } // namespace lichen

@@ -64,14 +64,22 @@ struct TilingOptions {
   Progress progress; ///< empty: nobody watches
 };
 
+/// How near the optimum a transport of one map is.
+struct MapTransportBound {
+  MapTarget map{};
+  TransportBound bound;
+  /// Values of one dimension, whose sorted matching is the optimum: nothing is left to prove.
+  bool isSorted = false;
+};
+
 /// What a bake made: tables numbered from 0 in the maps of `noise`.
 struct TilingBake {
   Noise noise; ///< its maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that has a
-  /// joint table and varies, and one more of each of those whose borders are blended.
-  std::vector<TransportBound> transportBounds;
+  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that has
+  /// a joint table and varies, and one more of each of those whose borders are blended.
+  std::vector<MapTransportBound> transportBounds;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with

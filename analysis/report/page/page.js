@@ -29,13 +29,14 @@ async function loaded(picture) {
 /// One view of all panes of a map, in pixels of the exemplar's picture: its centre, and how many
 /// CSS pixels one of them spans. The exemplar lies in the middle of what repeats.
 class Viewer {
-  constructor(root, exemplar, result) {
+  constructor(root, original, exemplar, result) {
     this.root = root;
+    this.original = original;
     this.exemplar = exemplar;
     this.result = result;
     const aspect = Math.min(2, Math.max(0.75, result.width / result.height));
     root.style.setProperty('--aspect', aspect);
-    this.canvases = [...root.querySelectorAll('canvas')];
+    this.canvases = [...root.querySelectorAll('figure:not([hidden]) canvas')];
     for (const canvas of this.canvases)
       this.listen(canvas);
     for (const button of root.querySelectorAll('button'))
@@ -144,12 +145,13 @@ class Viewer {
                          canvas.height / 2 - this.y * scale);
     context.imageSmoothingEnabled = scale < 1;
     context.imageSmoothingQuality = 'high';
-    const {exemplar, result} = this;
+    const {original, exemplar, result} = this;
+    const centred = {original, exemplar}[canvas.dataset.pane];
     if (canvas.dataset.pane === 'result') {
       context.drawImage(result, 0, 0);
-    } else if (canvas.dataset.pane === 'exemplar') {
-      context.drawImage(exemplar, (result.width - exemplar.width) / 2,
-                        (result.height - exemplar.height) / 2);
+    } else if (centred) {
+      context.drawImage(centred, (result.width - centred.width) / 2,
+                        (result.height - centred.height) / 2);
     } else {
       context.fillStyle = context.createPattern(exemplar, 'repeat');
       context.fillRect(0, 0, result.width, result.height);
@@ -273,6 +275,15 @@ async function showTable(figure, table) {
 
 // ---- texts -------------------------------------------------------------------------------------
 
+/// How a measure stands to its target.
+function verdictOn(measure) {
+  if (measure.value === null)
+    return 'not measured';
+  if (measure.target === null)
+    return 'no target';
+  return measure.met ? 'met' : 'missed';
+}
+
 function measureRow(measure) {
   const row = document.createElement('tr');
   const name = element('th', '');
@@ -282,12 +293,13 @@ function measureRow(measure) {
   name.append(element('span', measure.meaning + (measure.remark ? '; ' + measure.remark : ''),
                       'detail'));
   const number = (value) => value === null ? '' : shown(value, measure.unit);
-  const mark = {met: '\u2713 ', missed: '\u2717 '}[measure.verdict] ?? '';
-  const look = {met: 'good', missed: 'bad'}[measure.verdict] ?? '';
+  const verdict = verdictOn(measure);
+  const mark = {met: '\u2713 ', missed: '\u2717 '}[verdict] ?? '';
+  const look = {met: 'good', missed: 'bad'}[verdict] ?? '';
   row.append(name,
              element('td', number(measure.value), 'number'),
              element('td', number(measure.target), 'number target'),
-             element('td', mark + measure.verdict, 'verdict ' + look));
+             element('td', mark + verdict, 'verdict ' + look));
   return row;
 }
 
@@ -309,13 +321,17 @@ function addFacts(list, facts) {
 
 /// What the page comes to: measures over their targets, and risks.
 function sayVerdict() {
+  const isMissed = (measure) => measure.met === false;
   const measures = report.maps.flatMap((map) => map.measures);
-  const judged = measures.filter((measure) => ['met', 'missed'].includes(measure.verdict));
-  const missed = judged.filter((measure) => measure.verdict === 'missed').length;
+  const judged = measures.filter((measure) => measure.met !== null);
+  const missed = judged.filter(isMissed).length;
+  const missing = report.maps.filter((map) => map.measures.some(isMissed));
   const verdict = document.getElementById('verdict');
   verdict.textContent = missed === 0
     ? `\u2713 All ${judged.length} measures meet their targets.`
-    : `\u2717 ${missed} of ${judged.length} measures miss their target.`;
+    : `\u2717 ${missed} of ${judged.length} measures miss their target: ` + missing.map((map) =>
+        map.measures.filter(isMissed).map((measure) => measure.name).join(', ') +
+        ` of ${map.target}`).join('; ') + '.';
   verdict.className = missed === 0 ? 'good' : 'bad';
   const risks = report.maps.flatMap((map) => map.risks.map((risk) => ({...risk, map: map.target})))
     .filter((risk) => risk.level !== 'none');
@@ -343,8 +359,12 @@ async function addMap(map) {
   document.getElementById('maps').append(fragment);
   if (map.table)
     await showTable(find('.table'), map.table);
-  const [exemplar, result] = await Promise.all([loaded(map.exemplar), loaded(map.result)]);
-  new Viewer(find('.viewer'), exemplar, result);
+  find('.steps').textContent = map.steps.map((step) => ', ' + step).join('');
+  find('.panes').classList.toggle('four', map.original !== null);
+  find('.original').hidden = map.original === null;
+  const [original, exemplar, result] = await Promise.all(
+    [map.original, map.exemplar, map.result].map((picture) => picture && loaded(picture)));
+  new Viewer(find('.viewer'), original, exemplar, result);
   await find('.gaussian img').decode();
 }
 

@@ -63,14 +63,14 @@ struct LevelRange {
 };
 [[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
 
-/// The texels of one mip level as floats, channelCount interleaved, sRGB formats decoded to light.
+/// One mip level as floats, channelCount interleaved, sRGB decoded to light. Throws std::bad_alloc.
 [[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);
 /// Appends float texels, channelCount(format) interleaved, rounded to nearest into `format`; sRGB
-/// formats are given light and store its code.
+/// formats are given light and store its code. Throws std::bad_alloc.
 void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
                   std::span<const float> values);
 
-/// KTX2 container of a table, and back. `name` is used in messages and becomes Table::name.
+/// KTX2 of a table (throws std::bad_alloc), and back. `name`, of messages, becomes Table::name.
 [[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
 [[nodiscard]] Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name);
 
@@ -128,6 +128,13 @@ struct NoiseMap {
   std::vector<double> mipLoss;
 };
 
+/// How a map's Gaussian values become its own: one table over all dimensions, one for each, or the
+/// affine map of its mean and covariance.
+enum class TableKind { joint, separable, none };
+[[nodiscard]] TableKind tableKindOf(const NoiseMap& map);
+/// "joint", "separable" or "none".
+[[nodiscard]] std::string_view nameOf(TableKind kind);
+
 /// One noise: maps that share lattice, hash, seed and weights.
 struct Noise {
   std::string name;
@@ -136,6 +143,9 @@ struct Noise {
   double tileSizeMetres = 1.0; ///< width of one exemplar
   std::vector<NoiseMap> maps;
 };
+
+/// The place of the noise's map of this target, where it has one.
+[[nodiscard]] std::optional<std::size_t> findMap(const Noise& noise, MapTarget target);
 
 /// Inclusive bounds of a number.
 struct NumberRange {
@@ -186,6 +196,9 @@ struct Bundle {
   std::vector<std::optional<MaterialNoise>> materials;
   std::vector<std::string> materialNames; ///< as many as materials; empty where unnamed
 };
+
+/// Bytes of the texels of all tables: what they take on a GPU, without what a driver adds.
+[[nodiscard]] std::size_t texelBytes(const Bundle& bundle);
 
 /// Reads the extension from a .glb or .gltf (buffers embedded, in the GLB chunk, or in files beside
 /// it inside its folder). Everything that checkBundle() calls an error is refused, badInput, with

@@ -33,7 +33,7 @@ inline constexpr const char* kNotGltf = "not-gltf";
 /// suffice.
 [[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);
 
-/// A GLB of a JSON text and a binary chunk, which may be empty. Both below 4 GiB together.
+/// A GLB of a JSON text and a binary chunk, which may be empty. Below 4 GiB. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> frameGlb(std::string json, std::span<const std::byte> binary);
 
 /// The file that a relative path names, or nothing when it lies outside the folder, by its words or

@@ -22,11 +22,12 @@ public:
   JsonTree(std::string_view text) : kind_(Kind::scalar), text_(textOf(text)) {}
   JsonTree(const std::string& text) : JsonTree(std::string_view(text)) {}
   JsonTree(const char* text) : JsonTree(std::string_view(text)) {}
+  template <std::same_as<bool> Flag> // nothing else, such as a pointer, becomes a bool
+  JsonTree(Flag value) : kind_(Kind::scalar), text_(value ? "true" : "false") {}
   template <std::floating_point Number>
   JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(double(value))) {}
   template <std::unsigned_integral Number>
-  requires(!std::same_as<Number, bool>) // would be written as 0 or 1
-      JsonTree(Number value)
+  requires(!std::same_as<Number, bool>) JsonTree(Number value)
       : kind_(Kind::scalar), text_(textOf(std::uint64_t(value))) {}
   template <std::signed_integral Number>
   JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(std::int64_t(value))) {}

@@ -2,6 +2,7 @@
 // Pixels with their encoding.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,7 +16,7 @@ enum class Encoding {
 };
 
 /// A width x height image of interleaved float channels, row 0 at the top:
-/// value (x, y, c) is values[(y * width + x) * channels + c].
+/// value (x, y, c) is values[(y * width + x) * channels + c]. Throws std::bad_alloc, as vectors do.
 template <Encoding kEncoding>
 struct Image {
   static constexpr Encoding encoding = kEncoding;
@@ -43,6 +44,18 @@ struct Image {
 
 using SrgbImage = Image<Encoding::srgb>;
 using LinearImage = Image<Encoding::linear>;
+
+/// Data of two channels as red and green, which files take for grey and alpha; other images as they
+/// are. The argument's storage becomes the result's where it can.
+template <Encoding kEncoding>
+[[nodiscard]] Image<kEncoding> twoAsRedGreen(Image<kEncoding> image) {
+  if (image.channels != 2)
+    return image;
+  Image<kEncoding> rgb(image.width, image.height, 3);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    std::copy_n(&image.values[2 * i], 2, &rgb.values[3 * i]);
+  return rgb;
+}
 
 /// IEC 61966-2-1 transfer functions, extended beyond [0, 1] by the same formula for values above 1
 /// and by odd symmetry for values below 0. Exact inverses of each other up to rounding.

@@ -21,6 +21,8 @@ inline constexpr int kMaxImageSide = 16384;
 struct ImageFile {
   std::variant<SrgbImage, LinearImage> pixels;
   int bitsPerChannel = 8; ///< of the file: 8, 16, or 32 for EXR (half or float)
+  /// How the pixels have to be turned to be upright: EXIF's number, 1 (not at all) to 8.
+  int orientation = 1;
   /// What was done to make the file usable (palette expanded, CMYK converted, negative values
   /// clamped, missing channels filled), one short sentence each, for the user.
   std::vector<std::string> notes;
@@ -29,14 +31,21 @@ struct ImageFile {
 /// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
 /// single-part EXR (scan line or tiled, half, float or uint, R G B A, Y A or one other channel).
 /// The format is told from the first bytes, not from the name. Palette and low-bit-depth PNG are
-/// expanded. Colour profiles, gamma and EXIF orientation are not looked at.
-/// Refused with ErrorKind::badInput: not an image, truncated (a PNG without IEND and a JPEG without
-/// its end marker too), zero-sized, a side over kMaxImageSide, a file whose claim cannot fit its
-/// size, NaN or infinite values, multi-part, deep or luminance-chroma EXR, arithmetic-coded JPEG.
+/// expanded. Colour profiles and gamma are not looked at. The pixels are as they are stored,
+/// whatever the orientation says: to those do a scene's texture coordinates refer. Refused with
+/// ErrorKind::badInput: not an image, truncated (a PNG without IEND and a JPEG without its end
+/// marker too), zero-sized, a side over kMaxImageSide, a file whose claim cannot fit its size, NaN
+/// or infinite values, multi-part, deep or luminance-chroma EXR, arithmetic-coded JPEG.
 /// ErrorKind::resources when memory does not suffice. Bytes after the image's end are ignored.
 /// `name` is used in messages. Thread-safe.
 [[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
                                             const std::string& name);
+
+/// The image turned as its orientation says, which is 1 then, with a note. May throw
+/// std::bad_alloc.
+[[nodiscard]] ImageFile upright(ImageFile file);
+
+/// As decodeImage(), and upright: what photographs show.
 [[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
 
 /// PNG without colour chunks, 1 to 4 channels, `bitsPerChannel` 8 or 16, values clamped to [0, 1]

@@ -100,7 +100,7 @@ void main() {
   Footprint footprint = Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale);
   vec3 normal = normalize(worldNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   Surface surface = surfaceAt(footprint, vertexColor);
-  if (material.flags.y == 0)
+  if (material.flags.y == ALPHA_OPAQUE)
     surface.baseColor.a = 1.0;
   else if (surface.baseColor.a < material.emissive.w)
     discard;

@@ -43,6 +43,10 @@
 #define LIGHT_POINT 1
 #define LIGHT_SPOT 2
 
+#define ALPHA_OPAQUE 0
+#define ALPHA_MASK 1
+#define ALPHA_BLEND 2
+
 #define DEBUG_NONE 0
 #define DEBUG_NORMALS 1
 #define DEBUG_BASE_COLOR 2
@@ -87,7 +91,7 @@ struct MaterialData {
   vec4 emissive;                            // w is the alpha cutoff, 0 when it does not apply
   vec4 factors;                             // metallic, roughness, normal scale, occlusion strength
   ivec4 texCoords;                          // of textures 0 to 3
-  ivec4 flags;                              // x texCoord of texture 4, y 1 when alpha is used,
+  ivec4 flags;                              // x texCoord of texture 4, y ALPHA_*,
                                             // z map of the noise's opacity, -1 for none,
                                             // w texCoord of the noise
   ivec4 noiseMaps;                          // map of each other role, -1 for none

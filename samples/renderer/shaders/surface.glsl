@@ -86,10 +86,17 @@ int noiseMap(int role) {
 
 bool noiseHas(int role) { return kHasNoise && noiseMap(role) >= 0; }
 
-/// Without the factor. Alpha is the noise's opacity or, as always in depth.frag, the texture's.
+/// The noise's opacity or the texture's alpha, without the factor.
+float alphaAt(Footprint f, LichenTaps taps) {
+  if (noiseHas(NOISE_OPACITY))
+    return NOISE_VALUE(NOISE_OPACITY, opacity, taps).r;
+  return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
+}
+
+/// Without the factor.
 vec4 baseColorAt(Footprint f, LichenTaps taps) {
   bool fromNoise = noiseHas(NOISE_BASE_COLOR);
-  bool alphaIsUsed = material.flags.y != 0;
+  bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
   bool opacityFromNoise = alphaIsUsed && noiseHas(NOISE_OPACITY);
   vec4 color = vec4(1.0);
   if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
@@ -97,7 +104,7 @@ vec4 baseColorAt(Footprint f, LichenTaps taps) {
   if (fromNoise)
     color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
   if (opacityFromNoise)
-    color.a = NOISE_VALUE(NOISE_OPACITY, opacity, taps).r;
+    color.a = alphaAt(f, taps);
   return color;
 }
 

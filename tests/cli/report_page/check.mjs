@@ -43,7 +43,7 @@ async function shoot(page, name) {
 
 /// The pixels of each pane, as a digest.
 function paneDigests(page) {
-  return page.$$eval('.panes canvas', (canvases) => canvases.map((canvas) => canvas.toDataURL()));
+  return page.$$eval('.panes figure:not([hidden]) canvas', (canvases) => canvases.map((canvas) => canvas.toDataURL()));
 }
 
 const checks = {
@@ -148,6 +148,21 @@ await check('dark and light look different', async () => {
   const background = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.notEqual(await background(light.page), await background(dark.page));
   assert.deepEqual([...light.faults, ...dark.faults], []);
+});
+
+await check('a time is in one line, in windows of any width', async () => {
+  const {page, faults} = await open({viewport: {width: 1000, height: 800}});
+  await shoot(page, 'window');
+  for (const width of [1000, 1280, 720, kPhone.width]) {
+    await page.setViewportSize({width, height: 800});
+    const lines = await page.$$eval('#timings dd', (cells) => cells.map((cell) => {
+      const text = document.createRange();
+      text.selectNodeContents(cell);
+      return text.getBoundingClientRect().height / parseFloat(getComputedStyle(cell).lineHeight);
+    }));
+    assert.ok(lines.every((count) => count < 1.5), `${lines} lines at ${width} pixels`);
+  }
+  assert.deepEqual(faults, []);
 });
 
 await check('nothing is wider than a phone, and not than the narrowest one either', async () => {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Files and options -> exemplars.
+#include "exemplar_options.h"
+
+#include <lichen/image_io.h>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace lichen::cli {
+namespace {
+
+/// Of the maps the `m`th, as they are. Takes it from the originals, unless they were not kept.
+ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
+                        const std::vector<MapExemplar>& maps, std::vector<MapExemplar>& originals) {
+  ExemplarOrigin origin;
+  if (options.crop)
+    origin.steps.emplace_back("cropped");
+  if (options.set.size)
+    origin.steps.emplace_back("resized");
+  const std::vector<MapTarget>& targets = flattened.maps;
+  if (std::find(targets.begin(), targets.end(), maps[m].target) == targets.end())
+    return origin;
+  const double period = flattened.periodPixels * maps[m].width / maps.front().width;
+  origin.steps.push_back(fmt::format("without variation slower than {:.0f} pixels", period));
+  if (!originals.empty())
+    origin.original = std::move(originals[m]);
+  return origin;
+}
+
+} // namespace
+
+void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
+  addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
+           "Only this part of the exemplar; in pixels of its largest map");
+  addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
+           "Resample every map of the exemplar to this size");
+  const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
+                                              {"dx", NormalConvention::directX}};
+  addValue(verb, "--normal", options.set.normal, oneOf(conventions), "gl",
+           "Whether green points up in normal maps whose names do not say, or down");
+  const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
+  addValue(verb, "--alpha", options.set.alpha, oneOf(uses), "ignore",
+           "What the alpha of the base colour is");
+  addValue(verb, "--flatten", options.flattening, flattening(), "none",
+           "Remove variation slower than PERIOD pixels, or what clouds the noise");
+  const Choices<Periodic> periodic{
+      {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
+  addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",
+           "Whether the exemplar's opposite borders fit together");
+}
+
+Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
+                                  const ExemplarOptions& options, const SharedOptions& shared) {
+  MaterialSetOptions reading = options.set;
+  if (options.crop) {
+    const auto [x, y, width, height] = *options.crop;
+    reading.crop = PixelRectangle{x, y, width, height};
+  }
+  const std::vector<std::filesystem::path> paths(inputs.begin(), inputs.end());
+  Result<MaterialSet> set = readMaterialSet(paths, reading);
+  if (!set)
+    return set.error();
+  std::vector<MapExemplar>& maps = set.value().maps;
+  std::vector<MapExemplar> originals;
+  if (options.keepsOriginals && options.flattening.isWanted())
+    originals = maps;
+  const Result<Flattened> flattened =
+      flattenAsTold(maps, options.flattening, set.value().periodic, shared, set.value().notes);
+  if (!flattened)
+    return flattened.error();
+  ReadExemplar read{std::move(set).value(), {}};
+  for (std::size_t m = 0; m < read.set.maps.size(); ++m)
+    read.origins.push_back(originOf(m, options, flattened.value(), read.set.maps, originals));
+  return read;
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a noise and its exemplar are judged by, as the command line and the report write it.
+#pragma once
+
+#include <lichen/json_tree.h>
+#include <lichen/measures.h>
+#include <lichen/suitability.h>
+
+namespace lichen {
+
+/// `name`, `meaning`, `unit`, `value`, `target`, `met` and `remark`; null where there is no value
+/// or no target, and `met` where there is not both.
+[[nodiscard]] JsonTree jsonOf(const Measure& measure);
+
+/// `name`, `score`, `level`, `sentence` and `remedy`.
+[[nodiscard]] JsonTree jsonOf(const Risk& risk);
+
+} // namespace lichen

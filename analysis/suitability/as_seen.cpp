@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Heights (height, width) -> slopes (height, width, 2).
+#include "as_seen.h"
+
+#include "tiling/color_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::suitability {
+namespace {
+
+/// Standard deviation of a slope component, root mean square of both. The normal maps beside three
+/// height maps have 0.036, 0.23 and 0.27 (docs/decisions/013-suitability.md): the steepest, in
+/// which slow variation is seen best.
+constexpr double kReliefDeviation = 0.27;
+
+/// Half the difference of a pixel's neighbours at `before` and `after`; all of it where one of them
+/// is the pixel itself.
+float difference(float before, float after, bool oneSided) {
+  return oneSided ? after - before : 0.5f * (after - before);
+}
+
+} // namespace
+
+MapExemplar slopesOfHeight(const MapExemplar& map, bool periodic) {
+  MapExemplar slopes;
+  slopes.target = MapTarget::normal;
+  slopes.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  slopes.encoding = ValueEncoding::slope;
+  slopes.width = map.width;
+  slopes.height = map.height;
+  slopes.values.reserve(2 * map.values.size());
+  const auto at = [&](int x, int y) {
+    return map.values[std::size_t(y) * std::size_t(map.width) + std::size_t(x)];
+  };
+  const auto neighbour = [periodic](int place, int step, int side) {
+    return periodic ? (place + step + side) % side : std::clamp(place + step, 0, side - 1);
+  };
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const int left = neighbour(x, -1, map.width), right = neighbour(x, 1, map.width);
+      const int up = neighbour(y, -1, map.height), down = neighbour(y, 1, map.height);
+      slopes.values.push_back(difference(at(left, y), at(right, y), left == x || right == x));
+      slopes.values.push_back(difference(at(x, down), at(x, up), up == y || down == y));
+    }
+  const double variance = tiling::momentsOf(slopes.values, 2).covariance.trace() / 2.0;
+  if (variance <= 0.0)
+    return slopes;
+  const auto scale = float(kReliefDeviation / std::sqrt(variance));
+  for (float& slope : slopes.values)
+    slope *= scale;
+  slopes.quantum = std::min(1.0, map.quantum * double(scale));
+  return slopes;
+}
+
+} // namespace lichen::suitability

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Plane (height, width) -> the same, low-passed.
+#include "low_pass.h"
+
+#include "high_pass.h"
+
+#include <lichen/fft.h>
+
+#include <cstddef>
+#include <iterator>
+
+namespace lichen::suitability {
+namespace {
+
+/// The plane beside its mirror images: periodic, and continuous at the borders.
+Plane mirrored(const Plane& plane) {
+  Plane whole{2 * plane.width, 2 * plane.height, {}};
+  whole.values.reserve(4 * plane.values.size());
+  for (int y = 0; y < whole.height; ++y) {
+    const int from = y < plane.height ? y : whole.height - 1 - y;
+    const auto row = plane.values.begin() + std::ptrdiff_t(from) * plane.width;
+    whole.values.insert(whole.values.end(), row, row + plane.width);
+    whole.values.insert(whole.values.end(), std::make_reverse_iterator(row + plane.width),
+                        std::make_reverse_iterator(row));
+  }
+  return whole;
+}
+
+} // namespace
+
+Plane lowPassed(const Plane& plane, const Period& period, bool periodic) {
+  if (!periodic) {
+    const Plane whole = lowPassed(mirrored(plane), period, true);
+    Plane quarter{plane.width, plane.height, {}};
+    quarter.values.reserve(plane.values.size());
+    for (int y = 0; y < plane.height; ++y) {
+      const auto row = whole.values.begin() + std::ptrdiff_t(y) * whole.width;
+      quarter.values.insert(quarter.values.end(), row, row + plane.width);
+    }
+    return quarter;
+  }
+  HalfSpectrum spectrum = forwardFft(plane.values, plane.width, plane.height);
+  for (int v = 0; v < spectrum.height; ++v) {
+    const int signedV = spectrum.signedRow(v);
+    for (int u = 0; u < spectrum.columns(); ++u)
+      spectrum.at(u, v) *=
+          float(lowPassGain(period.x * u / spectrum.width, period.y * signedV / spectrum.height));
+  }
+  return {plane.width, plane.height, inverseFft(spectrum)};
+}
+
+} // namespace lichen::suitability

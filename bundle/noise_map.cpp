@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Which of a noise's maps has a target, and how a map is decoded.
+#include <lichen/bundle.h>
+
+#include <algorithm>
+
+namespace lichen {
+
+std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
+  const auto found = std::find_if(noise.maps.begin(), noise.maps.end(),
+                                  [&](const NoiseMap& map) { return map.target == target; });
+  if (found == noise.maps.end())
+    return std::nullopt;
+  return std::size_t(found - noise.maps.begin());
+}
+
+TableKind tableKindOf(const NoiseMap& map) {
+  if (!map.inverseTable)
+    return TableKind::none;
+  return map.tableOffset.empty() ? TableKind::joint : TableKind::separable;
+}
+
+std::string_view nameOf(TableKind kind) {
+  constexpr std::array<std::string_view, 3> kNames = {"joint", "separable", "none"};
+  return kNames[std::size_t(kind)];
+}
+
+} // namespace lichen

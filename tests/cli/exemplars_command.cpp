@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What lichen-exemplars writes, and how it refuses, in the words of the lichen command.
+#include "command_run.h"
+
+#include <lichen/result.h>
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+Ended runExemplars(const Arguments& arguments) {
+  return run(LICHEN_BINARY_DIR "/bin/lichen-exemplars", arguments);
+}
+
+} // namespace
+
+TEST_CASE("lichen-exemplars writes those that are named") {
+  const Workplace workplace;
+  const Ended ended = runExemplars({workplace.path("out"), "rust", "text", "--size", "64"});
+  CHECK(ended.code == 0);
+  CHECK(ended.output ==
+        workplace.path("out/rust.png") + "\n" + workplace.path("out/text.png") + "\n");
+}
+
+TEST_CASE("lichen-exemplars refuses what it does not know in one line that says what it does") {
+  const Workplace workplace;
+  const std::string out = workplace.path("out");
+  const std::vector<std::pair<Arguments, std::string>> cases{
+      {{out, "foo"}, "foo: no such exemplar; granite, "},
+      {{out, "--size", "63"}, "--size 63: a whole number from 64 to 2048 is accepted"},
+      {{out, "--size"}, "--size: a value is missing"},
+      {{out, "--large"}, "--large: no such option"},
+      {{}, "OUTDIR is required"}};
+  for (const auto& [arguments, words] : cases) {
+    const Ended ended = runExemplars(arguments);
+    CHECK(ended.code == int(ErrorKind::usage));
+    CHECK(ended.output.empty());
+    CHECK_THAT(ended.errors, Catch::StartsWith("lichen-exemplars: " + words) &&
+                                 Catch::EndsWith("; see 'lichen-exemplars --help'\n"));
+  }
+  CHECK(workplace.names().empty());
+}
+
+TEST_CASE("the help of lichen-exemplars speaks of options, not of the parser's types") {
+  const Ended ended = runExemplars({"--help"});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.output, Catch::Contains("Arguments:") && Catch::Contains("[default: 512]"));
+  for (const char* jargon : {"TEXT", "INT", "{", "Positionals"})
+    CHECK_THAT(ended.output, !Catch::Contains(jargon));
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Which maps of a set are corrected towards the others, and what the correction keeps.
+#include "example_exemplar.h"
+
+#include <lichen/tiling.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tiling/cross_covariance.h>
+#include <tiling/map_fit.h>
+#include <tiling/tie_order.h>
+#include <transport/assignment.h>
+#include <transport/random.h>
+
+using namespace lichen;
+using namespace lichen::tiling;
+
+namespace {
+
+constexpr int kSide = 64;
+
+/// A colour of three materials, and a roughness of few values that follows its red.
+std::vector<MapExemplar> roughSet() {
+  constexpr double kStep = 0.05;
+  const MapExemplar color = test::threeMaterials(kSide, kSide, 5);
+  MapExemplar rough;
+  rough.target = MapTarget::occlusionRoughnessMetallic;
+  rough.channels = {MapChannel::roughness};
+  rough.encoding = ValueEncoding::linear;
+  rough.width = rough.height = kSide;
+  rough.quantum = kStep;
+  for (std::size_t i = 0; i < color.values.size() / 3; ++i) {
+    const double grain = transport::randomUniform(9, i) - 0.5;
+    const double value = 0.5 + 0.2 * double(color.values[3 * i]) + 0.2 * grain;
+    rough.values.push_back(float(kStep * std::round(value / kStep)));
+  }
+  return {color, rough};
+}
+
+/// The colour, and its own green and blue as two slopes with noise.
+std::vector<MapExemplar> slopeSet() {
+  const MapExemplar color = test::threeMaterials(kSide, kSide, 5);
+  MapExemplar slopes = color;
+  slopes.target = MapTarget::normal;
+  slopes.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  slopes.encoding = ValueEncoding::slope;
+  slopes.values.clear();
+  for (std::size_t i = 0; i < color.values.size() / 3; ++i)
+    for (std::size_t c = 1; c < 3; ++c)
+      slopes.values.push_back(color.values[3 * i + c] - 0.5f +
+                              0.3f * (float(transport::randomUniform(c, i)) - 0.5f));
+  return {color, slopes};
+}
+
+TilingBake baked(std::span<const MapExemplar> maps, const TilingOptions& options) {
+  Result<TilingBake> bake = bakeTiling("set", maps, options);
+  REQUIRE(bake);
+  return std::move(bake).value();
+}
+
+/// The texels of the last map's Gaussian image, baked after the first or alone.
+std::vector<std::byte> lastImage(std::span<const MapExemplar> maps, const TilingOptions& options) {
+  const TilingBake bake = baked(maps, options);
+  return bake.tables[bake.noise.maps.back().gaussian].texels;
+}
+
+} // namespace
+
+TEST_CASE("only maps with a joint table are corrected, and only towards such maps") {
+  const std::vector<MapExemplar> maps = roughSet();
+  const std::span<const MapExemplar> alone(&maps[1], 1);
+  TilingOptions options;
+  CHECK(lastImage(maps, options) != lastImage(alone, options));
+  options.lut = LookupTable::separable; // the colour's; a line has none
+  CHECK(lastImage(maps, options) == lastImage(alone, options));
+  options.lut = LookupTable::joint;
+  options.gaussian = GaussianOnly::yes;
+  CHECK(lastImage(maps, options) == lastImage(alone, options));
+}
+
+TEST_CASE("a fast bake leaves the maps of a set as they are alone") {
+  const std::vector<MapExemplar> maps = roughSet();
+  TilingOptions options;
+  options.transport = TransportEffort::fast;
+  CHECK(lastImage(maps, options) == lastImage({&maps[1], 1}, options));
+}
+
+TEST_CASE("an exact transport is certified for the points that the correction moved") {
+  const std::vector<MapExemplar> maps = slopeSet();
+  const ColorSpace colors = colorSpaceOf(maps[0]), slopes = colorSpaceOf(maps[1]);
+  REQUIRE(slopes.dimensions() == 2);
+  MapFitOptions options;
+  options.share = 0.0f;
+  const MapFit color = fitMap(maps[0], colors, options);
+  const std::vector<SettledMap> settled{{maps[0], colors, color.gaussian, color.table}};
+  const MapFit alone = fitMap(maps[1], slopes, options);
+  const JoinedImage joined =
+      withCrossCovariances(maps[1], slopes, settled, alone.gaussian, alone.table, true, {});
+  REQUIRE_FALSE(joined.points.empty());
+  options.settled = settled;
+  options.transport = TransportEffort::exact;
+  const MapFit exact = fitMap(maps[1], slopes, options);
+  REQUIRE(exact.gaussian.bounds.size() == 1);
+  std::vector<std::uint32_t> itself(joined.points.size());
+  std::iota(itself.begin(), itself.end(), 0u);
+  const TransportBound& bound = exact.gaussian.bounds[0];
+  CHECK(bound.cost ==
+        Approx(transport::transportCost(joined.points, exact.gaussian.matched, itself)));
+  CHECK(bound.lowerBound <= bound.cost);
+  CHECK(bound.excess() < 3e-4); // the target
+}
+
+TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every step") {
+  const std::vector<MapExemplar> maps = roughSet();
+  std::vector<double> fractions;
+  TilingOptions options;
+  options.progress = [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  REQUIRE(bakeTiling("counted", maps, options));
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1.0);
+  // The last map on a line tells of its table at most, and of passes of the correction.
+  const std::size_t all = fractions.size();
+  for (std::size_t last = all - 6; last <= all; ++last) {
+    std::size_t steps = 0;
+    options.progress = [&](double) { return ++steps < last; };
+    const Result<TilingBake> bake = bakeTiling("stopped", maps, options);
+    INFO("stopped at call " << last << " of " << all);
+    REQUIRE(!bake.ok());
+    CHECK(bake.error().message == "stopped: interrupted");
+    CHECK(steps == last);
+  }
+}
+
+TEST_CASE("ranks follow the values, and the scores where values are equal") {
+  const std::size_t count = 1000;
+  std::vector<float> values(count), scores(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    values[i] = float(std::floor(8.0 * transport::randomUniform(1, i)) - 4.0);
+    scores[i] = float(std::round(40.0 * transport::randomUniform(2, i)) - 20.0);
+    if (i % 7 == 0 && values[i] == 0.0f)
+      values[i] = -0.0f; // equal to 0
+  }
+  std::vector<std::size_t> expected(count);
+  std::iota(expected.begin(), expected.end(), std::size_t(0));
+  std::stable_sort(expected.begin(), expected.end(), [&](std::size_t a, std::size_t b) {
+    return values[a] != values[b] ? values[a] < values[b] : scores[a] < scores[b];
+  });
+  const std::vector<Point> ranks = TieOrder(values).ranks(scores);
+  for (std::size_t rank = 0; rank < count; ++rank)
+    CHECK(ranks[expected[rank]].x == float(rank));
+}
