@@ -68,7 +68,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
     return entry->second;
   };
   for (NoiseMap& map : noise.maps) {
-    map.gaussian = placed(map.gaussian);
+    map.image = placed(map.image);
     if (map.inverseTable)
       map.inverseTable = placed(*map.inverseTable);
   }
@@ -99,7 +99,7 @@ Result<void> Merger::add(const NamedBundle& input) {
     const IgnoredNoise& ignored = input.bundle.ignoredNoises.front();
     return Error{ErrorKind::badInput, input.file + ": noise '" + ignored.name +
                                           "' is of revision " + std::to_string(ignored.revision) +
-                                          "; " + std::to_string(kTilingRevision) +
+                                          "; " + std::to_string(kNoiseRevision) +
                                           " is known: the version of lichen that wrote it can "
                                           "merge it"};
   }

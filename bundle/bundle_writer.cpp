@@ -48,7 +48,7 @@ Result<void> checkParts(const BundleFile& file) {
 double exemplarAspect(const Bundle& bundle) {
   if (bundle.noises.empty() || bundle.noises.front().maps.empty())
     return 1.0;
-  const std::size_t index = bundle.noises.front().maps.front().gaussian;
+  const std::size_t index = bundle.noises.front().maps.front().image;
   if (index >= bundle.tables.size())
     return 1.0;
   const Table& gaussian = bundle.tables[index];

@@ -10,7 +10,6 @@ namespace lichen {
 namespace {
 
 using nlohmann::json;
-using Tables = std::vector<std::optional<Table>>;
 
 constexpr std::size_t kMaxTables = 4096;
 constexpr std::size_t kMaxNoises = 1024;
@@ -82,7 +81,7 @@ std::optional<int> laterRevision(const json& noise) {
   if (revision == nullptr || !revision->is_number_unsigned())
     return std::nullopt;
   const auto value = revision->get<std::uint64_t>();
-  const bool isLater = value > std::uint64_t(kTilingRevision) &&
+  const bool isLater = value > std::uint64_t(kNoiseRevision) &&
                        value <= std::uint64_t(std::numeric_limits<int>::max());
   return isLater ? std::optional(int(value)) : std::nullopt;
 }
@@ -96,7 +95,7 @@ IgnoredNoise ignoreNoise(const json& noise, std::size_t place, int revision,
   if (const json* name = memberOf(&noise, "name"); name != nullptr && name->is_string())
     ignored.name = name->get<std::string>();
   findings.warn("noise-revision", pointer + "/revision",
-                std::to_string(revision) + "; " + std::to_string(kTilingRevision) +
+                std::to_string(revision) + "; " + std::to_string(kNoiseRevision) +
                     " is known: the noise is ignored, and its materials show their core textures");
   return ignored;
 }
@@ -105,21 +104,25 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
   Noise noise;
   noise.name = reader.text("name").value_or("");
   if (const auto method = reader.text("method")) {
-    if (*method != noise.method)
-      reader.error("noise-method", "method", quoted(*method) + "; tiling is accepted");
+    const auto known = methodFrom(*method);
+    if (!known)
+      reader.error("noise-method", "method", quoted(*method) + "; tiling or texton is accepted");
+    noise.method = known.value_or(noise.method);
   }
   if (const auto revision = reader.integer("revision", std::numeric_limits<int>::max());
-      revision && *revision != std::uint64_t(kTilingRevision))
+      revision && *revision != std::uint64_t(kNoiseRevision))
     reader.error("noise-revision", "revision",
-                 std::to_string(*revision) + "; " + std::to_string(kTilingRevision) +
+                 std::to_string(*revision) + "; " + std::to_string(kNoiseRevision) +
                      " is accepted");
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
+  if (noise.method == Method::texton)
+    noise.texton = readTextonShape(reader, findings);
   const json* maps = reader.array("maps", kMaxMaps);
   std::set<MapTarget> targets;
   for (std::size_t i = 0; maps != nullptr && i < maps->size(); ++i) {
     ObjectReader mapReader((*maps)[i], elementPointer(reader.pointerTo("maps"), i), findings);
     const std::size_t errorsBefore = findings.errorCount();
-    noise.maps.push_back(readMap(mapReader, tables));
+    noise.maps.push_back(readMap(mapReader, noise, tables));
     if (findings.errorCount() == errorsBefore && !targets.insert(noise.maps.back().target).second)
       mapReader.error("map-target-duplicate", "target",
                       "another map of this noise has the target " +
@@ -179,22 +182,32 @@ IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle&
   return place.isIgnored ? &bundle.ignoredNoises[place.index] : nullptr;
 }
 
-MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places) {
+/// How the noise of a material is put on a surface, where its method has such a form.
+Mapping readMapping(ObjectReader& reader, Method method) {
+  const std::string name = reader.text("mapping").value_or("uv");
+  const std::optional<Mapping> mapping = mappingFrom(name);
+  if (mapping && mappingFits(method, *mapping))
+    return *mapping;
+  std::string accepted;
+  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+    if (mappingFits(method, each))
+      accepted += (accepted.empty() ? "" : ", ") + std::string(nameOf(each));
+  reader.error("material-mapping", "mapping",
+               quoted(name) + "; one of " + accepted + " is accepted for the method " +
+                   std::string(nameOf(method)));
+  return Mapping::uv;
+}
+
+MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const Bundle& bundle) {
   MaterialNoise use;
   const auto noise = reader.integer("noise", places.empty() ? 0 : places.size() - 1, "noise-index");
   if (noise && places.empty())
     reader.error("noise-index", "noise", "there are no noises");
   else if (noise)
     use.noise = places[std::size_t(*noise)].index;
-  if (reader.has("mapping")) {
-    const std::string name = reader.text("mapping").value_or("uv");
-    const auto mapping = mappingFrom(name);
-    // Tiling has no parameterization-free and no solid form.
-    if (!mapping || *mapping == Mapping::surface || *mapping == Mapping::solid)
-      reader.error("material-mapping", "mapping",
-                   quoted(name) + "; uv or triplanar is accepted for the method tiling");
-    use.mapping = mapping.value_or(Mapping::uv);
-  }
+  const Method method = bundle.noises.empty() ? Method::tiling : bundle.noises[use.noise].method;
+  if (reader.has("mapping"))
+    use.mapping = readMapping(reader, method);
   if (reader.has("texCoord"))
     use.texCoord = int(reader.integer("texCoord", kMaxTexCoord).value_or(0));
   if (reader.has("seed"))
@@ -205,6 +218,15 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places) {
   use.rotation = reader.numberOr("rotation", kRotationRange, use.rotation);
   use.blendSharpness = reader.numberOr("blendSharpness", kBlendSharpnessRange, use.blendSharpness);
   use.contrast = reader.numberOr("contrast", kContrastRange, use.contrast);
+  use.impacts = reader.numberOr("impacts", kImpactsRange, use.impacts);
+  if (reader.has("pointProcess")) {
+    const std::string name = reader.text("pointProcess").value_or("stratified");
+    const auto process = pointProcessFrom(name);
+    if (!process)
+      reader.error("material-point-process", "pointProcess",
+                   quoted(name) + "; stratified or poisson is accepted");
+    use.pointProcess = process.value_or(use.pointProcess);
+  }
   reader.warnOfUnknown();
   return use;
 }
@@ -232,7 +254,8 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
     if (ignored != nullptr) {
       ignored->materials.push_back(i);
     } else if (extension != nullptr) {
-      use = readMaterial(ObjectReader(*extension, extensionPointer(pointer), findings), places);
+      use = readMaterial(ObjectReader(*extension, extensionPointer(pointer), findings), places,
+                         bundle);
       if (material["extensions"].contains("KHR_materials_unlit"))
         findings.warn("material-unlit", pointer + "/extensions/KHR_materials_unlit",
                       "an unlit material shows the preview, not the noise");
@@ -246,7 +269,7 @@ void warnOfUnusedTables(const Bundle& bundle, const std::string& pointer, Findin
   std::set<std::size_t> used;
   for (const Noise& noise : bundle.noises)
     for (const NoiseMap& map : noise.maps) {
-      used.insert(map.gaussian);
+      used.insert(map.image);
       if (map.inverseTable)
         used.insert(*map.inverseTable);
     }
@@ -267,7 +290,7 @@ std::vector<bool> readableTables(const json* noises, std::size_t count) {
     if (laterRevision(noise) || maps == nullptr || !maps->is_array())
       continue;
     for (const json& map : *maps)
-      for (const char* key : {"gaussian", "inverseTable"})
+      for (const char* key : {"gaussian", "texton", "inverseTable"})
         if (const json* table = memberOf(&map, key);
             table != nullptr && table->is_number_unsigned() && table->get<std::uint64_t>() < count)
           readable[table->get<std::size_t>()] = true;
@@ -285,7 +308,7 @@ void keepTables(Tables tables, Bundle& bundle) {
   }
   for (Noise& noise : bundle.noises)
     for (NoiseMap& map : noise.maps) {
-      map.gaussian = places[map.gaussian];
+      map.image = places[map.image];
       if (map.inverseTable)
         map.inverseTable = places[*map.inverseTable];
     }

@@ -10,9 +10,30 @@ namespace lichen {
 /// Reads and checks the extension. The result may be used only when no error was recorded.
 [[nodiscard]] Bundle readExtension(GltfFile& file, FindingList& findings);
 
-/// Reads and checks one map; `tables` are those read so far, null where one could not be.
-[[nodiscard]] NoiseMap readMap(ObjectReader& reader,
-                               const std::vector<std::optional<Table>>& tables);
+using Tables = std::vector<std::optional<Table>>;
+
+/// Reads and checks one map; of `noise`, what comes before its maps is read; `tables` are those
+/// read so far, null where one could not be.
+[[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables);
+
+/// Reads and checks what the textons of a noise have in common; usable whatever was recorded.
+[[nodiscard]] TextonShape readTextonShape(ObjectReader& noise, FindingList& findings);
+
+/// Reads and checks what a map of a texton noise has besides channels and statistics.
+void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
+                NoiseMap& map);
+
+/// Where a mean of stored values can lie, with room for rounding.
+[[nodiscard]] NumberRange meanRange(ValueEncoding encoding);
+/// The table that member `key` names, or null. An index that is out of range is recorded.
+[[nodiscard]] const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
+                                          const Tables& tables, std::size_t& index);
+/// Its size, for messages.
+[[nodiscard]] std::string shapeOf(const Table& table);
+/// Colour channels of a table: alpha is unused.
+[[nodiscard]] std::size_t usedChannels(TexelFormat format);
+/// Reads mipLoss: in [0, 1], not decreasing. `first` is whether the first level loses nothing.
+void readLosses(ObjectReader& reader, NoiseMap& map);
 
 /// A bound that the schema states too; those of parameters are in bundle.h.
 inline constexpr std::uint64_t kMaxTexCoord = 15;

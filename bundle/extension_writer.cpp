@@ -5,14 +5,19 @@
 namespace lichen {
 namespace {
 
-JsonTree describeMap(const NoiseMap& map) {
+JsonTree describeMap(const NoiseMap& map, Method method) {
+  const bool isTexton = method == Method::texton;
   JsonTree json = {{"target", nameOf(map.target)}, {"channels", JsonTree::array()}};
   for (const MapChannel channel : map.channels)
     json["channels"].push_back(nameOf(channel));
   json["encoding"] = nameOf(map.encoding);
   json["mean"] = map.mean;
   json["covariance"] = map.covariance;
-  json["gaussian"] = map.gaussian;
+  if (!map.endMean.empty())
+    json["endMean"] = map.endMean;
+  json[isTexton ? "texton" : "gaussian"] = map.image;
+  if (isTexton)
+    json["scale"] = map.scale;
   if (map.inverseTable) {
     json["inverseTable"] = *map.inverseTable;
     json["levels"] = map.levels;
@@ -25,14 +30,24 @@ JsonTree describeMap(const NoiseMap& map) {
   return json;
 }
 
+JsonTree describeShape(const TextonShape& shape) {
+  return {{"coefficients", {shape.coefficientsX, shape.coefficientsY}},
+          {"order", shape.order},
+          {"mipLevels", shape.mipLevels},
+          {"texelsPerTile", {shape.texelsPerTileX, shape.texelsPerTileY}},
+          {"steps", shape.steps}};
+}
+
 JsonTree describeNoise(const Noise& noise) {
   JsonTree json = {{"name", noise.name},
-                   {"method", noise.method},
+                   {"method", nameOf(noise.method)},
                    {"revision", noise.revision},
-                   {"tileSize", noise.tileSizeMetres},
-                   {"maps", JsonTree::array()}};
+                   {"tileSize", noise.tileSizeMetres}};
+  if (noise.method == Method::texton)
+    json["texton"] = describeShape(noise.texton);
+  json["maps"] = JsonTree::array();
   for (const NoiseMap& map : noise.maps)
-    json["maps"].push_back(describeMap(map));
+    json["maps"].push_back(describeMap(map, noise.method));
   return json;
 }
 
@@ -74,6 +89,10 @@ JsonTree describeMaterialNoise(const MaterialNoise& use) {
     json["blendSharpness"] = use.blendSharpness;
   if (use.contrast != defaults.contrast)
     json["contrast"] = use.contrast;
+  if (use.impacts != defaults.impacts)
+    json["impacts"] = use.impacts;
+  if (use.pointProcess != defaults.pointProcess)
+    json["pointProcess"] = nameOf(use.pointProcess);
   return json;
 }
 

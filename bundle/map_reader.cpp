@@ -11,7 +11,6 @@ namespace lichen {
 namespace {
 
 using nlohmann::json;
-using Tables = std::vector<std::optional<Table>>;
 
 /// 64 slabs of a 32^3 table make a depth of 2,048, the least that desktop devices offer.
 constexpr std::size_t kMaxTableLevels = 64;
@@ -47,21 +46,6 @@ bool encodingFits(MapTarget target, ValueEncoding encoding) {
     return encoding == ValueEncoding::linear || encoding == ValueEncoding::log2;
   default:
     return encoding == ValueEncoding::linear;
-  }
-}
-
-/// Where a mean of stored values can lie, with room for rounding.
-NumberRange meanRange(ValueEncoding encoding) {
-  constexpr double kRounding = 1e-6;
-  constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz
-  constexpr double kBrightestLog = 129; // log2(1 + x) of the largest float
-  switch (encoding) {
-  case ValueEncoding::slope:
-    return {-kSteepest, kSteepest};
-  case ValueEncoding::log2:
-    return {0.0, kBrightestLog};
-  default:
-    return {-kRounding, 1.0 + kRounding};
   }
 }
 
@@ -168,32 +152,6 @@ void readStatistics(ObjectReader& reader, NoiseMap& map) {
       reader.error("map-covariance", "covariance", "not positive semidefinite");
     map.covariance = std::move(*covariance);
   }
-}
-
-/// Colour channels of a table: alpha is unused.
-std::size_t usedChannels(TexelFormat format) {
-  return std::min<std::size_t>(std::size_t(channelCount(format)), 3);
-}
-
-std::string shapeOf(const Table& table) {
-  std::string shape = std::to_string(table.width) + " x " + std::to_string(table.height);
-  if (table.depth > 0)
-    shape += " x " + std::to_string(table.depth);
-  return shape;
-}
-
-/// The table that member `key` names, or null. An index that is out of range is recorded.
-const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
-                            const Tables& tables, std::size_t& index) {
-  const auto value = reader.integer(key, tables.empty() ? 0 : tables.size() - 1, code);
-  if (!value)
-    return nullptr;
-  if (tables.empty()) {
-    reader.error(code, key, "there are no tables");
-    return nullptr;
-  }
-  index = std::size_t(*value);
-  return tables[index] ? &*tables[index] : nullptr;
 }
 
 /// The affine map of a separable table.
@@ -315,6 +273,71 @@ void readLevels(ObjectReader& reader, NoiseMap& map) {
   map.levels = std::move(*levels);
 }
 
+/// The tables of a tiling noise's map.
+void readGaussianAndTable(ObjectReader& reader, const Tables& tables, NoiseMap& map) {
+  const Table* gaussian =
+      readTableIndex(reader, "gaussian", "map-gaussian-index", tables, map.image);
+  if (reader.has("inverseTable")) {
+    std::size_t index = 0;
+    readLevels(reader, map);
+    readTableBasis(reader, map, gaussian);
+    const Table* table =
+        readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
+    map.inverseTable = index;
+    if (table != nullptr)
+      checkInverseTable(reader, map, *table, gaussian);
+  } else if (reader.optional("levels") != nullptr) {
+    reader.error("map-levels", "levels", "present although there is no inverseTable");
+  } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
+    reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
+  } else if (!isPositiveDefinite(map.covariance, map.channels.size())) {
+    reader.error("map-covariance", "covariance",
+                 "not positive definite, as it must be without an inverseTable");
+  }
+  if (gaussian != nullptr)
+    checkGaussian(reader, map, *gaussian);
+}
+
+} // namespace
+
+NumberRange meanRange(ValueEncoding encoding) {
+  constexpr double kRounding = 1e-6;
+  constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz
+  constexpr double kBrightestLog = 129; // log2(1 + x) of the largest float
+  switch (encoding) {
+  case ValueEncoding::slope:
+    return {-kSteepest, kSteepest};
+  case ValueEncoding::log2:
+    return {0.0, kBrightestLog};
+  default:
+    return {-kRounding, 1.0 + kRounding};
+  }
+}
+
+std::size_t usedChannels(TexelFormat format) {
+  return std::min<std::size_t>(std::size_t(channelCount(format)), 3);
+}
+
+std::string shapeOf(const Table& table) {
+  std::string shape = std::to_string(table.width) + " x " + std::to_string(table.height);
+  if (table.depth > 0)
+    shape += " x " + std::to_string(table.depth);
+  return shape;
+}
+
+const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
+                            const Tables& tables, std::size_t& index) {
+  const auto value = reader.integer(key, tables.empty() ? 0 : tables.size() - 1, code);
+  if (!value)
+    return nullptr;
+  if (tables.empty()) {
+    reader.error(code, key, "there are no tables");
+    return nullptr;
+  }
+  index = std::size_t(*value);
+  return tables[index] ? &*tables[index] : nullptr;
+}
+
 void readLosses(ObjectReader& reader, NoiseMap& map) {
   if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
     if (!loss->empty() && loss->front() != 0.0)
@@ -326,9 +349,7 @@ void readLosses(ObjectReader& reader, NoiseMap& map) {
   }
 }
 
-} // namespace
-
-NoiseMap readMap(ObjectReader& reader, const Tables& tables) {
+NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables) {
   NoiseMap map;
   bool targetKnown = false;
   if (const auto name = reader.text("target")) {
@@ -351,27 +372,10 @@ NoiseMap readMap(ObjectReader& reader, const Tables& tables) {
   readStatistics(reader, map);
   readLosses(reader, map);
 
-  const Table* gaussian =
-      readTableIndex(reader, "gaussian", "map-gaussian-index", tables, map.gaussian);
-  if (reader.has("inverseTable")) {
-    std::size_t index = 0;
-    readLevels(reader, map);
-    readTableBasis(reader, map, gaussian);
-    const Table* table =
-        readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
-    map.inverseTable = index;
-    if (table != nullptr)
-      checkInverseTable(reader, map, *table, gaussian);
-  } else if (reader.optional("levels") != nullptr) {
-    reader.error("map-levels", "levels", "present although there is no inverseTable");
-  } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
-    reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
-  } else if (!isPositiveDefinite(map.covariance, map.channels.size())) {
-    reader.error("map-covariance", "covariance",
-                 "not positive definite, as it must be without an inverseTable");
-  }
-  if (gaussian != nullptr)
-    checkGaussian(reader, map, *gaussian);
+  if (noise.method == Method::texton)
+    readTexton(reader, noise.texton, tables, map);
+  else
+    readGaussianAndTable(reader, tables, map);
   reader.warnOfUnknown();
   return map;
 }

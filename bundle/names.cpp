@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words that the extension's JSON uses for targets, channels, encodings and mappings.
+// The words that the extension's JSON uses for targets, channels, encodings, mappings and
+// methods.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ constexpr std::array<std::string_view, 10> kChannelNames = {
     "occlusion", "roughness", "metallic", "height", "opacity"};
 constexpr std::array<std::string_view, 4> kEncodingNames = {"srgb", "linear", "slope", "log2"};
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
+constexpr std::array<std::string_view, 2> kMethodNames = {"tiling", "texton"};
+constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};
 
 template <class Value, std::size_t kCount>
 std::optional<Value> find(const std::array<std::string_view, kCount>& names,
@@ -31,6 +34,8 @@ std::string_view nameOf(MapTarget value) { return kTargetNames[std::size_t(value
 std::string_view nameOf(MapChannel value) { return kChannelNames[std::size_t(value)]; }
 std::string_view nameOf(ValueEncoding value) { return kEncodingNames[std::size_t(value)]; }
 std::string_view nameOf(Mapping value) { return kMappingNames[std::size_t(value)]; }
+std::string_view nameOf(Method value) { return kMethodNames[std::size_t(value)]; }
+std::string_view nameOf(PointProcess value) { return kPointProcessNames[std::size_t(value)]; }
 
 std::optional<MapTarget> mapTargetFrom(std::string_view name) {
   return find<MapTarget>(kTargetNames, name);
@@ -43,6 +48,10 @@ std::optional<ValueEncoding> valueEncodingFrom(std::string_view name) {
 }
 std::optional<Mapping> mappingFrom(std::string_view name) {
   return find<Mapping>(kMappingNames, name);
+}
+std::optional<Method> methodFrom(std::string_view name) { return find<Method>(kMethodNames, name); }
+std::optional<PointProcess> pointProcessFrom(std::string_view name) {
+  return find<PointProcess>(kPointProcessNames, name);
 }
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of a noise's maps has a target, and how a map is decoded.
+// Which of a noise's maps has a target, how a map is decoded, and how a noise can be mapped.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -12,6 +12,17 @@ std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
   if (found == noise.maps.end())
     return std::nullopt;
   return std::size_t(found - noise.maps.begin());
+}
+
+bool mappingFits(Method method, Mapping mapping) {
+  switch (mapping) {
+  case Mapping::surface:
+    return method == Method::texton;
+  case Mapping::solid:
+    return false; // of the methods that the format has
+  default:
+    return true;
+  }
 }
 
 TableKind tableKindOf(const NoiseMap& map) {

@@ -95,7 +95,7 @@ std::array<float, 4> decodedMean(const shader::LichenMap& constants, const Bundl
 std::array<std::uint32_t, 2> tileTexels(const Noise& noise, const Bundle& bundle) {
   std::array<std::uint32_t, 2> size{1, 1};
   for (const NoiseMap& map : noise.maps) {
-    const Table& gaussian = bundle.tables[map.gaussian];
+    const Table& gaussian = bundle.tables[map.image];
     size = {std::max(size[0], gaussian.width), std::max(size[1], gaussian.height)};
   }
   return size;
@@ -162,7 +162,7 @@ std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
 
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
   const NoiseMap& map = noise.maps[mapIndex];
-  const Table& gaussian = bundle.tables[map.gaussian];
+  const Table& gaussian = bundle.tables[map.image];
   shader::LichenMap result{};
   result.widthTexels = float(gaussian.width);
   result.heightTexels = float(gaussian.height);

@@ -138,7 +138,7 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
   std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
-    assert(plan.bundle.tables[noise.maps[i].gaussian].mipLevels <= LICHEN_MAX_MIPS);
+    assert(plan.bundle.tables[noise.maps[i].image].mipLevels <= LICHEN_MAX_MIPS);
     if (!noise.maps[i].inverseTable)
       continue;
     const std::size_t index = *noise.maps[i].inverseTable;
@@ -246,7 +246,7 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.target = targetOf(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
-  values.gaussianImage = std::uint32_t(source.gaussian);
+  values.gaussianImage = std::uint32_t(source.image);
   values.tableImage = bundle->tables[noise][map];
   values.tableKind = tableKindNumber(tableKindOf(source));
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
@@ -340,7 +340,7 @@ LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uin
     values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
     values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
     values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
-    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(maps[map].gaussian);
+    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(maps[map].image);
   }
   return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);
 }

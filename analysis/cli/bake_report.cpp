@@ -59,12 +59,12 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
 
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
-  const Table& gaussian = outcome.bundle.tables[noise.maps.front().gaussian];
+  const Table& gaussian = outcome.bundle.tables[noise.maps.front().image];
   const std::size_t tableBytes = texelBytes(outcome.bundle);
   if (options.json) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::array();
     for (const NoiseMap& map : noise.maps) {
-      const Table& image = outcome.bundle.tables[map.gaussian];
+      const Table& image = outcome.bundle.tables[map.image];
       nlohmann::ordered_json channels = nlohmann::ordered_json::array();
       for (const MapChannel channel : map.channels)
         channels.push_back(nameOf(channel));
@@ -76,7 +76,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
     }
     const nlohmann::ordered_json json{{"output", outcome.output},
                                       {"name", noise.name},
-                                      {"method", noise.method},
+                                      {"method", nameOf(noise.method)},
                                       {"width", gaussian.width},
                                       {"height", gaussian.height},
                                       {"dimensions", dimensionsOf(gaussian)},

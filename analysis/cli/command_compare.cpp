@@ -98,7 +98,7 @@ void noteOtherSize(const MapExemplar& exemplar, const Bundle& bundle, const Nois
   const std::optional<std::size_t> place = findMap(noise, exemplar.target);
   if (!place)
     return; // compareNoise() refuses it
-  const Table& baked = bundle.tables[noise.maps[*place].gaussian];
+  const Table& baked = bundle.tables[noise.maps[*place].image];
   if (int(baked.width) != exemplar.width || int(baked.height) != exemplar.height)
     notes.push_back(fmt::format("{}: the exemplar is {} x {}, but was {} x {} when it was baked; "
                                 "give the --crop and --size of the bake",

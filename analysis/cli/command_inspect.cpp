@@ -119,7 +119,7 @@ Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
   Json channels = Json::array();
   for (const MapChannel channel : map.channels)
     channels.push_back(nameOf(channel));
-  const Table& gaussian = tables[map.gaussian];
+  const Table& gaussian = tables[map.image];
   return {{"target", nameOf(map.target)},
           {"channels", channels},
           {"encoding", nameOf(map.encoding)},
@@ -128,7 +128,7 @@ Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
           {"bits", formatName(gaussian.format).bits},
           {"mean", map.mean},
           {"covariance", map.covariance},
-          {"gaussian", map.gaussian},
+          {"gaussian", map.image},
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
           {"table", nameOf(tableKindOf(map))},
           {"levels", map.levels.size()},
@@ -145,7 +145,7 @@ Json describe(const Bundle& bundle, std::size_t index) {
     if (bundle.materials[m] && bundle.materials[m]->noise == index)
       materials.push_back(describe(*bundle.materials[m], m, bundle.materialNames[m]));
   return {{"name", noise.name},
-          {"method", noise.method},
+          {"method", nameOf(noise.method)},
           {"revision", noise.revision},
           {"tileSize", noise.tileSizeMetres},
           {"fetchesPerPixel", fetchesPerPixel(noise, bundle.tables)},
@@ -220,7 +220,7 @@ std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables
 }
 
 void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<Table>& tables) {
-  const Table& gaussian = tables[map.gaussian];
+  const Table& gaussian = tables[map.image];
   std::vector<std::string_view> channels;
   std::vector<double> deviations;
   for (std::size_t c = 0; c < map.channels.size(); ++c) {
@@ -233,7 +233,7 @@ void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<
                           fetchesPerPixel(map, tables)));
   say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
                           fmt::join(deviations, ", ")));
-  say(shared, fmt::format("    Gaussian image: table {}", map.gaussian));
+  say(shared, fmt::format("    Gaussian image: table {}", map.image));
   say(shared, "    " + inverseTableOf(map, tables));
 }
 
@@ -241,9 +241,9 @@ void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t ind
   const Noise& noise = bundle.noises[index];
   say(shared, "");
   say(shared, "noise " + noise.name);
-  say(shared,
-      fmt::format("  {}, revision {}, {:g} m wide, {} fetches a pixel and plane", noise.method,
-                  noise.revision, noise.tileSizeMetres, fetchesPerPixel(noise, bundle.tables)));
+  say(shared, fmt::format("  {}, revision {}, {:g} m wide, {} fetches a pixel and plane",
+                          nameOf(noise.method), noise.revision, noise.tileSizeMetres,
+                          fetchesPerPixel(noise, bundle.tables)));
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, map, bundle.tables);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)
@@ -290,7 +290,7 @@ Result<int> run(const Arguments& arguments) {
     sayNoise(arguments.shared, bundle, n);
   for (const IgnoredNoise& noise : bundle.ignoredNoises)
     say(arguments.shared, fmt::format("noise {}: of revision {}, later than {}, the last known",
-                                      noise.name, noise.revision, kTilingRevision));
+                                      noise.name, noise.revision, kNoiseRevision));
   sayTables(arguments.shared, bundle.tables);
   return kDone;
 }

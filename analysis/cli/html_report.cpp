@@ -17,7 +17,7 @@ std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bak
   const Noise& noise = bake.bundle.noises.front();
   return {{"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
           {"Bundle", bake.output},
-          {"Method", fmt::format("{}, revision {}", noise.method, noise.revision)},
+          {"Method", fmt::format("{}, revision {}", nameOf(noise.method), noise.revision)},
           {"Seed", std::to_string(bake.bundle.materials.front()->seed)},
           {"Width", fmt::format("{:g} m", noise.tileSizeMetres)},
           {"Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended"},

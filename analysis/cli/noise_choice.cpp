@@ -42,7 +42,7 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
     return Error{ErrorKind::badInput,
                  fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
                              "lichen wrote it{}{}",
-                             file, ignored->name, ignored->revision, kTilingRevision,
+                             file, ignored->name, ignored->revision, kNoiseRevision,
                              noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
   if (bundle.noises.empty())
     return Error{ErrorKind::badInput, file + (bundle.ignoredNoises.empty()

@@ -239,7 +239,7 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Sho
           addPictures(section, bundle, seed, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
-  Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.gaussian], exemplarSide);
+  Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.image], exemplarSide);
   if (!gaussian)
     return gaussian.error();
   section["gaussian"] = std::move(gaussian).value();

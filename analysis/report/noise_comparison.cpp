@@ -55,7 +55,7 @@ Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
 Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
                                 const MapExemplar& exemplar, SynthesisOptions options,
                                 const Progress& progress) {
-  const Table& gaussian = bundle.tables[map.gaussian];
+  const Table& gaussian = bundle.tables[map.image];
   options.map = map.target;
   options.width = std::min(kResultExemplars * int(gaussian.width), kLargestSide);
   options.height = std::min(kResultExemplars * int(gaussian.height), kLargestSide);

@@ -216,7 +216,7 @@ void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
     result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
   const std::string prefix = name + "." + std::string(nameOf(map.target));
   tables.gaussian.name = prefix + ".gaussian";
-  result.gaussian = bake.tables.size();
+  result.image = bake.tables.size();
   bake.tables.push_back(std::move(tables.gaussian));
   if (tables.inverse) {
     result.levels = tableLevels();

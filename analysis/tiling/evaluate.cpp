@@ -124,9 +124,9 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
                                          std::to_string(bundle.noises.size())};
     const Noise& noise = bundle.noises[noiseIndex];
-    if (noise.method != "tiling")
-      return Error{ErrorKind::usage,
-                   "noise '" + noise.name + "' has method '" + noise.method + "', not tiling"};
+    if (noise.method != Method::tiling)
+      return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
+                                         std::string(nameOf(noise.method)) + ", not tiling"};
     TilingEvaluator evaluator;
     const auto texelsOf = [](const Table& table, std::uint32_t level) {
       const std::vector<float> values = decodeLevel(table, level);
@@ -140,7 +140,7 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       Map map;
       map.constants = shaderMap(bundle, noise, m);
       map.channels = noise.maps[m].channels.size();
-      const Table& gaussian = bundle.tables[noise.maps[m].gaussian];
+      const Table& gaussian = bundle.tables[noise.maps[m].image];
       for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
         map.mips.push_back({std::max(1, int(gaussian.width >> level)),
                             std::max(1, int(gaussian.height >> level)), texelsOf(gaussian, level)});

@@ -68,7 +68,7 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
 
 /// The texels of the map's Gaussian image.
 const Table& gaussianOf(const Bundle& bundle, std::size_t noise, std::size_t map) {
-  return bundle.tables[bundle.noises[noise].maps[map].gaussian];
+  return bundle.tables[bundle.noises[noise].maps[map].image];
 }
 
 /// Where the image's top left corner lies from the lattice's whole tile origin. A periodic lattice

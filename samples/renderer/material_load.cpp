@@ -77,7 +77,7 @@ std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinyg
     return std::nullopt;
   const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
   const tinygltf::Value& revision = at(noise, "revision");
-  if (!revision.IsInt() || revision.GetNumberAsInt() > kTilingRevision)
+  if (!revision.IsInt() || revision.GetNumberAsInt() > kNoiseRevision)
     return std::nullopt;
   const tinygltf::Value& maps = at(noise, "maps");
   for (int m = 0; m < int(maps.ArrayLen()); ++m) {

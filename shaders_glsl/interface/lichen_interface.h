@@ -23,8 +23,16 @@
 #define LICHEN_DECODING_SEPARABLE 1 // a table for each dimension, and an affine map
 #define LICHEN_DECODING_GAUSSIAN 2  // an affine map to the stored value, no table
 
+// LichenNoise::method.
+#define LICHEN_METHOD_TILING 0
+#define LICHEN_METHOD_TEXTON 1
+
+// LichenTexton::pointProcess.
+#define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
+#define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
+
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
-// the noise, in order, its Gaussian image and its inverse table.
+// the noise, in order, its image (Gaussian image or texton) and its inverse table.
 #define LICHEN_BINDING_NOISE 0
 #define LICHEN_BINDING_GAUSSIAN(map) (1 + 2 * (map))
 #define LICHEN_BINDING_TABLE(map) (2 + 2 * (map))
@@ -48,11 +56,12 @@ struct LichenNoise {
   float offsetX, offsetY;
   float blendSharpness; // [0.25, 16] exponent of the blend weights
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
-  // The lattice: cells per tile, and where the host's integer tile origin lies inside its cell.
+  // The lattice of tiling, or the grid of impacts of texton noise: cells per tile, and where the
+  // host's integer tile origin lies inside its cell.
   float columnsPerTile, rowsPerTile;
   float fractionI, fractionJ;       // [0, 1)
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
-  int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows even
+  int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows of tiling even
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
   float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
   uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
@@ -60,13 +69,14 @@ struct LichenNoise {
   uint seed;                        // as the material gives it; triplanar derives its planes
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
-  float reserved0, reserved1; // 0: to a multiple of 16 bytes
+  uint method;     // LICHEN_METHOD_*
+  float reserved0; // 0: to a multiple of 16 bytes
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
 struct LichenMap {
-  float widthTexels, heightTexels; // of the Gaussian image's level 0
-  uint dimensions;                 // D of the Gaussian image, 1 to 3
+  float widthTexels, heightTexels; // of the image's level 0
+  uint dimensions;                 // D of the Gaussian image, channels of a texton, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
   uint alignedMips; // how many of the first mips' texels all taps meet at the same place
   uint tableLevels; // L, the slabs of the inverse table; 0 without a table
@@ -77,13 +87,28 @@ struct LichenMap {
   // The affine map of separable and Gaussian decoding: channel c is dot(row c, (input, 1)), the
   // input a separable table's values, or the Gaussian value less its mean.
   vec4 row0, row1, row2;
+  vec4 endMean; // of a mix of textons: stored values at the last step, row0.w .. row2.w at the first
+};
+
+/// What the textons of all maps of a noise share; zeros for tiling.
+struct LichenTexton {
+  float texelsPerTileX, texelsPerTileY; // size of the exemplar
+  int coefficientsX, coefficientsY;     // in the top left corner of a frame
+  int frameX, frameY;                   // [texels] the rest of which is zero
+  uint order;                           // of the B-spline between coefficients: 0, 1 or 3
+  uint mipCount;                        // of the textons' images
+  uint steps;                           // frames of an image, one above the other
+  uint pointProcess;                    // LICHEN_POINTS_*
+  float amplitude;                      // [texels] of one impact: the root of a cell's area
+  float surfaceCellTexels;              // side of the cubic cells of surface noise
 };
 
 /// The uniform block.
 struct LichenUniforms {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
-  vec4 reserved[15]; // 0: to 1024 bytes
+  LichenTexton texton;
+  vec4 reserved[6]; // 0: to 1024 bytes
 };
 
 #ifdef __cplusplus

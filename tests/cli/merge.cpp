@@ -56,7 +56,7 @@ TEST_CASE("merge keeps order, tables, parameters and pictures of the noises") {
   const Bundle alone = readBundle(moss).value();
   const NoiseMap& before = alone.noises[0].maps[0];
   const NoiseMap& after = all.noises[1].maps[0];
-  CHECK(isSameImage(alone.tables[before.gaussian], all.tables[after.gaussian]));
+  CHECK(isSameImage(alone.tables[before.image], all.tables[after.image]));
   CHECK(isSameImage(alone.tables[*before.inverseTable], all.tables[*after.inverseTable]));
   CHECK(after.covariance == before.covariance);
   CHECK(after.mipLoss == before.mipLoss);

@@ -42,8 +42,8 @@ void checkMap(const NoiseMap& map, const Bundle& bundle) {
   require(map.mean.size() == n && map.covariance.size() == n * n, "size of the statistics");
   require(areFinite(map.mean) && areFinite(map.covariance) && areFinite(map.mipLoss),
           "a number that is not finite");
-  require(map.gaussian < bundle.tables.size(), "index of the Gaussian image");
-  require(map.mipLoss.size() == bundle.tables[map.gaussian].mipLevels, "number of mip losses");
+  require(map.image < bundle.tables.size(), "index of the Gaussian image");
+  require(map.mipLoss.size() == bundle.tables[map.image].mipLevels, "number of mip losses");
   require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
   require(map.tableOffset.empty() == map.tableBasis.empty(), "a basis without an offset");
   require(map.inverseTable || map.tableBasis.empty(), "a basis without a table");
@@ -61,7 +61,7 @@ void checkContract(const Bundle& bundle) {
   for (const std::optional<MaterialNoise>& use : bundle.materials)
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
   for (const IgnoredNoise& noise : bundle.ignoredNoises) {
-    require(noise.revision > kTilingRevision, "a known revision that is ignored");
+    require(noise.revision > kNoiseRevision, "a known revision that is ignored");
     for (const std::size_t material : noise.materials)
       require(material < bundle.materials.size() && !bundle.materials[material],
               "a material of an ignored noise");

@@ -136,7 +136,7 @@ BundleFile feltExample() {
   NoiseMap map;
   map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
   setStatistics(map, image);
-  map.gaussian = 0;
+  map.image = 0;
   map.inverseTable = 1;
   map.levels = example::levels(kLevels);
   // Of white noise, a level keeps 4^-level of the variance.

@@ -140,7 +140,7 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
   for (const SyntheticMap& source : maps) {
     Table gaussian = gaussianTable(source, generator);
     NoiseMap map = describeMap(source, gaussian.mipLevels);
-    map.gaussian = file.bundle.tables.size();
+    map.image = file.bundle.tables.size();
     file.bundle.tables.push_back(std::move(gaussian));
     if (source.table != SyntheticTable::none) {
       map.inverseTable = file.bundle.tables.size();

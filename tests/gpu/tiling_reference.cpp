@@ -144,7 +144,7 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMa
 
 TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map)
     : slabs_(map.levels.size()), map_(map) {
-  const Table& gaussian = bundle.tables[map.gaussian];
+  const Table& gaussian = bundle.tables[map.image];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
     levels_.push_back({int(std::max(1u, gaussian.width >> level)),
                        int(std::max(1u, gaussian.height >> level)), 1,

@@ -268,7 +268,7 @@ TEST_CASE("the Gaussian values of a map on a line keep the order of its values b
   const std::vector<MapExemplar> maps = coarseSet(true);
   const Bundle bundle = bakedBundle(maps);
   const std::vector<float> gaussian =
-      decodeLevel(bundle.tables[bundle.noises[0].maps[1].gaussian], 0);
+      decodeLevel(bundle.tables[bundle.noises[0].maps[1].image], 0);
   std::map<float, std::pair<float, float>> ranges; // of Gaussian values, by roughness
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);

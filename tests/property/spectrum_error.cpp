@@ -213,7 +213,7 @@ TEST_CASE("maps of a set share a share of the surroundings, which stays small", 
     const MapFit expected = fitMap(maps[m], colorSpaceOf(maps[m]), given);
     settled.emplace_back(maps[m], colorSpaceOf(maps[m]), expected.gaussian, expected.table);
     const TilingBake& set = bake.value();
-    CHECK(set.tables[set.noise.maps[m].gaussian].texels ==
+    CHECK(set.tables[set.noise.maps[m].image].texels ==
           gaussianTable(expected.gaussian, 8).texels);
   }
 }

@@ -63,7 +63,7 @@ TEST_CASE("an image that is stored in fewer steps has lost more") {
   const MapExemplar map = test::threeMaterials(96, 96, 12);
   Bundle bundle = bakedWith(map, 8);
   const PrecisionLoss before = lossOf(bundle, map);
-  Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];
+  Table& gaussian = bundle.tables[bundle.noises[0].maps[0].image];
   for (std::byte& texel : gaussian.texels) // four bits
     texel = std::byte(unsigned(texel) / 16 * 17);
   const PrecisionLoss after = lossOf(bundle, map);
@@ -100,7 +100,7 @@ TEST_CASE("an exemplar of another shape is refused") {
 TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const Bundle bundle = bakedWith(map, 8);
-  const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].gaussian];
+  const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].image];
   const std::vector<float> texels = decodeLevel(gaussian, 0);
   std::array<std::size_t, 256> codes{};
   for (std::size_t i = 0; i < texels.size(); ++i)

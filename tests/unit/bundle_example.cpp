@@ -70,7 +70,7 @@ BundleFile smallest() {
   Noise noise;
   noise.name = "felt";
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 3);
-  map.gaussian =
+  map.image =
       addTable(file.bundle, patternTable("felt.height.gaussian", TexelFormat::r8Unorm, 4, 2, 0, 3));
   map.inverseTable = addTable(
       file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
@@ -94,13 +94,13 @@ BundleFile everyMap() {
   noise.tileSizeMetres = 0.5;
 
   NoiseMap color = makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 4);
-  color.gaussian = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
+  color.image = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
   color.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba8Srgb, 32, 32, 64, 1));
   color.levels = levels(2);
   noise.maps.push_back(std::move(color));
 
   NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
-  normal.gaussian = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
+  normal.image = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
   normal.inverseTable =
       addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 64, 192, 0, 1));
   normal.levels = levels(3);
@@ -108,17 +108,17 @@ BundleFile everyMap() {
 
   NoiseMap grey = makeMap(MapTarget::occlusionRoughnessMetallic, {occlusion, roughness, metallic},
                           ValueEncoding::linear, 4);
-  grey.gaussian = addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
+  grey.image = addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
   grey.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 4, 0, 1));
   grey.levels = levels(4);
   noise.maps.push_back(std::move(grey));
 
   NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear, 1);
-  opacityMap.gaussian = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
+  opacityMap.image = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
   noise.maps.push_back(std::move(opacityMap));
 
   NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
-  glow.gaussian = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
+  glow.image = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
   glow.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
   glow.levels = levels(2);
   glow.tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};

@@ -210,6 +210,6 @@ TEST_CASE("parts of a file that do not fit one another are refused") {
   CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->contrast = 7.0; }));
   CHECK(refused([](BundleFile& f) { f.previews[0].tilesPerImage = 0; }));
   CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].mean[0] = std::nan(""); }));
-  CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].gaussian = 100; }));
+  CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].image = 100; }));
   CHECK(refused([](BundleFile& f) { f.bundle.noises[0].name = "\xff"; }));
 }

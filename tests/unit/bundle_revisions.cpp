@@ -47,7 +47,7 @@ TEST_CASE("a noise of a later revision is ignored with its maps, tables and mate
   for (std::size_t m = 0; m < all.noises[1].maps.size(); ++m) {
     const NoiseMap& expected = all.noises[1].maps[m];
     const NoiseMap& map = bundle.noises[0].maps[m];
-    CHECK(bundle.tables[map.gaussian].texels == all.tables[expected.gaussian].texels);
+    CHECK(bundle.tables[map.image].texels == all.tables[expected.image].texels);
     REQUIRE(map.inverseTable.has_value() == expected.inverseTable.has_value());
     if (map.inverseTable)
       CHECK(bundle.tables[*map.inverseTable].texels == all.tables[*expected.inverseTable].texels);

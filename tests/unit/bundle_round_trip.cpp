@@ -32,7 +32,7 @@ void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
   CHECK(a.encoding == b.encoding);
   CHECK(a.mean == b.mean);
   CHECK(a.covariance == b.covariance);
-  CHECK(a.gaussian == b.gaussian);
+  CHECK(a.image == b.image);
   CHECK(a.inverseTable == b.inverseTable);
   CHECK(a.tableBasis == b.tableBasis);
   CHECK(a.tableOffset == b.tableOffset);

@@ -20,9 +20,9 @@ namespace lichen {
 
 inline constexpr std::string_view kExtensionName = "LICHEN_materials_exemplar_noise";
 
-/// The revision of the tiling method that this version writes and evaluates. It ignores noises of
-/// later ones.
-inline constexpr int kTilingRevision = 1;
+/// The revision of each method that this version writes and evaluates. It ignores noises of later
+/// ones.
+inline constexpr int kNoiseRevision = 1;
 
 enum class TexelFormat {
   r8Unorm,
@@ -91,42 +91,61 @@ enum class MapChannel {
 /// holds light for srgb, the decoded value for the others.
 enum class ValueEncoding { srgb, linear, slope, log2 };
 enum class Mapping { uv, triplanar, surface, solid };
+/// How a noise is evaluated: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
+enum class Method { tiling, texton };
+/// How the impacts of a texton noise lie: one in each cell of a grid, or a Poisson process.
+enum class PointProcess { stratified, poisson };
 
 /// The names that the JSON uses, for both directions.
 [[nodiscard]] std::string_view nameOf(MapTarget value);
 [[nodiscard]] std::string_view nameOf(MapChannel value);
 [[nodiscard]] std::string_view nameOf(ValueEncoding value);
 [[nodiscard]] std::string_view nameOf(Mapping value);
+[[nodiscard]] std::string_view nameOf(Method value);
+[[nodiscard]] std::string_view nameOf(PointProcess value);
 [[nodiscard]] std::optional<MapTarget> mapTargetFrom(std::string_view name);
 [[nodiscard]] std::optional<MapChannel> mapChannelFrom(std::string_view name);
 [[nodiscard]] std::optional<ValueEncoding> valueEncodingFrom(std::string_view name);
 [[nodiscard]] std::optional<Mapping> mappingFrom(std::string_view name);
+[[nodiscard]] std::optional<Method> methodFrom(std::string_view name);
+[[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
 
-/// One map of a tiling noise.
+/// One map of a noise.
 ///
-/// The Gaussian image has D = 1, 2 or 3 colour channels (R8/R16F/R32F, RG.., RGBA.. with alpha
-/// unused), D being the dimension of the affine space that the exemplar's values span: a grey
-/// photograph stored as RGB has D = 1 and three `channels`. The inverse table maps [0, 1]^D to the
-/// channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x 64 L; D = 3: 3-D, 32 x 32 x 32 L.
-/// Slab k is prefiltered for the lost variance levels[k] = 1 - (1 - k / (L - 1))^2, in units of
-/// the full variance: kept amplitude falls linearly from slab 0 (nothing lost) to L - 1 (constant).
+/// Of a texton noise: `image` is the texton's (TextonShape says where its coefficients lie), with
+/// as many colour channels as the map, and the stored value is mean + scale x the sum over impacts.
+///
+/// Of a tiling noise: `image` is the Gaussian image. It has D = 1, 2 or 3 colour channels
+/// (R8/R16F/R32F, RG.., RGBA.. with alpha unused), D being the dimension of the affine space that
+/// the exemplar's values span: a grey photograph stored as RGB has D = 1 and three `channels`. The
+/// inverse table maps [0, 1]^D to the channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x
+/// 64 L; D = 3: 3-D, 32 x 32 x 32 L. Slab k is prefiltered for the lost variance levels[k] = 1 - (1
+/// - k / (L - 1))^2, in units of the full variance: kept amplitude falls linearly from slab 0
+/// (nothing lost) to L - 1 (constant).
 struct NoiseMap {
   MapTarget target = MapTarget::baseColor;
   std::vector<MapChannel> channels; ///< 1 to 3
   ValueEncoding encoding = ValueEncoding::srgb;
   std::vector<double> mean;                ///< n = channels.size() values
   std::vector<double> covariance;          ///< n x n, row-major, symmetric
-  std::size_t gaussian = 0;                ///< index into Bundle::tables
+  std::vector<double> endMean;             ///< of a mix, that of the last step; otherwise empty
+  std::size_t image = 0;                   ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
   /// Of a separable table: decoded = tableOffset + tableBasis t, t one value an axis; n x D values,
   /// row-major, and n. Empty for a joint table and without a table.
   std::vector<double> tableBasis;
   std::vector<double> tableOffset;
-  /// Share of level 0's variance that each mip level of the Gaussian image has lost; one value per
-  /// mip level, in [0, 1], not decreasing.
+  /// Of a texton noise: a factor >= 0 for each channel, six times its deviation. Empty otherwise.
+  std::vector<double> scale;
+  /// Share of the variance that each mip level of the image has lost; in [0, 1], not decreasing.
+  /// One value per mip level; of a texton also for the box averages beyond the last mip, up to
+  /// kMaxTextonLosses.
   std::vector<double> mipLoss;
 };
+
+/// Levels of averaging for which a texton's losses are known.
+inline constexpr std::size_t kMaxTextonLosses = 16;
 
 /// How a map's Gaussian values become its own: one table over all dimensions, one for each, or the
 /// affine map of its mean and covariance.
@@ -135,17 +154,43 @@ enum class TableKind { joint, separable, none };
 /// "joint", "separable" or "none".
 [[nodiscard]] std::string_view nameOf(TableKind kind);
 
-/// One noise: maps that share lattice, hash, seed and weights.
+/// What all textons of a noise have in common.
+///
+/// Their coefficients are the top left part of a frame of frameWidth() x frameHeight() texels,
+/// which is zero elsewhere: half a texel of the last mip on all sides, as the image repeats. An
+/// image is `steps` frames, one above the other.
+struct TextonShape {
+  int coefficientsX = 0;  ///< [1, kMaxTextonSide]
+  int coefficientsY = 0;  ///< likewise
+  int order = 1;          ///< of the B-spline between coefficients: 0, 1 or 3
+  int mipLevels = 1;      ///< of the images; the last mip's texels are 2^(mipLevels - 1) wide
+  int texelsPerTileX = 0; ///< size of the exemplar, [1, 16384]
+  int texelsPerTileY = 0; ///< likewise
+  int steps = 1;          ///< textons from one exemplar to another; 1 of a single exemplar
+
+  /// Texels of a frame: whole texels of the last mip, and one more.
+  [[nodiscard]] std::uint32_t frameWidth() const;
+  [[nodiscard]] std::uint32_t frameHeight() const;
+};
+inline constexpr int kMaxTextonSide = 1024;
+inline constexpr int kMaxTextonSteps = 64;
+
+/// One noise: maps that share lattice, hash, seed and weights, or impacts.
 struct Noise {
   std::string name;
-  std::string method = "tiling";
-  int revision = kTilingRevision;
+  Method method = Method::tiling;
+  int revision = kNoiseRevision;
   double tileSizeMetres = 1.0; ///< width of one exemplar
+  TextonShape texton;          ///< of Method::texton
   std::vector<NoiseMap> maps;
 };
 
 /// The place of the noise's map of this target, where it has one.
 [[nodiscard]] std::optional<std::size_t> findMap(const Noise& noise, MapTarget target);
+
+/// Whether noises of a method can be put on a surface in this way: uv and triplanar always, surface
+/// for textons; none has a solid form.
+[[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 
 /// Inclusive bounds of a number.
 struct NumberRange {
@@ -162,6 +207,7 @@ inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
 inline constexpr NumberRange kRotationRange{-1e6, 1e6};
 inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
+inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 
 /// How a material uses a noise: everything that may change without a new bake.
 struct MaterialNoise {
@@ -176,6 +222,9 @@ struct MaterialNoise {
   std::uint32_t seed = 1;
   double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
   double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
+  /// Of texton noises: the mean number of impacts that a point sees, in kImpactsRange.
+  double impacts = 30.0;
+  PointProcess pointProcess = PointProcess::stratified;
 };
 
 /// A noise of a revision that this version does not know. Materials that use it have no noise: they

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// How large a texton's frame is.
+#include <lichen/bundle.h>
+
+namespace lichen {
+namespace {
+
+/// Room for the coefficients in whole texels of the last mip, and one more, in which a bilinear
+/// fetch of that mip fades to 0 on both sides.
+std::uint32_t frameSide(int coefficients, int mipLevels) {
+  const std::uint32_t coarse = 1u << std::uint32_t(mipLevels - 1);
+  return ((std::uint32_t(coefficients) + coarse - 1) / coarse + 1) * coarse;
+}
+
+} // namespace
+
+std::uint32_t TextonShape::frameWidth() const { return frameSide(coefficientsX, mipLevels); }
+std::uint32_t TextonShape::frameHeight() const { return frameSide(coefficientsY, mipLevels); }
+
+} // namespace lichen
