@@ -22,6 +22,16 @@ nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
+nlohmann::ordered_json asJson(const TextonQuality& quality) {
+  nlohmann::ordered_json json{{"modelError", quality.modelError},
+                              {"channelErrors", quality.channelErrors}};
+  if (quality.heldOutError)
+    json["heldOutError"] = *quality.heldOutError;
+  json["flatness"] = quality.flatness;
+  json["covarianceError"] = quality.covarianceError;
+  return json;
+}
+
 /// The worst of each map's bounds: with borders that are blended it has two.
 std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
   std::vector<MapTransportBound> worst;
@@ -57,6 +67,16 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
   return notes;
 }
 
+std::string qualityNote(const TextonQuality& quality) {
+  return fmt::format(
+      "the texton's relative model error is {:.3f}{}; flatness {:.2f}", quality.modelError,
+      quality.heldOutError
+          ? fmt::format(", and {:.3f} for a half of the exemplar fitted to the other",
+                        *quality.heldOutError)
+          : "",
+      quality.flatness);
+}
+
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
   const Table& gaussian = outcome.bundle.tables[noise.maps.front().image];
@@ -74,21 +94,24 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                       {"height", image.height},
                       {"dimensions", dimensionsOf(image)}});
     }
-    const nlohmann::ordered_json json{{"output", outcome.output},
-                                      {"name", noise.name},
-                                      {"method", nameOf(noise.method)},
-                                      {"width", gaussian.width},
-                                      {"height", gaussian.height},
-                                      {"dimensions", dimensionsOf(gaussian)},
-                                      {"maps", maps},
-                                      {"periodic", outcome.exemplarWasPeriodic},
-                                      {"table", nameOf(tableKindOf(noise.maps.front()))},
-                                      {"tableBytes", tableBytes},
-                                      {"transport", asJson(outcome.transportBounds)},
-                                      {"precisionLoss", asJson(outcome.precisionLoss)},
-                                      {"risks", risksAsJson(outcome.risks)},
-                                      {"notes", outcome.notes},
-                                      {"seconds", outcome.seconds}};
+    nlohmann::ordered_json json{{"output", outcome.output},
+                                {"name", noise.name},
+                                {"method", nameOf(noise.method)},
+                                {"width", gaussian.width},
+                                {"height", gaussian.height},
+                                {"dimensions", dimensionsOf(gaussian)},
+                                {"maps", maps},
+                                {"periodic", outcome.exemplarWasPeriodic},
+                                {"table", nameOf(tableKindOf(noise.maps.front()))},
+                                {"tableBytes", tableBytes},
+                                {"transport", asJson(outcome.transportBounds)},
+                                {"risks", risksAsJson(outcome.risks)},
+                                {"notes", outcome.notes},
+                                {"seconds", outcome.seconds}};
+    if (outcome.precisionLoss)
+      json["precisionLoss"] = asJson(*outcome.precisionLoss);
+    if (outcome.texton)
+      json["texton"] = asJson(*outcome.texton);
     printLine(toText(json));
     return;
   }

@@ -21,6 +21,7 @@
 #include <lichen/spectrum.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <tbb/parallel_for.h>
 
 #include <cassert>
@@ -42,9 +43,11 @@ constexpr float kLastRelaxation = 0.5f;
 using Spectra = std::vector<HalfSpectrum>;
 
 /// The inverse of the normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and
-/// circulant where the support reaches around the period; positive definite, as b^ > 0. Kept whole:
-/// multiplying by it is faster than two banded solves up to supports of 256.
-Eigen::MatrixXf inverseNormalMatrix(int size, int period, int order) {
+/// circulant where the support reaches around the period; positive definite, as b^ > 0. Its entries
+/// fall by a constant factor from one diagonal to the next; those that floats would not feel are
+/// left out, since products with what is left of them, below the smallest normal number, are slow.
+Eigen::SparseMatrix<float> inverseNormalMatrix(int size, int period, int order) {
+  constexpr double kNegligible = 1e-9;
   const std::vector<double> b = kernelAutocorrelation(order);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   for (int i = 0; i < size; ++i) {
@@ -54,7 +57,8 @@ Eigen::MatrixXf inverseNormalMatrix(int size, int period, int order) {
         matrix(i, j) += b[std::size_t(std::abs(lag))];
     }
   }
-  return matrix.llt().solve(Eigen::MatrixXd::Identity(size, size)).cast<float>();
+  const Eigen::MatrixXd inverse = matrix.llt().solve(Eigen::MatrixXd::Identity(size, size));
+  return inverse.cast<float>().sparseView(1.0f, float(kNegligible));
 }
 
 /// sqrt(b^) along one axis of `size` frequencies.
@@ -234,8 +238,8 @@ private:
   const GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
-  Eigen::MatrixXf inverseX_;
-  Eigen::MatrixXf inverseY_;
+  Eigen::SparseMatrix<float> inverseX_;
+  Eigen::SparseMatrix<float> inverseY_;
   std::vector<PatchFft> transforms_;
   Spectra work_;
   TextonCoefficients coefficients_;
@@ -269,6 +273,10 @@ void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
 }
 
 } // namespace
+
+int iterationsOf(FitMethod method) {
+  return method == FitMethod::alternatingProjections ? kPaperIterations : kReflections + kDescents;
+}
 
 TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
                                    FitMethod method) {

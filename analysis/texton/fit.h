@@ -50,6 +50,9 @@ enum class FitMethod {
   alternatingProjections, ///< [GLM17] algorithm 1, as printed
 };
 
+/// How many times a fit calls FitOptions::goOn.
+[[nodiscard]] int iterationsOf(FitMethod method);
+
 /// Coefficients whose noise is near the model. Same bytes for any number of threads. Time: 100
 /// transforms of a plane for each channel. Throws std::bad_alloc.
 [[nodiscard]] TextonCoefficients fitCoefficients(const GaussianModel& model,
