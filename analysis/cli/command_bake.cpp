@@ -92,7 +92,9 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   MaterialSet& set = read.value().set;
   std::vector<MapExemplar>& maps = set.maps;
   Result<std::vector<std::vector<Risk>>> assessed =
-      assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
+      arguments.method.method == Method::texton
+          ? assessTextonMaps(maps, arguments.method.texton.support, arguments.shared)
+          : assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
   if (!assessed)
     return assessed.error();
   std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
