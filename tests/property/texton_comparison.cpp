@@ -131,7 +131,7 @@ TextonCoefficients luminanceOf(const TextonCoefficients& spot) {
   return {spot.width, spot.height, 1, luminancePlane(image)};
 }
 
-/// The variance of its noise.
+/// The variance of its noise, summed over the channels.
 double energy(const TextonCoefficients& spot) {
   double sum = 0.0;
   for (const float value : spot.values)
@@ -199,6 +199,19 @@ TEST_CASE("whole, every comparison kernel has the model's texture") {
   CHECK(comparison.synthesisOriented.relativeError < kNoError);
   CHECK(comparison.luminance.relativeError < kNoError);
   CHECK(comparison.randomPhase.relativeError < kNoError);
+}
+
+TEST_CASE("parts of random-phase textures have noises as strong as the model's, on average") {
+  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
+  constexpr int kParts = 400;
+  double mean = 0.0, squares = 0.0;
+  for (std::uint32_t seed = 0; seed < kParts; ++seed) {
+    const double variance = energy(randomPhaseKernel(model, 4, 5, seed)) / modelVariance(model);
+    mean += variance / kParts;
+    squares += variance * variance / kParts;
+  }
+  // 4.5 standard errors: one false alarm in 150,000.
+  CHECK(mean == Approx(1.0).margin(4.5 * std::sqrt((squares - mean * mean) / kParts)));
 }
 
 TEST_CASE(
