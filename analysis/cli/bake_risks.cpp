@@ -77,6 +77,16 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
   return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
 }
 
+namespace {
+
+/// Pixels of `first` for one of `map`, along the longer side of `map`.
+double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
+  return map.width >= map.height ? double(first.width) / map.width
+                                 : double(first.height) / map.height;
+}
+
+} // namespace
+
 Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
                                                   const SharedOptions& options) {
   ProgressLine line("assess", options);
@@ -84,7 +94,8 @@ Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> m
   for (const MapExemplar& map : maps) {
     const auto done = double(risks.size()), all = double(maps.size());
     Result<std::vector<Risk>> assessed =
-        assessSuitability(map, periodic, partOf(line.asProgress(), done / all, (done + 1) / all));
+        assessSuitability(map, periodic, partOf(line.asProgress(), done / all, (done + 1) / all),
+                          firstPixelsOf(map, maps.front()));
     if (!assessed)
       return assessed.error();
     risks.push_back(std::move(assessed).value());
