@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lichen {
 namespace {
@@ -157,7 +158,8 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
     return work;
   const double standard = workAlone(planned, periodic, TransportEffort::standard).fit;
   // An exact transport comes after one of the default effort.
-  work.fit += (kJoiningWork + (effort == TransportEffort::exact ? 1.0 : 0.0)) * standard;
+  const bool comesTwice = effort == TransportEffort::exact && planned.kind == MapKind::transported;
+  work.fit += (kJoiningWork + (comesTwice ? 1.0 : 0.0)) * standard;
   return work;
 }
 
@@ -241,8 +243,10 @@ MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<S
     fitting.share = fit.share;
   if (settled != nullptr)
     settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
+  std::optional<double> costOfUnmoved = fit.costOfUnmoved;
   for (const TransportBound& bound : fit.gaussian.bounds)
-    bake.transportBounds.push_back({planned.map.target, bound, isSorted});
+    bake.transportBounds.push_back(
+        {planned.map.target, bound, isSorted, std::exchange(costOfUnmoved, std::nullopt)});
   return fit;
 }
 

@@ -77,11 +77,6 @@ MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
   return sums[0] / double(count);
 }
 
-/// Root of the variance of all axes together.
-double deviationOf(const ColorSpace& space) {
-  return std::sqrt((space.basis * space.moments.covariance * space.basis.transpose()).trace());
-}
-
 /// Values less their mean, on the axes of `space`, of some pixels: D x columns.
 MatrixXd valuesOf(const MapExemplar& map, const ColorSpace& space,
                   const std::vector<Index>& pixels) {
@@ -133,7 +128,7 @@ MatrixXd decoderOf(const MapExemplar& map, const ColorSpace& space, const Matrix
   const auto gaussian = [&](Index begin, Index n) {
     return MatrixXd(matched.middleCols(begin, n).cast<double>());
   };
-  return meanProduct(matched.cols(), values, gaussian) / deviationOf(space);
+  return meanProduct(matched.cols(), values, gaussian) / space.deviation();
 }
 
 /// Settled maps, their coordinates stacked, seen from the pixels of another map.
@@ -169,7 +164,7 @@ public:
     eachMap([&](const SettledMap& other, Index row, Index rows) {
       stacked.middleRows(row, rows) =
           valuesOf(*other.map, other.space, samePlaces(*other.map, map_, begin, n)) /
-          deviationOf(other.space);
+          other.space.deviation();
     });
     return stacked;
   }
@@ -186,7 +181,7 @@ public:
     MatrixXd stacked(coordinates_, n);
     eachMap([&](const SettledMap& other, Index row, Index rows) {
       stacked.middleRows(row, rows) =
-          other.blends.values.middleCols(begin, n).cast<double>() / deviationOf(other.space);
+          other.blends.values.middleCols(begin, n).cast<double>() / other.space.deviation();
     });
     return stacked;
   }
@@ -211,7 +206,7 @@ class CrossCovariances {
 public:
   CrossCovariances(const MapExemplar& map, const ColorSpace& space,
                    std::span<const SettledMap> settled, const InverseTable& table)
-      : map_(map), space_(space), settled_(map, settled), deviation_(deviationOf(space)),
+      : map_(map), space_(space), settled_(map, settled), deviation_(space.deviation()),
         table_(onAxes(table, map, space)) {
     const Index count = Index(map.width) * map.height;
     const auto own = [&](Index begin, Index n) {

@@ -48,22 +48,24 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
                          bool periodic, Precision precision, const TransportOptions& options,
-                         double certificateStep) {
+                         const std::optional<CertificateSteps>& certificate) {
   Gaussianized result;
   result.width = map.width;
   result.height = map.height;
   result.dimensions = dimensions;
   const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
-  const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
+  const auto matchTo = [&](const std::vector<Point>& sources, double CertificateSteps::*step,
+                           double begin, double end) {
     TransportOptions part = options;
-    const bool certified = certificateStep > 0.0 && dimensions > 1;
+    const bool certified = certificate && dimensions > 1;
     const double middle = certified ? begin + kAssignmentOfProgress * (end - begin) : end;
     part.progress = options.progress.part(begin, middle);
     std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
     if (certified)
-      result.bounds.push_back(transport::improveByAuction(
-          sources, stratified, assignment, certificateStep, options.progress.part(middle, end)));
-    else if (certificateStep > 0.0) // points on a line are sorted
+      result.bounds.push_back(transport::improveByAuction(sources, stratified, assignment,
+                                                          (*certificate).*step,
+                                                          options.progress.part(middle, end)));
+    else if (certificate) // points on a line are sorted
       result.bounds.push_back(transport::boundOfOptimum(sources, stratified, assignment));
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
@@ -71,11 +73,12 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
     return matched;
   };
   if (periodic) {
-    result.image = result.matched = matchTo(points, 0.0, 1.0);
+    result.image = result.matched = matchTo(points, &CertificateSteps::points, 0.0, 1.0);
     return result;
   }
-  result.matched = matchTo(points, 0.0, 0.5);
-  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height), 0.5, 1.0);
+  result.matched = matchTo(points, &CertificateSteps::points, 0.0, 0.5);
+  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height),
+                         &CertificateSteps::faded, 0.5, 1.0);
   return result;
 }
 

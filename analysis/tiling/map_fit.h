@@ -30,6 +30,8 @@ struct MapFit {
   std::vector<Point> points; ///< of its values; those of a map alone were transported
   Gaussianized gaussian;
   InverseTable table;
+  /// As MapTransportBound has it, of the first of the Gaussian image's bounds.
+  std::optional<double> costOfUnmoved;
 };
 
 struct MapFitOptions {

@@ -106,11 +106,24 @@ TEST_CASE("an exact transport is certified for the points that the correction mo
   REQUIRE(exact.gaussian.bounds.size() == 1);
   std::vector<std::uint32_t> itself(joined.points.size());
   std::iota(itself.begin(), itself.end(), 0u);
+  const auto costOf = [&](const std::vector<Point>& points, const std::vector<Point>& matched) {
+    return transport::transportCost(points, matched, itself);
+  };
+  // Standardized and moved by little, they are given the variance of the slopes: half of both.
+  const double deviation = std::sqrt(slopes.moments.covariance.trace() / 2.0);
+  std::vector<Point> moved = joined.points;
+  for (Point& point : moved)
+    point = {float(deviation) * point.x, float(deviation) * point.y, 0.0f};
   const TransportBound& bound = exact.gaussian.bounds[0];
-  CHECK(bound.cost ==
-        Approx(transport::transportCost(joined.points, exact.gaussian.matched, itself)));
+  CHECK(bound.cost == Approx(costOf(moved, exact.gaussian.matched)));
   CHECK(bound.lowerBound <= bound.cost);
-  CHECK(bound.excess() < 3e-4); // the target
+  // The slopes have the mean 0, the Gaussian points 1/2.
+  REQUIRE(exact.costOfUnmoved);
+  CHECK(*exact.costOfUnmoved == Approx(costOf(alone.points, alone.gaussian.matched) - 0.5));
+  const MapTransportBound stated{MapTarget::normal, bound, false, exact.costOfUnmoved};
+  CHECK(stated.excess() == Approx((bound.cost - bound.lowerBound) / *exact.costOfUnmoved));
+  CHECK(stated.excess() < 3e-4); // the target
+  CHECK(costOf(moved, exact.gaussian.matched) <= costOf(moved, joined.gaussian.matched));
 }
 
 TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every step") {
