@@ -45,6 +45,14 @@ struct MapFitOptions {
   ProgressPart progress{};
 };
 
+/// What fitting a map of two or three dimensions takes that goes by itself, in units of matching a
+/// pixel by the default effort.
+struct FitWork {
+  double trial = 0.0; ///< of one share, where it is no fit itself; most exemplars need no second
+  double fit = 0.0;
+};
+[[nodiscard]] FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort);
+
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
 /// not given is chosen so that the noise has as much detail as the exemplar
 /// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps. A fast
