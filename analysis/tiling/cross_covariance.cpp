@@ -26,7 +26,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-/// In correlations, about the standard error of those of blends.
+/// In correlations: about the standard error of those of blends.
 constexpr double kNegligible = 3e-4;
 
 /// Exchanging values inside ties has less effect than in a continuum, which gain makes up for:
@@ -328,6 +328,10 @@ SettledMap::SettledMap(const MapExemplar& exemplar, ColorSpace colorSpace,
       image(standardized(gaussian.image, gaussian.dimensions)),
       blends(decodedBlends(gaussian, onAxes(table, exemplar, space))) {}
 
+bool isNegligible(const MatrixXd& lack) {
+  return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
+}
+
 JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
                                  std::span<const SettledMap> settled, Gaussianized alone,
                                  const InverseTable& table, bool periodic, ProgressPart progress) {
@@ -340,15 +344,17 @@ JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space
   MatrixXd lack = covariances.lackOf(best.gaussian);
   MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
   double gain = 1.0;
-  for (int pass = 0; pass < passes && lack.norm() > kNegligible; ++pass) {
+  for (int pass = 0; pass < passes && !isNegligible(lack); ++pass) {
     progress.reach(double(pass) / passes);
     slope += gain * covariances.slopeFor(lack, best.gaussian);
     const MatrixXf moved = covariances.moved(start, slope);
-    std::vector<Point> points =
-        onLine ? ties.ranks({moved.data(), std::size_t(moved.size())}) : pointsOf(moved);
+    std::vector<Point> points = onLine ? std::vector<Point>() : pointsOf(moved);
     transport::TransportOptions exchanges = kExchanges;
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
-    Gaussianized next = gaussianizeNear(best.gaussian, points, periodic, exchanges);
+    Gaussianized next =
+        onLine ? gaussianizeInOrder(best.gaussian,
+                                    ties.by({moved.data(), std::size_t(moved.size())}), periodic)
+               : gaussianizeNear(best.gaussian, points, periodic, exchanges);
     const MatrixXd left = covariances.lackOf(next);
     if (left.norm() >= lack.norm())
       break;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lichen::tiling {
 
@@ -24,17 +25,22 @@ std::vector<float> firstCoordinates(const std::vector<Point>& points) {
   return x;
 }
 
+/// The targets on a line in the order that matches them to sources that come in `order`.
+std::vector<Point> sortedLike(const std::vector<std::uint32_t>& order,
+                              const std::vector<Point>& targets) {
+  const std::vector<std::uint32_t> to = ascendingOrder(firstCoordinates(targets));
+  std::vector<Point> matched(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    matched[order[rank]] = targets[to[rank]];
+  return matched;
+}
+
 /// The targets in the order that matches them to the sources, which are near them already.
 std::vector<Point> rematched(const std::vector<Point>& sources, const std::vector<Point>& targets,
                              int dimensions, const TransportOptions& options) {
+  if (dimensions == 1)
+    return matchedByRank(sources, targets);
   std::vector<Point> matched(sources.size());
-  if (dimensions == 1) {
-    const std::vector<std::uint32_t> from = ascendingOrder(firstCoordinates(sources));
-    const std::vector<std::uint32_t> to = ascendingOrder(firstCoordinates(targets));
-    for (std::size_t rank = 0; rank < from.size(); ++rank)
-      matched[from[rank]] = targets[to[rank]];
-    return matched;
-  }
   std::vector<std::uint32_t> asTheyAre(targets.size());
   std::iota(asTheyAre.begin(), asTheyAre.end(), 0u);
   const std::vector<std::uint32_t> assignment =
@@ -44,7 +50,22 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
   return matched;
 }
 
+/// `near` with other points matched to its pixels, and its image made of those.
+Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, bool periodic,
+                       const TransportOptions& options) {
+  Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
+  result.image = periodic ? result.matched
+                          : rematched(crossFadeBorders(result.matched, near.width, near.height),
+                                      near.image, near.dimensions, options);
+  return result;
+}
+
 } // namespace
+
+std::vector<Point> matchedByRank(const std::vector<Point>& sources,
+                                 const std::vector<Point>& targets) {
+  return sortedLike(ascendingOrder(firstCoordinates(sources)), targets);
+}
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
                          bool periodic, Precision precision, const TransportOptions& options,
@@ -84,21 +105,16 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
 
 Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>& points,
                              bool periodic, const TransportOptions& options) {
-  Gaussianized result;
-  result.width = near.width;
-  result.height = near.height;
-  result.dimensions = near.dimensions;
   TransportOptions part = options;
   part.progress = options.progress.part(0.0, periodic ? 1.0 : 0.5);
-  result.matched = rematched(points, near.matched, near.dimensions, part);
-  if (periodic) {
-    result.image = result.matched;
-    return result;
-  }
+  std::vector<Point> matched = rematched(points, near.matched, near.dimensions, part);
   part.progress = options.progress.part(0.5, 1.0);
-  result.image = rematched(crossFadeBorders(result.matched, near.width, near.height), near.image,
-                           near.dimensions, part);
-  return result;
+  return withImage(near, std::move(matched), periodic, part);
+}
+
+Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std::uint32_t>& order,
+                                bool periodic) {
+  return withImage(near, sortedLike(order, near.matched), periodic, {});
 }
 
 } // namespace lichen::tiling

@@ -8,6 +8,7 @@
 
 #include <lichen/tiling.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct CertificateSteps {
   double faded = 0.0;  ///< of the image whose borders were cross-faded
 };
 
+/// Transport on a line: the targets, each where the source is that has its rank; by the first
+/// coordinates, and by index where they are equal. N log N.
+[[nodiscard]] std::vector<Point> matchedByRank(const std::vector<Point>& sources,
+                                               const std::vector<Point>& targets);
+
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
 /// are then cross-faded and the image is matched to the set once more. `certificate` has both
 /// transports improved and bounded by auctions; those of one dimension are optimal as they are, and
@@ -48,5 +54,10 @@ struct CertificateSteps {
 [[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
                                            const std::vector<Point>& points, bool periodic,
                                            const transport::TransportOptions& options);
+
+/// The same of points on a line, which come in `order`, least first.
+[[nodiscard]] Gaussianized gaussianizeInOrder(const Gaussianized& near,
+                                              const std::vector<std::uint32_t>& order,
+                                              bool periodic);
 
 } // namespace lichen::tiling
