@@ -2,6 +2,7 @@
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
 #include "as_seen.h"
 #include "calibration.h"
+#include "calm.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
@@ -150,9 +151,8 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
 /// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
-  const bool isCalm =
-      cloudiness(spectrum) < kCloudiness.mild && slowVariationShare(seen) < kSlowVariation.mild;
-  const SlowCause cause = !isCalm && edgeConcentration(map, periodic) > kEdgeConcentration
+  const bool calm = isCalm(seen, [&] { return cloudiness(spectrum); });
+  const SlowCause cause = !calm && edgeConcentration(map, periodic) > kEdgeConcentration
                               ? SlowCause::object
                               : SlowCause::light;
   const SlowPart slow{cause, firstPixels};
