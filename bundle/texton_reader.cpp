@@ -38,14 +38,20 @@ int readOrder(ObjectReader& reader) {
   return int(order.value_or(1));
 }
 
-/// Whether mips and steps fit the number of coefficients.
+/// Whether the exemplar, mips and steps fit the number of coefficients.
 void checkShape(ObjectReader& reader, const TextonShape& shape) {
+  const auto sides = [](int x, int y) { return std::to_string(x) + " x " + std::to_string(y); };
+  const std::string coefficients = sides(shape.coefficientsX, shape.coefficientsY);
+  if (shape.coefficientsX > shape.texelsPerTileX || shape.coefficientsY > shape.texelsPerTileY)
+    return reader.error("texton-coefficients", "coefficients",
+                        coefficients + "; at most those of the exemplar, " +
+                            sides(shape.texelsPerTileX, shape.texelsPerTileY) +
+                            " texels, are accepted");
   if (shape.mipLevels > shape.mostMipLevels())
     return reader.error("texton-mip-levels", "mipLevels",
                         std::to_string(shape.mipLevels) + "; 1 to " +
                             std::to_string(shape.mostMipLevels()) + " is accepted for " +
-                            std::to_string(shape.coefficientsX) + " x " +
-                            std::to_string(shape.coefficientsY) + " coefficients");
+                            coefficients + " coefficients");
   const std::uint32_t most = kMaxTableSide / shape.frameHeight();
   if (std::uint32_t(shape.steps) > most)
     reader.error("texton-steps", "steps",

@@ -80,12 +80,15 @@ TEST_CASE("every fault of the shape of textons is found") {
            [](GlbParts& p) { shapeOf(p).erase("texelsPerTile"); }},
           {"an empty exemplar", "range", [](GlbParts& p) { shapeOf(p)["texelsPerTile"][0] = 0; }},
           {"a huge exemplar", "range", [](GlbParts& p) { shapeOf(p)["texelsPerTile"][0] = 16385; }},
+          {"more coefficients than texels", "texton-coefficients",
+           [](GlbParts& p) { shapeOf(p)["texelsPerTile"][1] = 16; }},
           {"no steps", "range", [](GlbParts& p) { shapeOf(p)["steps"] = 0; }},
           {"too many steps", "range", [](GlbParts& p) { shapeOf(p)["steps"] = 65; }},
           {"steps in text", "type", [](GlbParts& p) { shapeOf(p)["steps"] = "3"; }},
           {"frames higher than an image", "texton-steps",
            [](GlbParts& p) {
              shapeOf(p)["coefficients"] = {9, 1024};
+             shapeOf(p)["texelsPerTile"] = {9, 1024};
              shapeOf(p)["steps"] = 64;
            }},
       });

@@ -164,7 +164,7 @@ enum class TableKind { joint, separable, none };
 /// which is zero elsewhere: half a texel of the last mip on all sides, as the image repeats. An
 /// image is `steps` frames, one above the other, together at most kMaxTableSide high.
 struct TextonShape {
-  int coefficientsX = 0;  ///< [1, kMaxTextonSide]
+  int coefficientsX = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
   int coefficientsY = 0;  ///< likewise
   int order = 1;          ///< of the B-spline between coefficients: 0, 1 or 3
   int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
