@@ -24,8 +24,10 @@ struct LichenPlace {
 
 /// Whether this is texton noise; known at compile time where a method is left out.
 bool lichenIsTexton(LichenNoise noise) {
-  return bool(LICHEN_TEXTON_NOISES) &&
-         (!bool(LICHEN_TILING_NOISES) || noise.method == uint(LICHEN_METHOD_TEXTON));
+  // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
+  bool hasTexton = bool(LICHEN_TEXTON_NOISES);
+  bool hasTiling = bool(LICHEN_TILING_NOISES);
+  return hasTexton && (!hasTiling || noise.method == uint(LICHEN_METHOD_TEXTON));
 }
 
 /// The place at `position` [tiles, relative to the host's integer tile origin] of a pixel with

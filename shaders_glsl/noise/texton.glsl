@@ -23,13 +23,14 @@
 
 /// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
 float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
-  if (!bool(LICHEN_MIXED_TEXTONS) || texton.steps == 1u)
-    return 0.0;
-  // [GLM17] section 7.
-  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
-  vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
-  float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
-  return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
+  if (bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u) {
+    // [GLM17] section 7.
+    vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+    vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+    float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
+    return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
+  }
+  return 0.0;
 }
 
 /// One fetch at `texel` of the image.

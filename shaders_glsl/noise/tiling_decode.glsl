@@ -108,11 +108,13 @@ vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
 /// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`
 /// is not fetched where the map has none.
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+  // In variables: of specialization constants negated below, glslang 11 makes invalid SPIR-V.
+  bool hasJoint = bool(LICHEN_JOINT_TABLES);
+  bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
   // The last kind that there is needs no test.
-  bool isSeparable = map.decoding == uint(LICHEN_DECODING_SEPARABLE) ||
-                     !(bool(LICHEN_JOINT_TABLES) || bool(LICHEN_GAUSSIAN_ONLY));
-  bool isGaussian =
-      map.decoding == uint(LICHEN_DECODING_GAUSSIAN) || !bool(LICHEN_JOINT_TABLES);
+  bool isSeparable =
+      map.decoding == uint(LICHEN_DECODING_SEPARABLE) || !(hasJoint || hasGaussian);
+  bool isGaussian = map.decoding == uint(LICHEN_DECODING_GAUSSIAN) || !hasJoint;
   if (bool(LICHEN_SEPARABLE_TABLES) && isSeparable)
     return lichenDecodeSeparable(table, gaussian, lostVariance, map);
   if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cost of the tiling shader in units of one plain trilinear fetch, frame by frame in turn.
+// Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, frame by
+// frame in turn.
 #include "exemplars.h"
 #include "rows.h"
 #include "screen_pass.h"
@@ -11,6 +12,8 @@
 #include <plain.frag.h>
 #include <plugin_host.h>
 #include <stdexcept>
+#include <synthetic_texton.h>
+#include <texton.frag.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
 #include <tiling.frag.separable.h>
@@ -47,29 +50,34 @@ void prepare(test::PluginHost& host) {
   (void)host.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
 }
 
-Row ratioRow(const std::string& what, double target, ScreenPass& tiling, ScreenPass& plain,
-             const DeviceImage& image, VkDescriptorSet set, const ScreenView& view,
-             const std::string& device) {
-  std::vector<double> tilingSeconds, plainSeconds;
+/// A shader and the noise that it draws.
+struct Drawn {
+  ScreenPass& pass;
+  VkDescriptorSet set;
+};
+
+Row ratioRow(const std::string& what, double target, Drawn noise, Drawn plain,
+             const DeviceImage& image, const ScreenView& view, const std::string& device) {
+  std::vector<double> noiseSeconds, plainSeconds;
   for (int frame = -kWarmUpFrames; frame < kFrames; ++frame) {
-    const double plainTime = plain.draw(image, set, view);
-    const double tilingTime = tiling.draw(image, set, view);
+    const double plainTime = plain.pass.draw(image, plain.set, view);
+    const double noiseTime = noise.pass.draw(image, noise.set, view);
     if (frame < 0)
       continue;
     plainSeconds.push_back(plainTime);
-    tilingSeconds.push_back(tilingTime);
+    noiseSeconds.push_back(noiseTime);
   }
   const double unit = median(plainSeconds);
   char note[160];
   std::snprintf(note, sizeof note, "%s; plain %.1f ms, medians of %d", device.c_str(), 1e3 * unit,
                 kFrames);
-  return {what, median(tilingSeconds) / unit, target, "", note};
+  return {what, median(noiseSeconds) / unit, target, "", note};
 }
 
-/// A kind of table, how its noise is baked, and the shader that has its code alone.
+/// A method or kind of table, a noise of it, and the shader that has its code alone.
 struct Kind {
   const char* name;
-  TilingOptions baking;
+  std::vector<std::byte> glb;
   std::span<const std::uint32_t> fragment;
   double flatTarget;
   double floorTarget;
@@ -82,24 +90,36 @@ TilingOptions bakedWith(LookupTable lut, GaussianOnly gaussian) {
   return options;
 }
 
-void appendRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
-                const DeviceImage& image) {
-  test::PluginHost host(gpu, exemplarGlb(kind.baking));
+/// Bilinear textons that reach 64 texels, with the 30 impacts of the default.
+std::vector<std::byte> textonGlb() {
+  return test::syntheticTextonGlb({.coefficientsX = 63,
+                                   .coefficientsY = 63,
+                                   .mipLevels = 4,
+                                   .texelsPerTileX = kExemplarSide,
+                                   .texelsPerTileY = kExemplarSide});
+}
+
+/// `unit` has the image whose plain fetch is the unit of all ratios.
+void appendRows(std::vector<Row>& rows, const Kind& kind, const test::PluginHost& unit,
+                HeadlessDevice& gpu, const DeviceImage& image) {
+  test::PluginHost host(gpu, kind.glb);
   prepare(host);
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
     throw std::runtime_error("no set layout");
   ScreenPass plain(gpu, view_vert, plain_frag, layout);
-  ScreenPass tiling(gpu, view_vert, kind.fragment, layout);
+  ScreenPass noise(gpu, view_vert, kind.fragment, layout);
+  const Drawn drawn{noise, host.set()};
+  const Drawn fetched{plain, unit.set()};
   // Flat: one texel a pixel. Perspective: a floor, 1/4 of a texel a pixel at the near edge, 16
   // times as far at the other.
   const ScreenView flat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
   const ScreenView floor{0.25f * flat.uvPerScreenX, 0.25f * flat.uvPerScreenX, 16.0f};
   const std::string device = gpu.properties().deviceName;
   rows.push_back(ratioRow(std::string(kind.name) + " over one plain fetch, 1920 x 1080, flat",
-                          kind.flatTarget, tiling, plain, image, host.set(), flat, device));
-  rows.push_back(ratioRow("the same, perspective", kind.floorTarget, tiling, plain, image,
-                          host.set(), floor, device));
+                          kind.flatTarget, drawn, fetched, image, flat, device));
+  rows.push_back(
+      ratioRow("the same, perspective", kind.floorTarget, drawn, fetched, image, floor, device));
 }
 
 std::vector<Row> measure() {
@@ -115,16 +135,20 @@ std::vector<Row> measure() {
   if (!image)
     throw std::runtime_error(image.error().message);
   // Separable tables have no targets of their own: those of the joint one.
-  const Kind kinds[] = {{"tiling with joint table", bakedWith(LookupTable::joint, GaussianOnly::no),
-                         tiling_frag_joint, 3.6, 4.3},
-                        {"tiling with separable table",
-                         bakedWith(LookupTable::separable, GaussianOnly::no), tiling_frag_separable,
-                         3.6, 4.3},
-                        {"tiling, Gaussian only", bakedWith(LookupTable::joint, GaussianOnly::yes),
-                         tiling_frag_gaussian, 2.5, 3.2}};
+  const Kind kinds[] = {
+      {"tiling with joint table", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::no)),
+       tiling_frag_joint, 3.6, 4.3},
+      {"tiling with separable table",
+       exemplarGlb(bakedWith(LookupTable::separable, GaussianOnly::no)), tiling_frag_separable, 3.6,
+       4.3},
+      {"tiling, Gaussian only", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::yes)),
+       tiling_frag_gaussian, 2.5, 3.2},
+      {"texton, 30 impacts", textonGlb(), texton_frag, 42.0, 50.0}};
+  test::PluginHost unit(gpu, kinds[0].glb);
+  prepare(unit);
   std::vector<Row> rows;
   for (const Kind& kind : kinds)
-    appendRows(rows, kind, gpu, image.value());
+    appendRows(rows, kind, unit, gpu, image.value());
   return rows;
 }
 

@@ -2,6 +2,7 @@
 // A noise beside core textures: it takes the place of those whose channels it has, and of no other.
 #include "rendered.h"
 #include "synthetic_noise.h"
+#include "synthetic_texton.h"
 
 #include <lichen/image_io.h>
 
@@ -114,6 +115,37 @@ TEST_CASE(
   CHECK(separable[0] == Approx(0.4).margin(0.15));
   CHECK(separable[1] == Approx(0.54).margin(0.15));
   CHECK(separable[2] == Approx(0.08).margin(0.15));
+}
+
+TEST_CASE("a noise of textons is drawn, and its impacts are shown") {
+  const SyntheticTexton texton;
+  BundleFile file = syntheticTextonBundle(texton);
+  const GltfScene scene = ballOf(encodeGlb(file).value());
+  file.bundle.materials[0]->seed = 2;
+  const GltfScene other = ballOf(encodeGlb(file).value());
+  const auto meanOf = [](const LinearImage& image) {
+    std::array<double, 3> mean{};
+    for (int y = 24; y < 40; ++y)
+      for (int x = 24; x < 40; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          mean[c] += double(image.pixel(x, y)[c]) / 256.0;
+    return mean;
+  };
+  // In the middle of the ball: stored values of mean 1/2 and deviation 0.08, as light 0.222. A few
+  // patches of noise: a fifth either way.
+  const LinearImage color = picture(scene, "base-color");
+  for (const double channel : meanOf(color))
+    CHECK(channel == Approx(0.222).margin(0.05));
+  CHECK(color.values != picture(other, "base-color").values);
+  // 30 of 60 impacts are green; 24 to 36 have at least half of it, and none is white.
+  const auto impacts = meanOf(picture(scene, "impacts"));
+  CHECK(impacts[1] > 0.8);
+  CHECK(impacts[0] < 0.5);
+  CHECK(impacts[2] < 0.5);
+  const auto gaussian = meanOf(picture(scene, "gaussian"));
+  CHECK(gaussian[0] == Approx(0.5).margin(0.15));
+  // Views of the lattice have nothing to show.
+  CHECK(meanOf(picture(scene, "lattice"))[0] == Approx(0.5).margin(0.001));
 }
 
 TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
