@@ -5,6 +5,7 @@
 #include "color_correction.h"
 #include "exemplar/resample.h"
 #include "fit.h"
+#include "model_covariance.h"
 #include "progress_part.h"
 #include "texton_table.h"
 #include "tiling/map_ranges.h"
@@ -85,21 +86,6 @@ JointExemplar joined(std::span<const MapExemplar> maps) {
   joint.covariance =
       gains.asDiagonal() * covarianceOf(joint.values, joint.channels, ignored) * gains.asDiagonal();
   return joint;
-}
-
-/// The covariance of the Gaussian texture itself.
-MatrixXd modelCovariance(const GaussianModel& model) {
-  const auto n = Eigen::Index(model.channels.size());
-  MatrixXd sum = MatrixXd::Zero(n, n);
-  for (int v = 0; v < model.height(); ++v)
-    for (int u = 0; u < model.channels[0].columns(); ++u)
-      for (Eigen::Index a = 0; a < n; ++a)
-        for (Eigen::Index b = 0; b <= a; ++b)
-          sum(a, b) += model.channels[0].multiplicity(u) *
-                       double(std::real(model.channels[std::size_t(a)].at(u, v) *
-                                        std::conj(model.channels[std::size_t(b)].at(u, v))));
-  sum /= double(model.width()) * double(model.height());
-  return sum.selfadjointView<Eigen::Lower>();
 }
 
 /// r^2 sum l^4 / (sum l^2)^2 over the lengths l of the coefficients' vectors.

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Models and covariances of n exemplars -> texton coefficients for each step between them.
+//
+// On a leg from one exemplar to the next the barycentres are straight lines between two spectra,
+// once their phases are aligned. So one texton is fitted for all exemplars together, with the
+// channels of all of them and one phase a frequency: what lies between two of its parts is a texton
+// of the barycentre there. [GLM17] fits each step by itself, from the same noise, and neighbours
+// end in different minima (docs/decisions/016-mixing.md has both errors and both steps).
+// Sources: [GLM17] section 7; [XFPA14].
+#include "mixing.h"
+
+#include "barycenter.h"
+#include "color_correction.h"
+#include "model_covariance.h"
+#include "one_grid.h"
+#include "progress_part.h"
+#include "transport/covariance_barycenter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lichen::texton {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Of the strongest exemplar's variance: a model with less is taken for as strong as this, so that
+/// the rounding of a constant exemplar, 1e-11, is not fitted as if it were a texture.
+constexpr double kLeastPower = 1e-10;
+/// The most that a colour axis of a model may be amplified. An 8-bit ramp, whose model is its
+/// rounding, would need 250; of photographs 3 is usual.
+constexpr double kMostGain = 100.0;
+/// Of the progress: the errors of 21 steps take less than a tenth of the time.
+constexpr double kFitOfProgress = 0.9;
+
+Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
+  const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
+  int width = 0;
+  int height = exemplars[0].model.height();
+  for (const MixExemplar& exemplar : exemplars) {
+    if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
+      return usage(
+          fmt::format("{}: {} channels, and {} has {}; a mix takes exemplars with the same "
+                      "channels",
+                      exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
+                      exemplars[0].model.channels.size()));
+    width = std::max(width, exemplar.model.width());
+    height = std::min(height, exemplar.model.height());
+  }
+  if (options.width < 1 || options.width > width || options.height < 1 || options.height > height)
+    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 to {} x {} is accepted for "
+                             "these exemplars",
+                             options.width, options.height, width, height));
+  if (options.stepsPerLeg < 1)
+    return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
+                             options.stepsPerLeg));
+  return {};
+}
+
+/// Whether colours that vary in the exemplar do so in its model.
+Result<void> checkModel(const MixExemplar& exemplar) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(modelCovariance(exemplar.model));
+  const MatrixXd wanted =
+      axes.eigenvectors().transpose() * exemplar.covariance * axes.eigenvectors();
+  const double floor = kMostGain * kMostGain;
+  for (Eigen::Index axis = 0; axis < wanted.rows(); ++axis) {
+    // Rounding does not count: channels of which one is the sum of the others.
+    if (wanted(axis, axis) > kLeastPower * wanted.trace() &&
+        wanted(axis, axis) > floor * std::max(axes.eigenvalues()[axis], 0.0))
+      return Error{ErrorKind::badInput,
+                   fmt::format("{}: colours vary only from one border to the other, and no texton "
+                               "does; an exemplar with detail is accepted",
+                               exemplar.name)};
+  }
+  return {};
+}
+
+FitOptions fitOptions(const MixOptions& options, const ProgressPart& progress) {
+  FitOptions fit;
+  fit.width = options.width;
+  fit.height = options.height;
+  fit.order = options.order;
+  fit.seed = options.seed;
+  fit.goOn = [progress, done = 0]() mutable {
+    progress.reach(double(++done) / iterationsOf(FitMethod::transportDistance));
+    return true;
+  };
+  return fit;
+}
+
+/// Textons of aligned models with one phase a frequency: a part of one joint texton each. Each
+/// model counts alike, so that none is neglected for its weak contrast.
+std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> aligned,
+                                               const FitOptions& options) {
+  std::vector<double> deviations;
+  for (const GaussianModel& model : aligned)
+    deviations.push_back(std::sqrt(modelCovariance(model).trace()));
+  const double strongest = *std::max_element(deviations.begin(), deviations.end());
+  for (double& deviation : deviations)
+    deviation = strongest > 0.0 ? std::max(deviation, std::sqrt(kLeastPower) * strongest) : 1.0;
+  GaussianModel joint;
+  for (std::size_t k = 0; k < aligned.size(); ++k) {
+    for (HalfSpectrum channel : aligned[k].channels) {
+      for (std::complex<float>& value : channel.values)
+        value /= float(deviations[k]);
+      joint.channels.push_back(std::move(channel));
+    }
+  }
+  const TextonCoefficients all = fitCoefficients(joint, options, FitMethod::transportDistance);
+  std::vector<TextonCoefficients> result;
+  const std::size_t size = all.values.size() / aligned.size();
+  for (std::size_t k = 0; k < aligned.size(); ++k) {
+    const auto begin = all.values.begin() + std::ptrdiff_t(k * size);
+    TextonCoefficients part{all.width,
+                            all.height,
+                            int(aligned[k].channels.size()),
+                            {begin, begin + std::ptrdiff_t(size)}};
+    for (float& value : part.values)
+      value *= float(deviations[k]);
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
+TextonCoefficients between(const TextonCoefficients& first, const TextonCoefficients& second,
+                           double rho) {
+  TextonCoefficients result = first;
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = float((1.0 - rho) * first.values[i] + rho * second.values[i]);
+  return result;
+}
+
+/// Measures the fit of step.texton to `model`, as every texton's: with the model's own covariance,
+/// as far as it can have it. Then gives it that of the exemplars' barycentre.
+Result<void> finish(std::span<const MixExemplar> exemplars, const GaussianModel& model, int order,
+                    MixStep& step) {
+  (void)correctCovariance(step.texton, order, modelCovariance(model));
+  step.modelError = relativeModelError(model, step.texton, order);
+  std::vector<MatrixXd> covariances;
+  for (const MixExemplar& exemplar : exemplars)
+    covariances.push_back(exemplar.covariance);
+  const MatrixXd wanted = transport::covarianceBarycenter(covariances, step.weights);
+  if (correctCovariance(step.texton, order, wanted))
+    return {};
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < exemplars.size(); ++k)
+    parts.push_back(fmt::format("{:.3g} {}", step.weights[k], exemplars[k].name));
+  return Error{ErrorKind::badInput,
+               fmt::format("a mix of {}: {} x {} coefficients cannot vary as these colours do; a "
+                           "larger texton, or exemplars with detail, are accepted",
+                           fmt::join(parts, ", "), step.texton.width, step.texton.height)};
+}
+
+std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
+  std::vector<GaussianModel> models;
+  for (const MixExemplar& exemplar : exemplars)
+    models.push_back(exemplar.model);
+  return onOneGrid(models);
+}
+
+Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions& options,
+                       ProgressPart progress) {
+  const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
+  const std::vector<TextonCoefficients> textons =
+      fittedTogether(aligned, fitOptions(options, progress.part(0.0, kFitOfProgress)));
+  TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
+  const std::size_t legs = exemplars.size() - 1;
+  const auto perLeg = std::size_t(options.stepsPerLeg);
+  for (std::size_t index = 0; index <= legs * perLeg; ++index) {
+    const std::size_t leg = std::min(index / perLeg, legs - 1);
+    const double rho = double(index - leg * perLeg) / double(perLeg);
+    MixStep step{std::vector<double>(exemplars.size(), 0.0),
+                 between(textons[leg], textons[leg + 1], rho)};
+    step.weights[leg] = 1.0 - rho;
+    step.weights[leg + 1] = rho;
+    const GaussianModel model = between(aligned[leg], aligned[leg + 1], rho);
+    if (Result<void> finished = finish(exemplars, model, options.order, step); !finished)
+      return finished.error();
+    mix.steps.push_back(std::move(step));
+    progress.part(kFitOfProgress, 1.0).reach(double(index + 1) / double(legs * perLeg + 1));
+  }
+  return mix;
+}
+
+Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<double> weights,
+                         const MixOptions& options, ProgressPart progress) {
+  const Barycenter found = barycenter(modelsOf(exemplars), weights);
+  MixStep step{std::move(weights), {}};
+  step.rankError = found.rankError;
+  step.texton =
+      fitCoefficients(found.model, fitOptions(options, progress), FitMethod::transportDistance);
+  if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
+    return finished.error();
+  TextonMix mix{found.model.width(), found.model.height(), {}};
+  mix.steps.push_back(std::move(step));
+  return mix;
+}
+
+/// Checks the exemplars, and runs `operation` with what may end it turned into errors.
+template <class Operation>
+Result<TextonMix> checked(std::span<const MixExemplar> exemplars, const MixOptions& options,
+                          const Operation& operation) {
+  const auto exhausted = [] { return "not enough memory to fit the textons of a mix"; };
+  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
+    if (Result<void> result = check(exemplars, options); !result)
+      return result.error();
+    for (const MixExemplar& exemplar : exemplars)
+      if (Result<void> result = checkModel(exemplar); !result)
+        return result.error();
+    return unlessInterrupted("the mix", operation);
+  });
+}
+
+} // namespace
+
+Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, const MixOptions& options) {
+  if (exemplars.size() < 2)
+    return Error{ErrorKind::usage,
+                 fmt::format("{} exemplars to mix; at least 2 are accepted", exemplars.size())};
+  return checked(exemplars, options,
+                 [&] { return path(exemplars, options, ProgressPart(options.progress)); });
+}
+
+Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
+                                      std::span<const double> weights, const MixOptions& options) {
+  if (exemplars.empty() || weights.size() != exemplars.size())
+    return Error{ErrorKind::usage, fmt::format("{} weights for {} exemplars; one each is accepted",
+                                               weights.size(), exemplars.size())};
+  double sum = 0.0;
+  for (const double weight : weights) {
+    if (!(weight >= 0.0 && std::isfinite(weight)))
+      return Error{ErrorKind::usage, fmt::format("a weight of {}; 0 and more is accepted", weight)};
+    sum += weight;
+  }
+  if (!(sum > 0.0 && std::isfinite(sum)))
+    return Error{ErrorKind::usage,
+                 fmt::format("weights of sum {}; a positive one is accepted", sum)};
+  std::vector<double> normalized(weights.begin(), weights.end());
+  for (double& weight : normalized)
+    weight /= sum;
+  return checked(exemplars, options, [&] {
+    return single(exemplars, std::move(normalized), options, ProgressPart(options.progress));
+  });
+}
+
+} // namespace lichen::texton

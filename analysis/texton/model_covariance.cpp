@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Model (channels, height, width / 2 + 1) -> covariance (channels x channels).
+#include "model_covariance.h"
+
+namespace lichen::texton {
+
+Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
+  const auto channels = Eigen::Index(model.channels.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(channels, channels);
+  const HalfSpectrum& shape = model.channels[0];
+  const auto columns = std::size_t(shape.columns());
+  for (std::size_t i = 0; i < shape.values.size(); ++i) {
+    const double multiplicity = shape.multiplicity(int(i % columns));
+    for (Eigen::Index a = 0; a < channels; ++a) {
+      const std::complex<double> first = model.channels[std::size_t(a)].values[i];
+      for (Eigen::Index b = 0; b <= a; ++b) {
+        const std::complex<double> second = model.channels[std::size_t(b)].values[i];
+        sum(a, b) += multiplicity * (first * std::conj(second)).real();
+      }
+    }
+  }
+  sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
+  return sum / (double(model.width()) * double(model.height()));
+}
+
+} // namespace lichen::texton
