@@ -38,16 +38,24 @@ std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bo
   for (const MapTransportBound& bound : bounds)
     if (worst.empty() || worst.back().map != bound.map)
       worst.push_back(bound);
-    else if (bound.bound.excess() > worst.back().bound.excess())
+    else if (bound.excess() > worst.back().excess())
       worst.back() = bound;
   return worst;
+}
+
+/// Whether the map's values were moved before they were matched.
+bool isMoved(MapTarget map, std::span<const MapTransportBound> bounds) {
+  return std::any_of(bounds.begin(), bounds.end(), [map](const MapTransportBound& bound) {
+    return bound.map == map && bound.costOfUnmoved;
+  });
 }
 
 nlohmann::ordered_json asJson(std::span<const MapTransportBound> bounds) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const MapTransportBound& bound : worstBounds(bounds))
     json.push_back({{"map", nameOf(bound.map)},
-                    {"excess", bound.bound.excess()},
+                    {"excess", bound.excess()},
+                    {"moved", isMoved(bound.map, bounds)},
                     {"byConstruction", bound.isSorted}});
   return json;
 }
@@ -62,8 +70,11 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
             ? fmt::format(
                   "the values of {} have one dimension and are sorted, which is the optimum",
                   nameOf(bound.map))
-            : fmt::format("the values of {} are matched within {:.3f} % of the optimum, certified",
-                          nameOf(bound.map), 100.0 * bound.bound.excess()));
+            : fmt::format(
+                  "the values of {}{} are matched within {:.3f} % of the optimum, certified",
+                  nameOf(bound.map),
+                  isMoved(bound.map, bounds) ? ", moved to go with the other maps," : "",
+                  100.0 * bound.excess()));
   return notes;
 }
 

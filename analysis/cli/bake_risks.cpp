@@ -79,6 +79,12 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
 
 namespace {
 
+/// Pixels of `first` for one of `map`, along the longer side of `map`.
+double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
+  return map.width >= map.height ? double(first.width) / map.width
+                                 : double(first.height) / map.height;
+}
+
 /// The risks of each map by `assess`, told its progress.
 template <class Assess>
 Result<std::vector<std::vector<Risk>>>
@@ -101,7 +107,7 @@ assessEach(std::span<const MapExemplar> maps, const SharedOptions& options, cons
 Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
                                                   const SharedOptions& options) {
   return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
-    return assessSuitability(map, periodic, progress);
+    return assessSuitability(map, periodic, progress, firstPixelsOf(map, maps.front()));
   });
 }
 

@@ -3,6 +3,7 @@
 //
 // Sources: [GLM17] section 4, [GLM14]. What contrast the noise has: docs/decisions/015-texton.md.
 #include "color_correction.h"
+#include "comparison.h"
 #include "exemplar/resample.h"
 #include "fit.h"
 #include "model_covariance.h"
@@ -10,6 +11,7 @@
 #include "texton_table.h"
 #include "tiling/map_ranges.h"
 
+#include <lichen/spectrum.h>
 #include <lichen/texton.h>
 
 #include <algorithm>
@@ -88,14 +90,13 @@ JointExemplar joined(std::span<const MapExemplar> maps) {
   return joint;
 }
 
-/// r^2 sum l^4 / (sum l^2)^2 over the lengths l of the coefficients' vectors.
-double flatnessOf(const TextonCoefficients& coefficients) {
-  const Eigen::Index texels = Eigen::Index(coefficients.width) * coefficients.height;
-  const Eigen::Map<const Eigen::MatrixXf> all(coefficients.values.data(), texels,
-                                              coefficients.channels);
-  const Eigen::ArrayXd squares = all.cast<double>().rowwise().squaredNorm().array();
-  const double sum = squares.sum();
-  return sum > 0.0 ? double(texels) * squares.square().sum() / (sum * sum) : 0.0;
+/// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
+std::vector<float> seenWeights(const MapExemplar& first, std::size_t channels) {
+  std::vector<float> weights(channels, 0.0f);
+  std::fill_n(weights.begin(), first.channels.size(), 1.0f);
+  if (first.channels.front() == MapChannel::red)
+    std::copy(kLuminanceWeights.begin(), kLuminanceWeights.end(), weights.begin());
+  return weights;
 }
 
 /// The coefficients of a part of the exemplar, corrected to the covariance of its own model.
@@ -107,7 +108,7 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
   fit.order = options.order;
   fit.seed = options.fitSeed;
   int done = 0;
-  const int steps = iterationsOf(FitMethod(options.fit));
+  const int steps = iterationsOf(fit, FitMethod(options.fit));
   fit.goOn = [&] {
     progress.reach(double(done++) / double(steps));
     return true;
@@ -216,7 +217,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   bake.quality.modelError = relativeModelError(model, coefficients, options.order);
   for (std::size_t c = 0; c < joint.channels; ++c)
     bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
-  bake.quality.flatness = flatnessOf(coefficients);
+  bake.quality.flatness = flatness(coefficients, seenWeights(maps.front(), joint.channels));
   bake.quality.heldOutError =
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);

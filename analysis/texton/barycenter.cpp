@@ -33,8 +33,8 @@ using Weighted = Eigen::MatrixXcd;
 /// A step that raises |M|^2 by less is the last; spectra are float.
 constexpr double kNoGain = 1e-7;
 constexpr int kMostSteps = 200;
-/// One kernel with nearly all of |M|^2 is the best one.
-constexpr double kAsGood = 1e-4;
+/// One kernel that lacks less of |M|^2, which the last steps may have left, is a barycentre.
+constexpr double kAsGood = 1e-5;
 
 template <class Real>
 std::complex<Real> phaseOf(std::complex<Real> value) {
@@ -88,7 +88,8 @@ void startFrom(const Eigen::VectorXcd& kernel, const Weighted& weighted,
     best.kernel = raised;
 }
 
-FrequencyBarycenter ofMany(const Weighted& weighted) {
+/// At a frequency that is its own mirror all vectors are real, and the kernel has to be.
+FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   const Eigen::Index count = weighted.cols();
   // Independent textures, which prefer no direction.
   Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Identity(count, count);
@@ -98,12 +99,19 @@ FrequencyBarycenter ofMany(const Weighted& weighted) {
   result.power = sum.squaredNorm();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> axes(sum * sum.adjoint());
   startFrom(axes.eigenvectors().col(sum.rows() - 1), weighted, result);
-  if (result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power) {
-    for (Eigen::Index k = 0; k < count; ++k)
-      startFrom(weighted.col(k), weighted, result);
+  const auto lacksPower = [&] {
+    return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;
+  };
+  for (Eigen::Index k = 0; k < count && lacksPower(); ++k) {
+    startFrom(weighted.col(k), weighted, result);
+    // From vectors that are real, phases would stay signs.
+    if (!isOwnMirror)
+      startFrom(weighted.col(k) + Complex(0.0, 1.0) * weighted.col((k + 1) % count), weighted,
+                result);
   }
-  result.distance =
-      result.power + result.kernel.squaredNorm() - 2.0 * (sum.adjoint() * result.kernel).norm();
+  if (lacksPower())
+    result.distance =
+        result.power + result.kernel.squaredNorm() - 2.0 * (sum.adjoint() * result.kernel).norm();
   return result;
 }
 
@@ -147,7 +155,9 @@ Barycenter barycenter(std::span<const GaussianModel> models, std::span<const dou
           weighted(c, k) =
               weights[model] * Complex(models[model].channels[std::size_t(c)].values[i]);
       }
-      const FrequencyBarycenter found = counted.size() == 2 ? ofTwo(weighted) : ofMany(weighted);
+      const bool isOwnMirror = shape.multiplicity(int(u)) == 1 && 2 * v % powers.size() == 0;
+      const FrequencyBarycenter found =
+          counted.size() == 2 ? ofTwo(weighted) : ofMany(weighted, isOwnMirror);
       for (Eigen::Index c = 0; c < weighted.rows(); ++c)
         result.model.channels[std::size_t(c)].values[i] = std::complex<float>(found.kernel(c));
       distances[v] += shape.multiplicity(int(u)) * found.distance;

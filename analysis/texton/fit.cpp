@@ -17,6 +17,7 @@
 #include "fit.h"
 
 #include "interpolation.h"
+#include "model_distance.h"
 
 #include <lichen/spectrum.h>
 
@@ -26,13 +27,10 @@
 
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 namespace lichen::texton {
 namespace {
 
-/// [GLM17] section 4.2.
-constexpr int kPaperIterations = 50;
 /// Tuned on three photographs of 128 x 128 at supports of 16, 32 and 64: 60 reflections and 40
 /// descents end within 0.5 % of where 100 and 100 do.
 constexpr int kReflections = 60;
@@ -59,14 +57,6 @@ Eigen::SparseMatrix<float> inverseNormalMatrix(int size, int period, int order) 
   }
   const Eigen::MatrixXd inverse = matrix.llt().solve(Eigen::MatrixXd::Identity(size, size));
   return inverse.cast<float>().sparseView(1.0f, float(kNegligible));
-}
-
-/// sqrt(b^) along one axis of `size` frequencies.
-std::vector<float> kernelAmplitudes(int order, int size) {
-  std::vector<float> amplitudes;
-  for (int k = 0; k < size; ++k)
-    amplitudes.push_back(float(std::sqrt(kernelPower(order, double(k) / size))));
-  return amplitudes;
 }
 
 class Fit {
@@ -147,34 +137,6 @@ public:
         work_[c].values[i] = 1.0f / kernel * product(phase, model_.channels[c].values[i]);
     });
     workToPatches();
-  }
-
-  [[nodiscard]] double relativeError() {
-    coefficientsToWork();
-    const int height = model_.height();
-    std::vector<double> distances(std::size_t(height), 0.0);
-    std::vector<double> powers(std::size_t(height), 0.0);
-    forFrequencies([&](std::size_t i, float kernel) {
-      if (i == 0)
-        return;
-      const auto columns = std::size_t(work_[0].columns());
-      double power = 0.0;
-      double noisePower = 0.0;
-      std::complex<double> correlation = 0.0;
-      for (std::size_t c = 0; c < work_.size(); ++c) {
-        const std::complex<double> t = model_.channels[c].values[i];
-        const std::complex<double> h = kernel * work_[c].values[i];
-        power += std::norm(t);
-        noisePower += std::norm(h);
-        correlation += std::conj(h) * t;
-      }
-      const double multiplicity = work_[0].multiplicity(int(i % columns));
-      distances[i / columns] += multiplicity * (power + noisePower - 2.0 * std::abs(correlation));
-      powers[i / columns] += multiplicity * power;
-    });
-    const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
-    const double distance = std::accumulate(distances.begin(), distances.end(), 0.0);
-    return power > 0.0 ? std::sqrt(std::max(distance, 0.0) / power) : 0.0;
   }
 
 private:
@@ -274,8 +236,9 @@ void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
 
 } // namespace
 
-int iterationsOf(FitMethod method) {
-  return method == FitMethod::alternatingProjections ? kPaperIterations : kReflections + kDescents;
+int iterationsOf(const FitOptions& options, FitMethod method) {
+  return method == FitMethod::alternatingProjections ? options.projections
+                                                     : kReflections + kDescents;
 }
 
 TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
@@ -288,7 +251,7 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
   if (method == FitMethod::alternatingProjections) {
     // Of white noise only the phases of t^* . alpha^ come through the first projection: uniform and
     // independent, as these are.
-    for (int step = 0; step < kPaperIterations && goOn(); ++step)
+    for (int step = 0; step < options.projections && goOn(); ++step)
       fit.projectAsPrinted(step == 0 ? &x : nullptr);
     return fit.coefficients();
   }
@@ -303,9 +266,9 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
 
 double relativeModelError(const GaussianModel& model, const TextonCoefficients& coefficients,
                           int order) {
-  Fit fit(model, coefficients.width, coefficients.height, order);
-  fit.setCoefficients(coefficients);
-  return fit.relativeError();
+  const double variance = modelVariance(model);
+  const GaussianModel noise = noiseModel(coefficients, order, model.width(), model.height());
+  return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
 }
 
 } // namespace lichen::texton

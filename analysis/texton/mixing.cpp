@@ -12,6 +12,7 @@
 #include "barycenter.h"
 #include "color_correction.h"
 #include "model_covariance.h"
+#include "model_distance.h"
 #include "one_grid.h"
 #include "progress_part.h"
 #include "transport/covariance_barycenter.h"
@@ -84,8 +85,9 @@ FitOptions fitOptions(const MixOptions& options, const ProgressPart& progress) {
   fit.height = options.height;
   fit.order = options.order;
   fit.seed = options.seed;
-  fit.goOn = [progress, done = 0]() mutable {
-    progress.reach(double(++done) / iterationsOf(FitMethod::transportDistance));
+  const int iterations = iterationsOf(fit, FitMethod::transportDistance);
+  fit.goOn = [progress, iterations, done = 0]() mutable {
+    progress.reach(double(++done) / iterations);
     return true;
   };
   return fit;
@@ -97,7 +99,7 @@ std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> al
                                                const FitOptions& options) {
   std::vector<double> deviations;
   for (const GaussianModel& model : aligned)
-    deviations.push_back(std::sqrt(modelCovariance(model).trace()));
+    deviations.push_back(std::sqrt(modelVariance(model)));
   const double strongest = *std::max_element(deviations.begin(), deviations.end());
   for (double& deviation : deviations)
     deviation = strongest > 0.0 ? std::max(deviation, std::sqrt(kLeastPower) * strongest) : 1.0;

@@ -27,7 +27,7 @@ MatrixXd covarianceBarycenter(std::span<const MatrixXd> covariances,
   for (std::size_t k = 0; k < covariances.size(); ++k)
     result += weights[k] * covariances[k];
   for (int step = 0; step < kMostSteps; ++step) {
-    // [AEBCM16] eq. 7
+    // [AEBC16] theorem 4.2
     const MatrixXd root = power(result, 0.5);
     const MatrixXd inverseRoot = power(result, -0.5);
     MatrixXd mean = MatrixXd::Zero(result.rows(), result.cols());

@@ -152,6 +152,8 @@ TEST_CASE("phases of three textures are the best of all phases") {
     INFO("frequency " << i);
     CHECK(powerAt(found.model, i) >= best * (1.0 - kRounding));
     CHECK(powerAt(found.model, i) <= best * (1.0 + slack));
+    for (std::size_t c = 0; c < 3 && isReal(shape, i); ++c)
+      CHECK(at(found.model, c, i).imag() == 0.0);
   }
   // All but the two frequencies (0, 0) and (0, 3) are exact, and a step of the iteration that
   // gains less than 1e-7 may leave some 1e-5 of the power.
@@ -174,6 +176,17 @@ TEST_CASE("of several maxima over the phases of three textures the highest is fo
     INFO("frequency " << i);
     CHECK(powerAt(found, i) >= best * (1.0 - kRounding));
   }
+}
+
+TEST_CASE("three textures with two best mixtures are one of them, and no kernel is missing") {
+  // At 120 degrees phases may go around either way, and any law between the two is a barycentre:
+  // |m|^2 = 1/2, of circles.
+  std::vector<GaussianModel> models;
+  for (int k = 0; k < 3; ++k)
+    models.push_back(oneFrequency({std::cos(2.0 * kPi * k / 3.0), std::sin(2.0 * kPi * k / 3.0)}));
+  const Barycenter found = barycenter(models, std::vector<double>(3, 1.0 / 3.0));
+  CHECK(powerAt(found.model, 1) == Approx(0.5).epsilon(kRounding));
+  CHECK(found.rankError < 1e-3);
 }
 
 TEST_CASE("what four textures lack for one kernel is measured") {

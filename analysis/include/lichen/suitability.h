@@ -30,11 +30,14 @@ struct Risk {
 /// Every risk of one map, in the order of the names above, those of no concern included.
 /// `periodic`: whether the exemplar's opposite borders fit together. A map without variance has
 /// none. Of a height map cloudiness and low frequency are those of its slopes, which light shows.
+/// `firstPixels`, above 0: how many pixels of the first map of the set one pixel of this map is as
+/// long as; a remedy that is a period for flatten() counts those.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources for memory, environment when
 /// `progress` stops it. Thread-safe; the same result for any number of threads. O(N log N) in the
 /// number of pixels. Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
-                                                          const Progress& progress = {});
+                                                          const Progress& progress = {},
+                                                          double firstPixels = 1.0);
 
 /// The risks of a texton noise of one map, "histogram", "outlines" and "low-frequency": whether the
 /// material is a Gaussian texture at all, and whether `support` texels hold it. Errors and threads
