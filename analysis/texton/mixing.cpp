@@ -39,8 +39,6 @@ constexpr double kFitOfProgress = 0.9;
 
 Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
-  int width = 0;
-  int height = exemplars[0].model.height();
   for (const MixExemplar& exemplar : exemplars) {
     if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
       return usage(
@@ -48,13 +46,10 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
                       "channels",
                       exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
                       exemplars[0].model.channels.size()));
-    width = std::max(width, exemplar.model.width());
-    height = std::min(height, exemplar.model.height());
   }
-  if (options.width < 1 || options.width > width || options.height < 1 || options.height > height)
-    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 to {} x {} is accepted for "
-                             "these exemplars",
-                             options.width, options.height, width, height));
+  if (options.width < 1 || options.height < 1)
+    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 and more is accepted",
+                             options.width, options.height));
   if (options.stepsPerLeg < 1)
     return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
                              options.stepsPerLeg));
@@ -79,10 +74,11 @@ Result<void> checkModel(const MixExemplar& exemplar) {
   return {};
 }
 
-FitOptions fitOptions(const MixOptions& options, const ProgressPart& progress) {
+FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
+                      const ProgressPart& progress) {
   FitOptions fit;
-  fit.width = options.width;
-  fit.height = options.height;
+  fit.width = std::min(options.width, model.width());
+  fit.height = std::min(options.height, model.height());
   fit.order = options.order;
   fit.seed = options.seed;
   const int iterations = iterationsOf(fit, FitMethod::transportDistance);
@@ -167,7 +163,7 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions&
                        ProgressPart progress) {
   const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
   const std::vector<TextonCoefficients> textons =
-      fittedTogether(aligned, fitOptions(options, progress.part(0.0, kFitOfProgress)));
+      fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
   TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
   const std::size_t legs = exemplars.size() - 1;
   const auto perLeg = std::size_t(options.stepsPerLeg);
@@ -192,8 +188,8 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
   const Barycenter found = barycenter(modelsOf(exemplars), weights);
   MixStep step{std::move(weights), {}};
   step.rankError = found.rankError;
-  step.texton =
-      fitCoefficients(found.model, fitOptions(options, progress), FitMethod::transportDistance);
+  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, progress),
+                                FitMethod::transportDistance);
   if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
     return finished.error();
   TextonMix mix{found.model.width(), found.model.height(), {}};

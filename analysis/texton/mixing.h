@@ -27,8 +27,8 @@ struct MixExemplar {
 };
 
 struct MixOptions {
-  int width = 0;  ///< coefficients, [1, the width of the widest exemplar]
-  int height = 0; ///< coefficients, [1, the height of the least high exemplar]
+  int width = 0;  ///< coefficients, at least 1; no more than the tile has texels are made
+  int height = 0; ///< likewise
   int order = 1;  ///< of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
   /// Steps from an exemplar to the next, at least 1; 20 for the 21 textons of [GLM17].

@@ -185,6 +185,10 @@ TEST_CASE("a path leads through all exemplars, and exemplars of other sizes shar
   CHECK(mix.width == 32);
   CHECK(mix.height == 43); // 40 of 30 pixels, as large as 32
   REQUIRE(mix.steps.size() == 7);
+  CHECK(mix.steps[0].texton.width == 10);
+  const TextonMix whole = pathOf(exemplars, support(40, 1));
+  CHECK(whole.steps[0].texton.width == 32);
+  CHECK(whole.steps[0].texton.height == 40);
   for (std::size_t k = 0; k < 3; ++k) {
     const MixStep& step = mix.steps[3 * k];
     CHECK(step.weights[k] == 1.0);
@@ -212,8 +216,8 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
   CHECK(messageOf(fitTextonPath(std::vector{color}, support(8, 4)), ErrorKind::usage) ==
         "1 exemplars to mix; at least 2 are accepted");
   const std::vector<MixExemplar> pair{color, exemplarOf(threeMaterials(32, 12, 2), "rust.png")};
-  CHECK(messageOf(fitTextonPath(pair, support(13, 4)), ErrorKind::usage) ==
-        "a texton of 13 x 13 coefficients; 1 x 1 to 32 x 12 is accepted for these exemplars");
+  CHECK(messageOf(fitTextonPath(pair, support(0, 4)), ErrorKind::usage) ==
+        "a texton of 0 x 0 coefficients; 1 x 1 and more is accepted");
   CHECK(messageOf(fitTextonPath(pair, support(8, 0)), ErrorKind::usage) ==
         "0 steps from an exemplar to the next; at least 1 is accepted");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{1.0}, support(8, 1)), ErrorKind::usage) ==
