@@ -104,6 +104,22 @@ MatrixXd modelCovariance(const GaussianModel& model) {
   return sum.selfadjointView<Eigen::Lower>();
 }
 
+/// Whether the model varies along every direction in which the noise is to vary. What is left of a
+/// slope of light is rounding, which no gain makes a texture of.
+bool isModelled(const MatrixXd& model, const MatrixXd& wanted) {
+  constexpr double kNegligible = 1e-3;    // of the most variance along a direction
+  constexpr double kLeastModelled = 0.01; // of the variance wanted: a gain of ten
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(wanted);
+  for (Eigen::Index k = 0; k < axes.eigenvalues().size(); ++k) {
+    const double variance = axes.eigenvalues()[k];
+    const auto axis = axes.eigenvectors().col(k);
+    if (variance > kNegligible * axes.eigenvalues().maxCoeff() &&
+        axis.dot(model * axis) < kLeastModelled * variance)
+      return false;
+  }
+  return true;
+}
+
 /// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
 std::vector<float> seenWeights(const MapExemplar& first, std::size_t channels) {
   std::vector<float> weights(channels, 0.0f);
@@ -225,6 +241,14 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   const JointExemplar joint = joined(maps);
   const GaussianModel model =
       gaussianModel(joint.values, joint.width, joint.height, int(joint.channels));
+  const MatrixXd modelled = modelCovariance(model);
+  const MatrixXd wanted =
+      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
+  const Error unmodelled{ErrorKind::badInput, "the exemplar varies only from one border to the "
+                                              "other, and no texton does; a photograph with "
+                                              "detail, or another method, is accepted"};
+  if (!isModelled(modelled, wanted))
+    return unmodelled;
   TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
 
   TextonBake bake;
@@ -236,12 +260,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);
 
-  const MatrixXd wanted =
-      options.variance == TextonVariance::exemplar ? joint.covariance : modelCovariance(model);
   if (!correctCovariance(coefficients, options.order, wanted))
-    return Error{ErrorKind::badInput,
-                 "the exemplar varies only from one border to the other, and no texton does; a "
-                 "photograph with detail, or another method, is accepted"};
+    return unmodelled;
   bake.quality.covarianceError = (noiseCovariance(coefficients, options.order) - wanted).norm() /
                                  std::max(wanted.norm(), 1e-30);
 
