@@ -5,6 +5,7 @@
 // there are.
 
 // The usual material: an infinite lattice and plain weights, known at compile time.
+#define LICHEN_TEXTON_NOISES 0
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
 #define LICHEN_SET 0
@@ -15,6 +16,6 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  LichenTaps taps = lichenTilingUvGrad(uv, dFdx(uv), dFdy(uv), lichenUniforms.noise);
-  colour = LICHEN_TILING(0, taps);
+  LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_NOISE(0, place);
 }
