@@ -94,10 +94,7 @@ def impacts_of(i, j, seed, plane, process):
     first, second, _ = pcg3d(i % WORD, j % WORD, lattice_seed(seed, plane))
     words = [first]
     if process == "poisson":
-        words = []
-        for _ in range(poisson_count(second)):
-            first = pcg(first)
-            words.append(first)
+        words = [pcg((first + k) % WORD) for k in range(poisson_count(second))]
     return {"cell": [i, j], "seed": seed, "plane": plane, "process": process,
             "impacts": [{"place": [((w >> shift) % 32768 + 0.5) / 32768 for shift in (16, 1)],
                          "sign": -1 if w >> 31 else 1} for w in words]}
