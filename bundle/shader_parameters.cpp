@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bundle and material -> the shader library's uniform structs.
+#include "impact_grid.h"
 #include "srgb_curve.h"
 
 #include <lichen/shader_parameters.h>
@@ -40,6 +41,15 @@ std::vector<double> gaussianToStored(const std::vector<double>& covariance, std:
   for (double& value : factor)
     value *= kDeviations;
   return factor;
+}
+
+/// The n x n matrix with these values on its diagonal, row by row.
+std::vector<double> diagonal(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  std::vector<double> matrix(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    matrix[i * n + i] = values[i];
+  return matrix;
 }
 
 float dotRow(const shader::vec4& row, const std::array<float, 3>& v) {
@@ -126,6 +136,67 @@ double wholePart(double offset, bool periodic, double periodTiles) {
   return periodic ? std::floor(offset / periodTiles) * periodTiles : std::floor(offset);
 }
 
+/// The remainder of a tile origin in [0, period), a whole period where the origin is not 0.
+double reduced(std::int64_t origin, double period) {
+  if (origin == 0)
+    return 0.0;
+  const auto whole = std::int64_t(period);
+  return double(((origin % whole) + whole) % whole);
+}
+
+/// Where a tile origin lies in a periodic lattice.
+LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placement& placement) {
+  const double row = reduced(placement.tileOriginY, placement.periodTilesY) * lattice.rowsPerTile;
+  const double column =
+      reduced(placement.tileOriginX, placement.periodTilesX) * lattice.columnsPerTile -
+      (isSkewed ? 0.5 * row : 0.0);
+  const float belowOne = std::nextafter(1.0f, 0.0f); // cells are half-open
+  return {{int(std::floor(column)), int(std::floor(row))},
+          {std::min(float(column - std::floor(column)), belowOne),
+           std::min(float(row - std::floor(row)), belowOne)}};
+}
+
+/// The lattice of tiling or the grid of impacts, and where the place's origin lies in it.
+void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
+              const Placement& placement) {
+  const bool isTiling = noise.method == Method::tiling;
+  const Lattice lattice = !isTiling ? impactGrid(noise.texton, material.impacts, placement)
+                          : placement.periodic
+                              ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
+                              : Lattice{};
+  result.columnsPerTile = float(lattice.columnsPerTile);
+  result.rowsPerTile = float(lattice.rowsPerTile);
+  result.periodColumns = lattice.periodColumns;
+  result.periodRows = lattice.periodRows;
+  result.periodTilesX = float(placement.periodTilesX);
+  result.periodTilesY = float(placement.periodTilesY);
+  // Whole tiles or periods of the offset go where they are exact, so that floats hold the rest.
+  const double wholeX = wholePart(material.offset[0], placement.periodic, placement.periodTilesX);
+  const double wholeY = wholePart(material.offset[1], placement.periodic, placement.periodTilesY);
+  result.offsetX = float(material.offset[0] - wholeX);
+  result.offsetY = float(material.offset[1] - wholeY);
+  const std::int64_t tileX = placement.tileOriginX + std::int64_t(wholeX);
+  const std::int64_t tileY = placement.tileOriginY + std::int64_t(wholeY);
+  const LatticeOrigin origin = placement.periodic ? periodicOrigin(lattice, isTiling, placement)
+                               : isTiling         ? latticeOrigin(tileX, tileY)
+                                                  : impactGridOrigin(lattice, tileX, tileY);
+  result.cellI = origin.cell[0];
+  result.cellJ = origin.cell[1];
+  result.fractionI = origin.fraction[0];
+  result.fractionJ = origin.fraction[1];
+}
+
+/// The steps between the offsets of tiles of this size.
+void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t, 2>& tile) {
+  const auto step = [](std::uint32_t size) {
+    return float(double(1u << tileOffsetShift(size)) / double(size));
+  };
+  result.offsetCountX = tile[0] >> tileOffsetShift(tile[0]);
+  result.offsetCountY = tile[1] >> tileOffsetShift(tile[1]);
+  result.offsetStepX = step(tile[0]);
+  result.offsetStepY = step(tile[1]);
+}
+
 } // namespace
 
 std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
@@ -162,23 +233,32 @@ std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
 
 shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_t mapIndex) {
   const NoiseMap& map = noise.maps[mapIndex];
-  const Table& gaussian = bundle.tables[map.image];
+  const Table& image = bundle.tables[map.image];
   shader::LichenMap result{};
-  result.widthTexels = float(gaussian.width);
-  result.heightTexels = float(gaussian.height);
-  result.dimensions = shader::uint(std::min(3, channelCount(gaussian.format)));
-  result.mipCount = std::min<shader::uint>(gaussian.mipLevels, LICHEN_MAX_MIPS);
-  result.alignedMips = alignedMips(noise, bundle, gaussian);
-  result.tableLevels = shader::uint(map.levels.size());
+  result.widthTexels = float(image.width);
+  result.heightTexels = float(image.height);
+  result.dimensions = shader::uint(std::min(3, channelCount(image.format)));
+  result.mipCount = std::min<shader::uint>(image.mipLevels, LICHEN_MAX_MIPS);
   result.encoding = encodingOf(map.encoding);
-  const TableKind kind = tableKindOf(map);
-  if (kind == TableKind::none) {
+  const std::size_t n = map.mean.size();
+  if (noise.method == Method::texton) {
     result.decoding = LICHEN_DECODING_GAUSSIAN;
-    const std::size_t n = map.mean.size();
-    setRows(result, gaussianToStored(map.covariance, n), n, map.mean);
-  } else if (kind == TableKind::separable) {
-    result.decoding = LICHEN_DECODING_SEPARABLE;
-    setRows(result, map.tableBasis, result.dimensions, map.tableOffset);
+    setRows(result, diagonal(map.scale), n, map.mean);
+    const std::vector<double>& last = map.endMean.empty() ? map.mean : map.endMean;
+    std::array<float, 3> endMean{};
+    std::copy(last.begin(), last.end(), endMean.begin());
+    result.endMean = {endMean[0], endMean[1], endMean[2], 0.0f};
+  } else {
+    result.alignedMips = alignedMips(noise, bundle, image);
+    result.tableLevels = shader::uint(map.levels.size());
+    const TableKind kind = tableKindOf(map);
+    if (kind == TableKind::none) {
+      result.decoding = LICHEN_DECODING_GAUSSIAN;
+      setRows(result, gaussianToStored(map.covariance, n), n, map.mean);
+    } else if (kind == TableKind::separable) {
+      result.decoding = LICHEN_DECODING_SEPARABLE;
+      setRows(result, map.tableBasis, result.dimensions, map.tableOffset);
+    }
   }
   const std::array<float, 4> mean = decodedMean(result, bundle, map);
   result.mean = {mean[0], mean[1], mean[2], mean[3]};
@@ -198,42 +278,15 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.uvToTileYY = float(cosine);
   result.blendSharpness = float(material.blendSharpness);
   result.contrast = float(material.contrast);
-
-  const Lattice lattice = placement.periodic
-                              ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
-                              : Lattice{};
-  result.columnsPerTile = float(lattice.columnsPerTile);
-  result.rowsPerTile = float(lattice.rowsPerTile);
-  result.periodColumns = lattice.periodColumns;
-  result.periodRows = lattice.periodRows;
-  result.periodTilesX = float(placement.periodTilesX);
-  result.periodTilesY = float(placement.periodTilesY);
-  // Whole tiles or periods of the offset go where they are exact, so that floats hold the rest.
-  const double wholeX = wholePart(material.offset[0], placement.periodic, placement.periodTilesX);
-  const double wholeY = wholePart(material.offset[1], placement.periodic, placement.periodTilesY);
-  result.offsetX = float(material.offset[0] - wholeX);
-  result.offsetY = float(material.offset[1] - wholeY);
-  const LatticeOrigin origin = placement.periodic
-                                   ? LatticeOrigin{}
-                                   : latticeOrigin(placement.tileOriginX + std::int64_t(wholeX),
-                                                   placement.tileOriginY + std::int64_t(wholeY));
-  result.cellI = origin.cell[0];
-  result.cellJ = origin.cell[1];
-  result.fractionI = origin.fraction[0];
-  result.fractionJ = origin.fraction[1];
-
   result.maxAnisotropy = float(std::max(1.0, placement.maxAnisotropy));
   result.tileSizeMetres = float(noise.tileSizeMetres);
   result.seedWord = latticeSeed(material.seed, 0);
   result.seed = material.seed;
-  const std::array<std::uint32_t, 2> tile = tileTexels(noise, bundle);
-  const auto step = [](std::uint32_t size) {
-    return float(double(1u << tileOffsetShift(size)) / double(size));
-  };
-  result.offsetCountX = tile[0] >> tileOffsetShift(tile[0]);
-  result.offsetCountY = tile[1] >> tileOffsetShift(tile[1]);
-  result.offsetStepX = step(tile[0]);
-  result.offsetStepY = step(tile[1]);
+  setCells(result, noise, material, placement);
+  if (noise.method == Method::texton)
+    result.method = LICHEN_METHOD_TEXTON;
+  else
+    setTileOffsets(result, tileTexels(noise, bundle));
   return result;
 }
 

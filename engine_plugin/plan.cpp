@@ -232,6 +232,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.mapCount = std::uint32_t(source.maps.size());
   values.tileSizeMetres = float(source.tileSizeMetres);
   values.uniformBufferCount = 1;
+  values.method = source.method == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
   values.combinedImageSamplerCount = 2 * values.mapCount;
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
@@ -246,7 +247,7 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.target = targetOf(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
-  values.gaussianImage = std::uint32_t(source.image);
+  values.image = std::uint32_t(source.image);
   values.tableImage = bundle->tables[noise][map];
   values.tableKind = tableKindNumber(tableKindOf(source));
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
@@ -309,7 +310,7 @@ LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerPrope
   constexpr std::uint32_t kLinear = 1, kNearestMip = 0, kLinearMip = 1, kRepeat = 0, kClamp = 2;
   LichenSamplerProperties values{};
   values.vkFilter = kLinear;
-  if (use == LICHEN_SAMPLER_GAUSSIAN) {
+  if (use == LICHEN_SAMPLER_IMAGE) {
     values.vkMipmapMode = kLinearMip;
     values.vkAddressMode = kRepeat;
     values.maxLod = float(LICHEN_MAX_MIPS);
@@ -337,9 +338,9 @@ LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uin
   } else {
     const std::uint32_t map = (index - 1) / 2;
     const bool isTable = (index - 1) % 2 == 1;
-    values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_GAUSSIAN(map);
+    values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_IMAGE(map);
     values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
-    values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_GAUSSIAN;
+    values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_IMAGE;
     values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(maps[map].image);
   }
   return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);

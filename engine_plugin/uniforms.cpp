@@ -3,7 +3,6 @@
 #include "abi.h"
 #include "plan.h"
 
-#include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 
 #include <cmath>
@@ -13,10 +12,10 @@ using namespace lichen::plugin;
 
 namespace {
 
-constexpr std::uint32_t kKnownOverrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET |
-                                          LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SEED |
-                                          LICHEN_OVERRIDE_BLEND_SHARPNESS |
-                                          LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_NOISE;
+constexpr std::uint32_t kKnownOverrides =
+    LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
+    LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
+    LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS;
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
@@ -25,6 +24,17 @@ LichenResult checkRange(const char* name, double value, NumberRange range,
     return LICHEN_SUCCESS;
   say(diagnostic, "%s %.9g is outside [%.9g, %.9g]", name, value, range.least, range.most);
   return LICHEN_ERROR_USAGE;
+}
+
+LichenResult readPointProcess(LichenPointProcess given, PointProcess& process,
+                              LichenDiagnostic* diagnostic) {
+  if (given != LICHEN_POINT_PROCESS_STRATIFIED && given != LICHEN_POINT_PROCESS_POISSON) {
+    say(diagnostic, "pointProcess %d: 0, stratified, and 1, Poisson, are accepted", int(given));
+    return LICHEN_ERROR_USAGE;
+  }
+  process =
+      given == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
+  return LICHEN_SUCCESS;
 }
 
 /// The material's parameters with the host's in their place.
@@ -62,6 +72,10 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
     parameters.blendSharpness = info.blendSharpness;
   if (info.overrides & LICHEN_OVERRIDE_CONTRAST)
     parameters.contrast = info.contrast;
+  if (info.overrides & LICHEN_OVERRIDE_IMPACTS)
+    parameters.impacts = info.impacts;
+  if (info.overrides & LICHEN_OVERRIDE_POINT_PROCESS)
+    return readPointProcess(info.pointProcess, parameters.pointProcess, diagnostic);
   return LICHEN_SUCCESS;
 }
 
@@ -96,6 +110,7 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
       {"rotation", parameters.rotation, kRotationRange},
       {"blendSharpness", parameters.blendSharpness, kBlendSharpnessRange},
       {"contrast", parameters.contrast, kContrastRange},
+      {"impacts", parameters.impacts, kImpactsRange},
       {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
       {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
       {"maxAnisotropy", double(info.maxAnisotropy), {0.0, kMostAnisotropy}},
@@ -105,27 +120,6 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
         result != LICHEN_SUCCESS)
       return result;
   return checkPeriod(info, diagnostic);
-}
-
-/// The remainder of a tile origin in [0, period), a whole period where the origin is not 0.
-double reduced(std::int64_t origin, double period) {
-  if (origin == 0)
-    return 0.0;
-  const std::int64_t whole = std::int64_t(period);
-  return double(((origin % whole) + whole) % whole);
-}
-
-/// Moves a periodic lattice by the host's tile origin.
-void movePeriodic(const LichenUniformInfo& info, shader::LichenNoise& noise) {
-  const Lattice lattice = periodicLattice(info.periodTiles[0], info.periodTiles[1]);
-  const double row = reduced(info.tileOrigin[1], info.periodTiles[1]) * lattice.rowsPerTile;
-  const double column =
-      reduced(info.tileOrigin[0], info.periodTiles[0]) * lattice.columnsPerTile - 0.5 * row;
-  const float belowOne = std::nextafter(1.0f, 0.0f); // cells are half-open
-  noise.cellI = int(std::floor(column));
-  noise.cellJ = int(std::floor(row));
-  noise.fractionI = std::min(float(column - std::floor(column)), belowOne);
-  noise.fractionJ = std::min(float(row - std::floor(row)), belowOne);
 }
 
 } // namespace
@@ -156,8 +150,7 @@ LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* gi
     placement.maxAnisotropy = double(info.maxAnisotropy);
     shader::LichenUniforms uniforms{};
     uniforms.noise = shaderNoise(bundle->bundle, parameters, placement);
-    if (placement.periodic)
-      movePeriodic(info, uniforms.noise);
+    uniforms.texton = shaderTexton(bundle->bundle, parameters, placement);
     std::copy(bundle->maps[parameters.noise].begin(), bundle->maps[parameters.noise].end(),
               uniforms.maps);
     std::memcpy(destination, &uniforms, sizeof uniforms);

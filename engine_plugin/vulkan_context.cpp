@@ -194,7 +194,7 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* given, LichenVulk
     made->firstBinding = info.firstBinding;
     made->stages =
         info.stages != 0 ? info.stages : VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-    VkResult created = createSampler(*made, LICHEN_SAMPLER_GAUSSIAN, info.maxAnisotropy);
+    VkResult created = createSampler(*made, LICHEN_SAMPLER_IMAGE, info.maxAnisotropy);
     if (created == VK_SUCCESS)
       created = createSampler(*made, LICHEN_SAMPLER_TABLE, info.maxAnisotropy);
     if (created != VK_SUCCESS) {

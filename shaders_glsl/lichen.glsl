@@ -7,17 +7,18 @@
 //   LICHEN_SET            the descriptor set that the plugin fills
 //   LICHEN_FIRST_BINDING  its first binding (0)
 //   LICHEN_MAP_COUNT      maps of the noise, 1 to LICHEN_MAX_MAPS
-// which gives lichenUniforms.noise, lichenUniforms.maps[k], lichenGaussian0, lichenTable0, ... and
-// LICHEN_TILING(k, taps), the value of map k.
+// which gives lichenUniforms.noise, .maps[k] and .texton, lichenImage0, lichenTable0, ...,
+// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, and
+// LICHEN_NOISE(k, place), the value of map k there, whatever the noise's method.
 //
-// A host that knows more at compile time may define LICHEN_PERIODIC_LATTICE, LICHEN_BLEND_SHARPNESS,
-// LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY as 0 (noise/): less code to run.
+// A host that knows more at compile time leaves out what it does not need: less code to run. The
+// switches are in README.md.
 #ifndef LICHEN_GLSL
 #define LICHEN_GLSL
 
 #include "interface/lichen_interface.h"
 #include "mapping/uv.glsl"
-#include "noise/tiling.glsl"
+#include "noise/method.glsl"
 
 #ifdef LICHEN_SET
 #ifndef LICHEN_MAP_COUNT
@@ -33,11 +34,12 @@ layout(std140, set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING
     uniform LichenUniformBlock {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
+  LichenTexton texton;
 } lichenUniforms;
 
 #define LICHEN_DECLARE_MAP(map)                                                                    \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_GAUSSIAN(map))          \
-      uniform sampler2D lichenGaussian##map;                                                       \
+  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_IMAGE(map))          \
+      uniform sampler2D lichenImage##map;                                                          \
   layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(map))             \
       uniform sampler3D lichenTable##map
 
@@ -58,9 +60,12 @@ LICHEN_DECLARE_MAP(4);
 LICHEN_DECLARE_MAP(5);
 #endif
 
-#define LICHEN_TILING(map, taps)                                                                   \
-  lichenTiling(lichenGaussian##map, lichenTable##map, taps, lichenUniforms.noise,                  \
-               lichenUniforms.maps[map])
+#define LICHEN_PLACE(uv, gradientX, gradientY)                                                     \
+  lichenPlaceUvGrad(uv, gradientX, gradientY, lichenUniforms.noise, lichenUniforms.texton)
+
+#define LICHEN_NOISE(map, place)                                                                   \
+  lichenValue(lichenImage##map, lichenTable##map, place, lichenUniforms.noise,                     \
+              lichenUniforms.maps[map], lichenUniforms.texton)
 #endif
 
 #endif

@@ -10,8 +10,11 @@
 namespace lichen::cli {
 namespace {
 
-int dimensionsOf(const Table& gaussian) {
-  return std::min(3, channelCount(gaussian.format)); // a fourth is unused
+/// Of the values that are stored for a map.
+int dimensionsOf(const Bundle& bundle, const Noise& noise, const NoiseMap& map) {
+  if (noise.method == Method::texton)
+    return int(map.channels.size());
+  return std::min(3, channelCount(bundle.tables[map.image].format)); // a fourth is unused
 }
 
 nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
@@ -90,30 +93,31 @@ std::string qualityNote(const TextonQuality& quality) {
 
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
-  const Table& gaussian = outcome.bundle.tables[noise.maps.front().image];
+  const NoiseMap& first = noise.maps.front();
+  const auto [width, height] = exemplarSize(outcome.bundle, noise, first);
   const std::size_t tableBytes = texelBytes(outcome.bundle);
   if (options.json) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::array();
     for (const NoiseMap& map : noise.maps) {
-      const Table& image = outcome.bundle.tables[map.image];
+      const auto [mapWidth, mapHeight] = exemplarSize(outcome.bundle, noise, map);
       nlohmann::ordered_json channels = nlohmann::ordered_json::array();
       for (const MapChannel channel : map.channels)
         channels.push_back(nameOf(channel));
       maps.push_back({{"target", nameOf(map.target)},
                       {"channels", channels},
-                      {"width", image.width},
-                      {"height", image.height},
-                      {"dimensions", dimensionsOf(image)}});
+                      {"width", mapWidth},
+                      {"height", mapHeight},
+                      {"dimensions", dimensionsOf(outcome.bundle, noise, map)}});
     }
     nlohmann::ordered_json json{{"output", outcome.output},
                                 {"name", noise.name},
                                 {"method", nameOf(noise.method)},
-                                {"width", gaussian.width},
-                                {"height", gaussian.height},
-                                {"dimensions", dimensionsOf(gaussian)},
+                                {"width", width},
+                                {"height", height},
+                                {"dimensions", dimensionsOf(outcome.bundle, noise, first)},
                                 {"maps", maps},
                                 {"periodic", outcome.exemplarWasPeriodic},
-                                {"table", nameOf(tableKindOf(noise.maps.front()))},
+                                {"table", nameOf(tableKindOf(first))},
                                 {"tableBytes", tableBytes},
                                 {"transport", asJson(outcome.transportBounds)},
                                 {"risks", risksAsJson(outcome.risks)},
@@ -130,7 +134,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   for (const NoiseMap& map : noise.maps)
     targets += (targets.empty() ? "" : ", ") + std::string(nameOf(map.target));
   say(options, fmt::format("{}: {}, {} x {}, {} KiB of tables, {:.2f} s", outcome.output, targets,
-                           gaussian.width, gaussian.height, tableBytes / 1024, outcome.seconds));
+                           width, height, tableBytes / 1024, outcome.seconds));
 }
 
 } // namespace lichen::cli

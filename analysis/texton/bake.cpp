@@ -211,6 +211,14 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   const JointExemplar joint = joined(maps);
   const GaussianModel model =
       gaussianModel(joint.values, joint.width, joint.height, int(joint.channels));
+  const MatrixXd modelled = modelCovariance(model);
+  const MatrixXd wanted =
+      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
+  const Error unmodelled{ErrorKind::badInput, "the exemplar varies only from one border to the "
+                                              "other, and no texton does; a photograph with "
+                                              "detail, or another method, is accepted"};
+  if (!isModelled(modelled, wanted))
+    return unmodelled;
   TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
 
   TextonBake bake;
@@ -222,12 +230,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);
 
-  const MatrixXd wanted =
-      options.variance == TextonVariance::exemplar ? joint.covariance : modelCovariance(model);
   if (!correctCovariance(coefficients, options.order, wanted))
-    return Error{ErrorKind::badInput,
-                 "the exemplar varies only from one border to the other, and no texton does; a "
-                 "photograph with detail, or another method, is accepted"};
+    return unmodelled;
   bake.quality.covarianceError = (noiseCovariance(coefficients, options.order) - wanted).norm() /
                                  std::max(wanted.norm(), 1e-30);
 

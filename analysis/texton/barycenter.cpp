@@ -10,7 +10,7 @@
 //   linear in it [JNRS10].
 // - With numbers e^(-i phi_k) for v_k, which is one kernel, there are local maxima from three
 //   textures on. With vectors of n elements there are none [BVB20]. So vectors are found first, and
-//   the numbers start from M's principal axis; where they lose power, from each texture as well.
+//   the numbers start from M's principal axis; where they lose power, from pairs as well.
 // - Up to three textures numbers are as good as vectors: n unit vectors need not span more than
 //   sqrt(n) dimensions [HZ07].
 // Two textures have a closed form. Source: [GLM17] section 7; [XFPA14].
@@ -102,13 +102,10 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   const auto lacksPower = [&] {
     return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;
   };
-  for (Eigen::Index k = 0; k < count && lacksPower(); ++k) {
-    startFrom(weighted.col(k), weighted, result);
-    // From vectors that are real, phases would stay signs.
-    if (!isOwnMirror)
-      startFrom(weighted.col(k) + Complex(0.0, 1.0) * weighted.col((k + 1) % count), weighted,
-                result);
-  }
+  // Starts that are real would stay so where all vectors are, as of symmetric exemplars.
+  const Complex turn = isOwnMirror ? Complex(1.0) : Complex(0.0, 1.0);
+  for (Eigen::Index k = 0; k < count && lacksPower(); ++k)
+    startFrom(weighted.col(k) + turn * weighted.col((k + 1) % count), weighted, result);
   if (lacksPower())
     result.distance =
         result.power + result.kernel.squaredNorm() - 2.0 * (sum.adjoint() * result.kernel).norm();

@@ -21,8 +21,8 @@ struct Barycenter {
 /// sum 1. Those of weight 0 do not count; the barycentre of one model is itself.
 /// Between n textures a frequency's power may need several kernels, up to sqrt(n); from four on
 /// this is the best that one kernel can be (docs/decisions/016-mixing.md). Same bytes for any
-/// number of threads. For three and more, up to 400 products of small matrices a frequency. Throws
-/// std::bad_alloc.
+/// number of threads. For n of three and more, up to 200 (n + 2) products of small matrices a
+/// frequency. Throws std::bad_alloc.
 [[nodiscard]] Barycenter barycenter(std::span<const GaussianModel> models,
                                     std::span<const double> weights);
 

@@ -31,14 +31,17 @@ using Eigen::MatrixXd;
 /// Of the strongest exemplar's variance: a model with less is taken for as strong as this, so that
 /// the rounding of a constant exemplar, 1e-11, is not fitted as if it were a texture.
 constexpr double kLeastPower = 1e-10;
-/// The most that a colour axis of a model may be amplified. An 8-bit ramp, whose model is its
-/// rounding, would need 250; of photographs 3 is usual.
-constexpr double kMostGain = 100.0;
 /// Of the progress: the errors of 21 steps take less than a tenth of the time.
 constexpr double kFitOfProgress = 0.9;
 
 Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
+  if (options.width < 1 || options.height < 1)
+    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 and more is accepted",
+                             options.width, options.height));
+  if (options.stepsPerLeg < 1)
+    return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
+                             options.stepsPerLeg));
   for (const MixExemplar& exemplar : exemplars) {
     if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
       return usage(
@@ -46,29 +49,10 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
                       "channels",
                       exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
                       exemplars[0].model.channels.size()));
-  }
-  if (options.width < 1 || options.height < 1)
-    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 and more is accepted",
-                             options.width, options.height));
-  if (options.stepsPerLeg < 1)
-    return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
-                             options.stepsPerLeg));
-  return {};
-}
-
-/// Whether colours that vary in the exemplar do so in its model.
-Result<void> checkModel(const MixExemplar& exemplar) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(modelCovariance(exemplar.model));
-  const MatrixXd wanted =
-      axes.eigenvectors().transpose() * exemplar.covariance * axes.eigenvectors();
-  const double floor = kMostGain * kMostGain;
-  for (Eigen::Index axis = 0; axis < wanted.rows(); ++axis) {
-    // Rounding does not count: channels of which one is the sum of the others.
-    if (wanted(axis, axis) > kLeastPower * wanted.trace() &&
-        wanted(axis, axis) > floor * std::max(axes.eigenvalues()[axis], 0.0))
+    if (!isModelled(modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
-                   fmt::format("{}: colours vary only from one border to the other, and no texton "
-                               "does; an exemplar with detail is accepted",
+                   fmt::format("{}: varies only from one border to the other, and no texton does; "
+                               "a photograph with detail is accepted",
                                exemplar.name)};
   }
   return {};
@@ -197,50 +181,54 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
   return mix;
 }
 
-/// Checks the exemplars, and runs `operation` with what may end it turned into errors.
-template <class Operation>
-Result<TextonMix> checked(std::span<const MixExemplar> exemplars, const MixOptions& options,
-                          const Operation& operation) {
-  const auto exhausted = [] { return "not enough memory to fit the textons of a mix"; };
-  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
-    if (Result<void> result = check(exemplars, options); !result)
-      return result.error();
-    for (const MixExemplar& exemplar : exemplars)
-      if (Result<void> result = checkModel(exemplar); !result)
-        return result.error();
-    return unlessInterrupted("the mix", operation);
-  });
+/// The weights over their sum.
+Result<std::vector<double>> normalized(std::span<const double> weights, std::size_t exemplars) {
+  const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
+  if (exemplars == 0 || weights.size() != exemplars)
+    return usage(fmt::format("{} weights for {} exemplars; one each is accepted", weights.size(),
+                             exemplars));
+  double sum = 0.0;
+  for (const double weight : weights) {
+    if (!(weight >= 0.0 && std::isfinite(weight)))
+      return usage(fmt::format("a weight of {}; 0 and more is accepted", weight));
+    sum += weight;
+  }
+  if (!(sum > 0.0 && std::isfinite(sum)))
+    return usage(fmt::format("weights of sum {}; a positive one is accepted", sum));
+  std::vector<double> result(weights.begin(), weights.end());
+  for (double& weight : result)
+    weight /= sum;
+  return result;
 }
+
+std::string exhausted() { return "not enough memory to fit the textons of a mix"; }
 
 } // namespace
 
 Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, const MixOptions& options) {
-  if (exemplars.size() < 2)
-    return Error{ErrorKind::usage,
-                 fmt::format("{} exemplars to mix; at least 2 are accepted", exemplars.size())};
-  return checked(exemplars, options,
-                 [&] { return path(exemplars, options, ProgressPart(options.progress)); });
+  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
+    if (exemplars.size() < 2)
+      return Error{ErrorKind::usage,
+                   fmt::format("{} exemplars to mix; at least 2 are accepted", exemplars.size())};
+    if (Result<void> checked = check(exemplars, options); !checked)
+      return checked.error();
+    return unlessInterrupted(
+        "the mix", [&] { return path(exemplars, options, ProgressPart(options.progress)); });
+  });
 }
 
 Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
                                       std::span<const double> weights, const MixOptions& options) {
-  if (exemplars.empty() || weights.size() != exemplars.size())
-    return Error{ErrorKind::usage, fmt::format("{} weights for {} exemplars; one each is accepted",
-                                               weights.size(), exemplars.size())};
-  double sum = 0.0;
-  for (const double weight : weights) {
-    if (!(weight >= 0.0 && std::isfinite(weight)))
-      return Error{ErrorKind::usage, fmt::format("a weight of {}; 0 and more is accepted", weight)};
-    sum += weight;
-  }
-  if (!(sum > 0.0 && std::isfinite(sum)))
-    return Error{ErrorKind::usage,
-                 fmt::format("weights of sum {}; a positive one is accepted", sum)};
-  std::vector<double> normalized(weights.begin(), weights.end());
-  for (double& weight : normalized)
-    weight /= sum;
-  return checked(exemplars, options, [&] {
-    return single(exemplars, std::move(normalized), options, ProgressPart(options.progress));
+  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
+    Result<std::vector<double>> ofSumOne = normalized(weights, exemplars.size());
+    if (!ofSumOne)
+      return ofSumOne.error();
+    if (Result<void> checked = check(exemplars, options); !checked)
+      return checked.error();
+    return unlessInterrupted("the mix", [&] {
+      return single(exemplars, std::move(ofSumOne).value(), options,
+                    ProgressPart(options.progress));
+    });
   });
 }
 

@@ -40,7 +40,7 @@ struct MixStep {
   std::vector<double> weights; ///< one an exemplar, of sum 1: those of the mean colour too
   /// Of the covariance of the exemplars' barycentre; of an exemplar alone, its own.
   TextonCoefficients texton;
-  /// relativeModelError of the texton before its covariance was corrected.
+  /// relativeModelError of the texton with the covariance of its model, as TextonQuality has it.
   double modelError = 0.0;
   double rankError = 0.0; ///< of Barycenter; 0 along a path
 };

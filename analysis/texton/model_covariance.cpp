@@ -23,4 +23,18 @@ Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
   return sum / (double(model.width()) * double(model.height()));
 }
 
+bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted) {
+  constexpr double kNegligible = 1e-3;    // of the most variance along a direction
+  constexpr double kLeastModelled = 0.01; // of the variance wanted: a gain of ten
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(wanted);
+  for (Eigen::Index k = 0; k < axes.eigenvalues().size(); ++k) {
+    const double variance = axes.eigenvalues()[k];
+    const auto axis = axes.eigenvectors().col(k);
+    if (variance > kNegligible * axes.eigenvalues().maxCoeff() &&
+        axis.dot(model * axis) < kLeastModelled * variance)
+      return false;
+  }
+  return true;
+}
+
 } // namespace lichen::texton

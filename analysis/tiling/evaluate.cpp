@@ -2,6 +2,8 @@
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
 // the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl, with a
 // trilinear sampler.
+#include "sampling/level_kept.h"
+#include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -19,12 +21,6 @@ Value mix(const Value& a, const Value& b, float t) {
   for (std::size_t c = 0; c < 4; ++c)
     result[c] = a[c] + t * (b[c] - a[c]);
   return result;
-}
-
-/// A texture repeats: any integer maps into [0, side).
-std::size_t wrapped(int k, int side) {
-  const int remainder = k % side;
-  return std::size_t(remainder < 0 ? remainder + side : remainder);
 }
 
 /// Abramowitz and Stegun 7.1.28, |error| <= 3e-7.
@@ -45,14 +41,6 @@ float errorFunction(float x) {
 float uniformFromGaussian(float value) {
   constexpr float kThreeRootTwo = 4.2426406871f;
   return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
-}
-
-/// The amplitude that the texels of a mip keep, of that of the Gaussian value.
-float mipKept(const shader::LichenMap& map, int mip) {
-  const std::array<shader::uint, 4> words{map.mipKept.x, map.mipKept.y, map.mipKept.z,
-                                          map.mipKept.w};
-  const int byte = std::min(mip, LICHEN_MAX_MIPS - 1);
-  return float((words[std::size_t(byte / 4)] >> (8 * (byte % 4))) & 255u) / 255.0f;
 }
 
 /// The level of detail of the footprint: log2 of its longer side in texels, negative if magnified.
@@ -99,12 +87,7 @@ float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float 
 
 /// Of the lost variance, the share that the footprint takes: the rest is interpolation's.
 float footprintShare(const shader::LichenMap& map, float level, float lostVariance) {
-  const float lod = std::max(level, 0.0f);
-  const int mip = int(lod);
-  const float below = mipKept(map, mip);
-  const float above = mipKept(map, mip + 1);
-  const float rest = 1.0f - (lod - float(mip));
-  const float lost = 1.0f - (above * above + rest * rest * (below * below - above * above));
+  const float lost = 1.0f - levelKept(map, std::max(level, 0.0f));
   return lost < lostVariance ? lost / lostVariance : 1.0f;
 }
 
@@ -114,6 +97,14 @@ float tableLevel(const shader::LichenMap& map, float lost) {
 }
 
 } // namespace
+
+struct TilingEvaluator::Map {
+  shader::LichenMap constants{};
+  RepeatingImage image;
+  std::size_t channels = 0;
+  int tableSide = 0;
+  std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
+};
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
   const auto exhausted = [&] {
@@ -127,70 +118,35 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     if (noise.method != Method::tiling)
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
                                          std::string(nameOf(noise.method)) + ", not tiling"};
-    TilingEvaluator evaluator;
-    const auto texelsOf = [](const Table& table, std::uint32_t level) {
-      const std::vector<float> values = decodeLevel(table, level);
-      const auto channels = std::size_t(channelCount(table.format));
-      std::vector<Value> texels(values.size() / channels, Value{0.0f, 0.0f, 0.0f, 1.0f});
-      for (std::size_t i = 0; i < texels.size(); ++i)
-        std::copy_n(&values[i * channels], std::min<std::size_t>(channels, 3), texels[i].begin());
-      return texels;
-    };
+    auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
-      Map map;
-      map.constants = shaderMap(bundle, noise, m);
-      map.channels = noise.maps[m].channels.size();
-      const Table& gaussian = bundle.tables[noise.maps[m].image];
-      for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
-        map.mips.push_back({std::max(1, int(gaussian.width >> level)),
-                            std::max(1, int(gaussian.height >> level)), texelsOf(gaussian, level)});
+      Map map{shaderMap(bundle, noise, m),
+              RepeatingImage(bundle.tables[noise.maps[m].image]),
+              noise.maps[m].channels.size(),
+              0,
+              {}};
       if (noise.maps[m].inverseTable) {
         const Table& table = bundle.tables[*noise.maps[m].inverseTable];
         map.tableSide = int(table.width);
         map.table = texelsOf(table, 0);
       }
-      evaluator.maps_.push_back(std::move(map));
+      maps->push_back(std::move(map));
     }
-    return evaluator;
+    return TilingEvaluator(std::move(maps));
   });
 }
 
+std::size_t TilingEvaluator::mapCount() const { return maps_->size(); }
+
 std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
-  const Map& map = maps_[mapIndex];
+  const Map& map = (*maps_)[mapIndex];
   std::vector<float> values;
-  values.reserve(map.mips.front().texels.size() * map.channels);
-  for (const Value& texel : map.mips.front().texels) {
+  values.reserve(map.image.texels(0).size() * map.channels);
+  for (const Value& texel : map.image.texels(0)) {
     const Value value = decode(map, texel, 0.0f);
     values.insert(values.end(), value.begin(), value.begin() + std::ptrdiff_t(map.channels));
   }
   return values;
-}
-
-Value TilingEvaluator::bilinear(const Mip& mip, float u, float v) {
-  const float x = u * float(mip.width) - 0.5f;
-  const float y = v * float(mip.height) - 0.5f;
-  const float floorX = std::floor(x);
-  const float floorY = std::floor(y);
-  const std::size_t x0 = wrapped(int(floorX), mip.width);
-  const std::size_t y0 = wrapped(int(floorY), mip.height);
-  const std::size_t x1 = x0 + 1 == std::size_t(mip.width) ? 0 : x0 + 1;
-  const std::size_t y1 = y0 + 1 == std::size_t(mip.height) ? 0 : y0 + 1;
-  const auto texel = [&](std::size_t column, std::size_t row) -> const Value& {
-    return mip.texels[row * std::size_t(mip.width) + column];
-  };
-  return mix(mix(texel(x0, y0), texel(x1, y0), x - floorX),
-             mix(texel(x0, y1), texel(x1, y1), x - floorX), y - floorY);
-}
-
-Value TilingEvaluator::trilinear(const Map& map, float u, float v, float lod) {
-  // Keeps the integer part small, so that its product with the side loses no fraction.
-  u -= std::floor(u);
-  v -= std::floor(v);
-  const float level = std::clamp(lod, 0.0f, float(map.mips.size() - 1));
-  const auto fine = std::size_t(level);
-  const Value value = bilinear(map.mips[fine], u, v);
-  const float t = level - float(fine);
-  return t > 0.0f ? mix(value, bilinear(map.mips[fine + 1], u, v), t) : value;
 }
 
 Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::size_t slab) {
@@ -264,7 +220,7 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const TileFootprint& at, BlendOperator blend) const {
-  const Map& map = maps_[mapIndex];
+  const Map& map = (*maps_)[mapIndex];
   const tiling::Taps taps = tiling::tapsAt(noise, at.position);
   const float lod = levelOfDetail(map.constants, at);
   const float lost = lostVariance(map.constants, at, lod);
@@ -274,7 +230,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
                   : Value{0.5f, 0.5f, 0.5f, 1.0f};
   Value sum{};
   for (std::size_t k = 0; k < 3; ++k) {
-    Value tap = trilinear(map, taps.position[k][0], taps.position[k][1], lod);
+    Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
     if (decodeFirst)
       tap = decode(map, tap, lost);
     for (std::size_t c = 0; c < 3; ++c)

@@ -129,10 +129,12 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   roles.texCoord = texCoord;
   auto properties = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
   check(lichenGetNoiseProperties(bundle_.get(), noise, &properties));
+  const bool isTiling = properties.method == LICHEN_NOISE_TILING;
+  (isTiling ? hasTilingNoises_ : hasTextonNoises_) = true;
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
-    hasOtherTables_ = hasOtherTables_ || map.tableKind != LICHEN_TABLE_JOINT;
+    hasOtherTables_ = hasOtherTables_ || (isTiling && map.tableKind != LICHEN_TABLE_JOINT);
     if (const std::optional<std::size_t> role = roleOf(map.target))
       roles.map[*role] = int(m);
     else

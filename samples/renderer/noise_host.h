@@ -35,8 +35,11 @@ public:
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return noises_[material] != LICHEN_NO_NOISE;
   }
-  /// Whether some noise that is drawn has another table than a joint one.
+  /// Whether some tiling noise that is drawn has another table than a joint one.
   [[nodiscard]] bool hasOtherTables() const { return hasOtherTables_; }
+  /// Whether some noise that is drawn is one of tiling, of textons.
+  [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
+  [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
@@ -75,6 +78,8 @@ private:
   std::vector<VkDescriptorSet> sets_;
   std::set<std::string> notes_;
   bool hasOtherTables_ = false;
+  bool hasTilingNoises_ = false;
+  bool hasTextonNoises_ = false;
 };
 
 } // namespace lichen::renderer

@@ -134,13 +134,17 @@ struct Constants {
   VkBool32 hasNormalMap = VK_FALSE;
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
+  VkBool32 tilingNoises = VK_FALSE;
+  VkBool32 textonNoises = VK_FALSE;
 };
 
 constexpr std::array kConstants{
     VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
-    VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
+    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
+    VkSpecializationMapEntry{5, offsetof(Constants, textonNoises), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -153,7 +157,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.vertex = objects.shader(scene_vert);
   d.fragment = objects.shader(scene_frag);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
-    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables};
+    const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
+                              shared.otherTables, shared.tilingNoises, shared.textonNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -173,7 +178,10 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   pipelines.depthOpaque = graphics(objects, d);
   d.fragment = objects.shader(depth_frag);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
-    const Constants constants{.hasNoise = i != 0, .otherTables = shared.otherTables};
+    const Constants constants{.hasNoise = i != 0,
+                              .otherTables = shared.otherTables,
+                              .tilingNoises = shared.tilingNoises,
+                              .textonNoises = shared.textonNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

@@ -50,8 +50,10 @@ struct PipelineLayouts {
 
 /// What all surfaces of a scene share at compile time.
 struct SurfaceConstants {
-  int debugView = 0;        ///< one of the shaders' DEBUG_ constants
-  bool otherTables = false; ///< some noise has a separable table, or none
+  int debugView = 0;         ///< one of the shaders' DEBUG_ constants
+  bool otherTables = false;  ///< some tiling noise has a separable table, or none
+  bool tilingNoises = false; ///< some noise is one of tiling
+  bool textonNoises = false; ///< some noise is one of textons
 };
 
 /// Culling and front face are dynamic.

@@ -35,7 +35,8 @@ struct DebugView {
 constexpr std::array kDebugViews{
     DebugView{"normals", DEBUG_NORMALS},     DebugView{"base-color", DEBUG_BASE_COLOR},
     DebugView{"weights", DEBUG_WEIGHTS},     DebugView{"lattice", DEBUG_LATTICE},
-    DebugView{"mip-level", DEBUG_MIP_LEVEL}, DebugView{"gaussian", DEBUG_GAUSSIAN}};
+    DebugView{"mip-level", DEBUG_MIP_LEVEL}, DebugView{"gaussian", DEBUG_GAUSSIAN},
+    DebugView{"impacts", DEBUG_IMPACTS}};
 
 using Clock = std::chrono::steady_clock;
 
@@ -77,7 +78,8 @@ public:
     createAccumulateSet();
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-        {debugView_, noises_.hasOtherTables()});
+        {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(),
+         noises_.hasTextonNoises()});
   }
 
   void renderFrame(std::uint32_t index) {

@@ -34,7 +34,7 @@
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
 // the noise, in order, its image (Gaussian image or texton) and its inverse table.
 #define LICHEN_BINDING_NOISE 0
-#define LICHEN_BINDING_GAUSSIAN(map) (1 + 2 * (map))
+#define LICHEN_BINDING_IMAGE(map) (1 + 2 * (map))
 #define LICHEN_BINDING_TABLE(map) (2 + 2 * (map))
 
 #ifdef __cplusplus

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
-// uv (float2) and its screen-space gradients -> LichenTaps; slopes (float2) -> normal in tangent
+// uv (float2) and its screen-space gradients -> LichenPlace; slopes (float2) -> normal in tangent
 // space; what of them a pixel hides -> roughness.
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
-#include "../noise/tiling.glsl"
+#include "../noise/method.glsl"
+#include "../noise/texton_gradient.glsl"
 
 /// The linear part of the mapping from texture to tile coordinates.
 vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
@@ -13,11 +14,20 @@ vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
               noise.uvToTileYX * uv.x + noise.uvToTileYY * uv.y);
 }
 
-/// Taps at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
-LichenTaps lichenTilingUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenNoise noise) {
+/// The place at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
+LichenPlace lichenPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenNoise noise,
+                              LichenTexton texton) {
   vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
-  return lichenTilingTaps(position, lichenUvToTile(uvGradientX, noise),
-                          lichenUvToTile(uvGradientY, noise), noise);
+  return lichenPlaceAt(position, lichenUvToTile(uvGradientX, noise),
+                       lichenUvToTile(uvGradientY, noise), noise, texton);
+}
+
+/// The impacts for lichenTextonGradient at `uv`, likewise.
+LichenImpacts lichenGradientPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
+                                        LichenNoise noise, LichenTexton texton) {
+  vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
+  return lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, noise),
+                                 lichenUvToTile(uvGradientY, noise), noise, texton);
 }
 
 /// Slopes as the map holds them (in the exemplar's frame) -> in the frame of the texture

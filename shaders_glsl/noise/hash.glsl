@@ -13,10 +13,12 @@ uint lichenPcg(uint value) {
   return (word >> 22u) ^ word;
 }
 
-/// Three words hashed to three.
-uvec3 lichenPcg3d(uvec3 v) {
-  // [JO20] listing "pcg3d".
-  v = v * 1664525u + 1013904223u;
+// The first step of pcg3d, a linear congruential generator for each word.
+#define LICHEN_PCG3D_FACTOR 1664525u
+#define LICHEN_PCG3D_TERM 1013904223u
+
+/// The other steps of pcg3d.
+uvec3 lichenPcg3dMix(uvec3 v) {
   v.x += v.y * v.z;
   v.y += v.z * v.x;
   v.z += v.x * v.y;
@@ -25,6 +27,12 @@ uvec3 lichenPcg3d(uvec3 v) {
   v.y += v.z * v.x;
   v.z += v.x * v.y;
   return v;
+}
+
+/// Three words hashed to three.
+uvec3 lichenPcg3d(uvec3 v) {
+  // [JO20] listing "pcg3d".
+  return lichenPcg3dMix(v * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM);
 }
 
 /// The word that stands for a noise's seed and a projection plane (0 for uv).

@@ -8,6 +8,7 @@
 
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
+#include "mip_variance.glsl"
 #include "simplex_lattice.glsl"
 #include "tiling_decode.glsl"
 
@@ -103,15 +104,6 @@ vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
   return 0.5 + taps.gain * (blend - 0.5);
 }
 
-/// The amplitude that the texels of a mip keep, of that of the Gaussian value.
-float lichenMipKept(int mip, LichenMap map) {
-  // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
-  int byte = min(mip, LICHEN_MAX_MIPS - 1);
-  uint word = byte < 8 ? (byte < 4 ? map.mipKept.x : map.mipKept.y)
-                       : (byte < 12 ? map.mipKept.z : map.mipKept.w);
-  return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
-}
-
 /// The variance that a bilinear fetch of one mip keeps. `magnified` is 0 at one texel a pixel and
 /// coarser, 1 from two pixels a texel on.
 float lichenFetchKept(int mip, float magnified, LichenTaps taps, LichenMap map) {
@@ -144,12 +136,7 @@ float lichenTilingLostVariance(LichenTaps taps, float level, LichenMap map) {
 /// Of the lost variance, the share that the footprint takes, mips at the centres of their texels:
 /// bilinear interpolation between texels reconstructs and hides no detail.
 float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map) {
-  float clamped = clamp(level, 0.0, float(int(map.mipCount) - 1));
-  int mip = int(clamped);
-  float below = lichenMipKept(mip, map);
-  float above = lichenMipKept(mip + 1, map);
-  float rest = 1.0 - (clamped - float(mip));
-  float lost = 1.0 - (above * above + rest * rest * (below * below - above * above));
+  float lost = 1.0 - lichenLevelKept(clamp(level, 0.0, float(int(map.mipCount) - 1)), map);
   return lost < lostVariance ? lost / lostVariance : 1.0;
 }
 

@@ -5,6 +5,7 @@
 // points[k] (uv and its gradients) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that fill a texture from a noise at run time.
 
+#define LICHEN_TEXTON_NOISES 0
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "../lichen.glsl"
@@ -31,17 +32,17 @@ void main() {
   Point point = points[index];
   LichenNoise noise = lichenUniforms.noise;
   LichenMap map = lichenUniforms.maps[0];
-  LichenTaps taps = lichenTilingUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
-                                       point.gradientY.xy, noise);
+  LichenTaps taps =
+      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy).taps;
   if (kOperator == kOperatorLinear) {
-    values[index] = lichenTilingLinear(lichenGaussian0, lichenTable0, taps, noise, map);
+    values[index] = lichenTilingLinear(lichenImage0, lichenTable0, taps, noise, map);
   } else if (kOperator == kOperatorVariance) {
-    values[index] = lichenTilingVariance(lichenGaussian0, lichenTable0, taps, noise, map);
+    values[index] = lichenTilingVariance(lichenImage0, lichenTable0, taps, noise, map);
   } else if (kOperator == kOperatorGaussian) {
     float level = lichenTilingLevel(taps, noise, map);
-    values[index] = vec4(lichenTilingGaussian(lichenGaussian0, taps, level),
+    values[index] = vec4(lichenTilingGaussian(lichenImage0, taps, level),
                          lichenTilingLostVariance(taps, level, map));
   } else {
-    values[index] = lichenTiling(lichenGaussian0, lichenTable0, taps, noise, map);
+    values[index] = lichenTiling(lichenImage0, lichenTable0, taps, noise, map);
   }
 }

@@ -109,7 +109,8 @@ TEST_CASE("a period is advised in pixels of the first map, which --flatten count
     return jsonOf(workplace, arguments).at("risks")[2];
   };
   for (const auto [width, height] :
-       {std::array{2 * kSide, 2 * kSide}, {kSide / 2, kSide / 2}, {kSide, 2 * kSide}}) {
+       {std::array{2 * kSide, 2 * kSide}, std::array{kSide / 2, kSide / 2},
+        std::array{kSide, 2 * kSide}}) {
     INFO(width << " x " << height);
     const nlohmann::json risk = riskOf(width, height, {});
     CHECK(risk.at("map") == "occlusionRoughnessMetallic");

@@ -24,14 +24,14 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
   failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
-  failures += KEEPS(LichenNoiseProperties, combinedImageSamplerCount, 40, 36);
+  failures += KEEPS(LichenNoiseProperties, reserved, 48, 44);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
   failures += KEEPS(LichenMaterialProperties, unknownRevision, 32, 28);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);
   failures += KEEPS(LichenBinding, image, 32, 28);
-  failures += KEEPS(LichenUniformInfo, reserved, 120, 116);
+  failures += KEEPS(LichenUniformInfo, impacts, 128, 120);
   failures += KEEPS(LichenVulkanFunctions, cmdCopyBufferToImage, 208, 200);
   failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);
   failures += KEEPS(LichenDeviceMemory, handle, 48, 40);

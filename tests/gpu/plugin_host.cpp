@@ -86,20 +86,13 @@ PluginHost::~PluginHost() {
   lichenDestroyBundle(bundle_);
 }
 
-std::vector<std::array<float, 4>> PluginHost::evaluate(std::span<const std::uint32_t> spirv,
-                                                       std::int32_t constant,
-                                                       const LichenUniformInfo& uniforms,
-                                                       const std::vector<Point>& points,
-                                                       std::size_t valuesEach) {
+std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const LichenUniformInfo& uniforms) {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   std::byte* const block =
       uniformBuffer_.mapped + (dynamicOffsets_.empty() ? 0 : dynamicOffsets_.front());
   require(lichenFillUniforms(bundle_, &uniforms, block, &diagnostic), diagnostic);
   std::memcpy(&uniforms_, block, sizeof uniforms_);
-  ComputeRun run;
-  run.spirv = spirv;
-  run.constant = constant;
   run.set = set_;
   run.dynamicOffsets = dynamicOffsets_;
   if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
@@ -109,8 +102,7 @@ std::vector<std::array<float, 4>> PluginHost::evaluate(std::span<const std::uint
       if (lichenVulkanRecordUpload(assets_, commands) != LICHEN_SUCCESS)
         throw std::runtime_error("the upload was not recorded");
     };
-  std::vector<std::array<float, 4>> values =
-      runCompute<std::array<float, 4>>(device_, run, points, valuesEach);
+  std::vector<std::byte> values = runCompute(device_, run);
   uploaded_ = true;
   lichenVulkanReleaseStaging(assets_);
   return values;

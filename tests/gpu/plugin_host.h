@@ -36,15 +36,24 @@ public:
 
   /// Writes the uniforms and runs `spirv` (set 0: the noise; set 1: points, values) over `points`,
   /// `valuesEach` four-component values for each.
-  [[nodiscard]] std::vector<std::array<float, 4>> evaluate(std::span<const std::uint32_t> spirv,
-                                                           std::int32_t constant,
-                                                           const LichenUniformInfo& uniforms,
-                                                           const std::vector<Point>& points,
-                                                           std::size_t valuesEach = 1);
+  template <class AnyPoint>
+  [[nodiscard]] std::vector<std::array<float, 4>>
+  evaluate(std::span<const std::uint32_t> spirv, std::int32_t constant,
+           const LichenUniformInfo& uniforms, const std::vector<AnyPoint>& points,
+           std::size_t valuesEach = 1) {
+    ComputeRun run;
+    run.spirv = spirv;
+    run.constant = constant;
+    setArrays<std::array<float, 4>>(run, points, valuesEach);
+    return asArray<std::array<float, 4>>(evaluateRun(std::move(run), uniforms));
+  }
   /// The uniforms of the last evaluate().
   [[nodiscard]] const shader::LichenUniforms& uniforms() const { return uniforms_; }
 
 private:
+  [[nodiscard]] std::vector<std::byte> evaluateRun(ComputeRun run,
+                                                   const LichenUniformInfo& uniforms);
+
   HeadlessDevice& device_;
   LichenBundle bundle_ = nullptr;
   LichenVulkanContext context_ = nullptr;

@@ -90,7 +90,7 @@ TEST_CASE("a fast bake leaves the maps of a set as they are alone") {
 }
 
 TEST_CASE("what is lacking is negligible by what an entry lacks, however many there are") {
-  for (const auto [rows, columns] : {std::array{1, 1}, {3, 2}, {6, 3}}) {
+  for (const auto [rows, columns] : {std::array{1, 1}, std::array{3, 2}, std::array{6, 3}}) {
     const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(rows, columns);
     CHECK(isNegligible(2.9e-4 * ones)); // the standard error of blends is 3e-4
     CHECK_FALSE(isNegligible(3.1e-4 * ones));

@@ -236,8 +236,8 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
     ramp.values[i] = float(i / 3 % 256) / 255.0f;
   const std::vector<MixExemplar> ramps{color, exemplarOf(ramp, "ramp.png")};
   CHECK(messageOf(fitTextonPath(ramps, support(8, 1)), ErrorKind::badInput) ==
-        "ramp.png: colours vary only from one border to the other, and no texton does; an exemplar "
-        "with detail is accepted");
+        "ramp.png: varies only from one border to the other, and no texton does; a photograph with "
+        "detail is accepted");
 }
 
 TEST_CASE("a mix tells how far it is, ends when it is told to, and is the same on any threads") {

@@ -133,13 +133,14 @@ TEST_CASE("inputs of other sizes and versions are read or refused as documented"
     newer.added = 1;
     CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
   }
-  SECTION("a reserved member that is not zero is refused") {
+  SECTION("a value that a newer header names is refused") {
     const OwnedBundle bundle(example::smallest());
     LichenUniformInfo info = uniformInfo();
-    info.reserved = 1;
+    info.overrides = LICHEN_OVERRIDE_POINT_PROCESS;
+    info.pointProcess = LichenPointProcess(2);
     const Filled filled = fill(bundle.handle, info);
-    CHECK(filled.result == LICHEN_ERROR_VERSION);
-    CHECK(filled.message.find("reserved") != std::string::npos);
+    CHECK(filled.result == LICHEN_ERROR_USAGE);
+    CHECK(filled.message.find("pointProcess 2") != std::string::npos);
   }
   SECTION("a wrong type or a chain is refused") {
     LichenParseInfo info = parseInfo(glb);

@@ -30,7 +30,7 @@ TEST_CASE("an inverse table of one channel is described as a 3-D image with a sl
   CHECK(image.height == 1);
   CHECK(image.depth == 2);
   CHECK(image.vkFormat == 9); // VK_FORMAT_R8_UNORM
-  REQUIRE(lichenGetImageProperties(bundle.handle, map.gaussianImage, &image) == LICHEN_SUCCESS);
+  REQUIRE(lichenGetImageProperties(bundle.handle, map.image, &image) == LICHEN_SUCCESS);
   CHECK(image.dimensionality == 2);
   CHECK(image.mipLevels == 3);
 }
@@ -155,6 +155,7 @@ TEST_CASE("each parameter outside its range is refused by name") {
        [](LichenUniformInfo& i, double v) { i.blendSharpness = v; },
        {0.2, 17.0, nan}},
       {"contrast", [](LichenUniformInfo& i, double v) { i.contrast = v; }, {-0.1, 4.1, nan}},
+      {"impacts", [](LichenUniformInfo& i, double v) { i.impacts = v; }, {0.9, 1001.0, nan}},
       {"maxAnisotropy",
        [](LichenUniformInfo& i, double v) { i.maxAnisotropy = float(v); },
        {-1.0, 65.0, nan}},
@@ -166,14 +167,15 @@ TEST_CASE("each parameter outside its range is refused by name") {
        {1.0, -1.0, 0.5, 65537.0, nan}},
       {"overrides",
        [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
-       {128.0, 2147483648.0}},
+       {512.0, 2147483648.0}},
   };
   for (const Case& one : cases)
     for (const double value : one.bad) {
       LichenUniformInfo info = uniformInfo();
       info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
-                       LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST;
-      info.scale = info.blendSharpness = info.contrast = 1.0;
+                       LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
+                       LICHEN_OVERRIDE_IMPACTS;
+      info.scale = info.blendSharpness = info.contrast = info.impacts = 1.0;
       one.set(info, value);
       const Filled filled = fill(bundle.handle, info);
       INFO(one.name << " = " << value);

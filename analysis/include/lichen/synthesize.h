@@ -36,8 +36,10 @@ struct SynthesisOptions {
   bool tileable = false;       ///< opposite borders continue each other; at least half a tile
   double blendSharpness = 1.0; ///< in kBlendSharpnessRange
   double contrast = 1.0;       ///< in kContrastRange
-  BlendOperator blend = BlendOperator::histogramPreserving;
-  Progress progress; ///< empty: nobody watches
+  BlendOperator blend = BlendOperator::histogramPreserving; ///< of tiling
+  double impacts = 30.0;                                    ///< of textons, in kImpactsRange
+  PointProcess pointProcess = PointProcess::stratified;     ///< of textons
+  Progress progress;                                        ///< empty: nobody watches
 };
 
 /// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the

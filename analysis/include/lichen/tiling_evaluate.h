@@ -5,21 +5,14 @@
 #include <lichen/bundle.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/tile_footprint.h>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace lichen {
-
-/// A place in tile space and the footprint of one pixel there. All finite.
-struct TileFootprint {
-  /// Tiles from the tile origin in LichenNoise, below 2^28 in magnitude; floats resolve it to 2^-24
-  /// of its magnitude, so exact texels of a 256-texel tile ask for less than 2^15.
-  std::array<float, 2> position{};
-  std::array<float, 2> dx{}; ///< derivative along the result's x, tiles per pixel; 0 is a point
-  std::array<float, 2> dy{}; ///< likewise along y
-};
 
 /// How the three taps are blended. The first is the method; the others serve comparison.
 enum class BlendOperator {
@@ -39,7 +32,7 @@ public:
   /// resources for memory. Time and memory: 16 bytes a texel of its tables.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
 
-  [[nodiscard]] std::size_t mapCount() const { return maps_.size(); }
+  [[nodiscard]] std::size_t mapCount() const;
 
   /// The decoded value of map `map`, below mapCount(), with the parameters that shaderNoise() makes
   /// of the same bundle's noise: light for sRGB, the stored quantity otherwise, undoing log2;
@@ -54,27 +47,16 @@ public:
   [[nodiscard]] std::vector<float> decodedTexels(std::size_t map) const;
 
 private:
-  struct Mip {
-    int width = 0;
-    int height = 0;
-    std::vector<Value> texels;
-  };
-  struct Map {
-    shader::LichenMap constants{};
-    std::vector<Mip> mips;
-    std::size_t channels = 0;
-    int tableSide = 0;
-    std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
-  };
+  struct Map;
 
-  [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
-  [[nodiscard]] static Value trilinear(const Map& map, float u, float v, float lod);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
   [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
 
-  std::vector<Map> maps_;
+  explicit TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
+
+  std::shared_ptr<const std::vector<Map>> maps_;
 };
 
 } // namespace lichen

@@ -29,7 +29,8 @@ namespace lichen {
 
 /// Where and how a material's noise is evaluated.
 struct Placement {
-  /// Whole tiles added to every coordinate; |.| up to 2^40. Ignored when periodic.
+  /// Whole tiles added to every coordinate; |.| up to 2^40. Where one is not 0, its period is
+  /// whole.
   std::int64_t tileOriginX = 0;
   std::int64_t tileOriginY = 0;
   bool periodic = false;     ///< repeat after periodTilesX x periodTilesY tiles
@@ -41,5 +42,9 @@ struct Placement {
 /// The parameters of `material`, whose noise index must be valid.
 [[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,
                                               const Placement& placement);
+
+/// The constants of a texton noise, as `material` uses it at `placement`; zeros for tiling.
+[[nodiscard]] shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& material,
+                                                const Placement& placement);
 
 } // namespace lichen

@@ -140,6 +140,14 @@ typedef struct LichenBundleProperties {
 LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
                                                   LichenBundleProperties* properties);
 
+/* How a noise is evaluated: LICHEN_TILING_NOISES and LICHEN_TEXTON_NOISES of the shader library may
+ * be 0 where no noise has that method. */
+typedef enum LichenNoiseMethod {
+  LICHEN_NOISE_TILING = 0, /* tiling and blending, [HN18] */
+  LICHEN_NOISE_TEXTON = 1, /* sparse convolution of a texton, [GLM17] */
+  LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
+} LichenNoiseMethod;
+
 typedef struct LichenNoiseProperties {
   LichenStructureType type;
   uint32_t size;
@@ -150,6 +158,8 @@ typedef struct LichenNoiseProperties {
   /* What one descriptor set of this noise takes from a pool. */
   uint32_t uniformBufferCount; /* UNIFORM_BUFFER_DYNAMIC with LICHEN_VULKAN_DYNAMIC_UNIFORMS */
   uint32_t combinedImageSamplerCount;
+  LichenNoiseMethod method;
+  uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -181,8 +191,9 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
-/* How a map's Gaussian values become its own: LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of
- * the shader library may be 0 where no map has that kind. */
+/* How a map's Gaussian values become its own, none for all of texton noise. Of tiling:
+ * LICHEN_JOINT_TABLES, LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may
+ * be 0 where no map has that kind. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
   LICHEN_TABLE_SEPARABLE = 1,
@@ -197,7 +208,7 @@ typedef struct LichenMapProperties {
   LichenMapTarget target;
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
-  uint32_t gaussianImage;    /* image indices, < imageCount */
+  uint32_t image;            /* image indices, < imageCount: Gaussian image or texton */
   uint32_t tableImage;       /* of a map without a table one of two texels, which is not read */
   LichenTableKind tableKind;
 } LichenMapProperties;
@@ -270,8 +281,9 @@ LICHEN_API LichenResult lichenGetCopy(LichenBundle bundle, uint32_t image, uint3
                                       LichenCopy* copy);
 
 typedef enum LichenSamplerUse {
-  LICHEN_SAMPLER_GAUSSIAN = 0, /* trilinear, repeat, all mips; anisotropy: LichenUniformInfo */
-  LICHEN_SAMPLER_TABLE = 1,    /* linear, clamp to edge, one mip */
+  LICHEN_SAMPLER_IMAGE = 0, /* of Gaussian images and textons: trilinear, repeat, all mips;
+                               anisotropy: LichenUniformInfo */
+  LICHEN_SAMPLER_TABLE = 1, /* linear, clamp to edge, one mip */
   LICHEN_SAMPLER_MAX_ENUM = 0x7FFFFFFF
 } LichenSamplerUse;
 
@@ -307,8 +319,8 @@ typedef struct LichenBinding {
   uint32_t image;           /* of a combined image sampler */
 } LichenBinding;
 
-/* noise < noiseCount, index < 1 + 2 * mapCount: the uniform block, then each map's Gaussian image
- * and table. */
+/* noise < noiseCount, index < 1 + 2 * mapCount: the uniform block, then each map's image and
+ * table. */
 LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, uint32_t index,
                                          LichenBinding* binding);
 
@@ -327,8 +339,17 @@ typedef enum LichenOverride {
   LICHEN_OVERRIDE_SEED = 8,
   LICHEN_OVERRIDE_BLEND_SHARPNESS = 16,
   LICHEN_OVERRIDE_CONTRAST = 32,
-  LICHEN_OVERRIDE_NOISE = 64 /* `noise` with default parameters; `material` is not read */
+  LICHEN_OVERRIDE_NOISE = 64, /* `noise` with default parameters; `material` is not read */
+  LICHEN_OVERRIDE_IMPACTS = 128,
+  LICHEN_OVERRIDE_POINT_PROCESS = 256
 } LichenOverride;
+
+/* How the impacts of texton noise lie. */
+typedef enum LichenPointProcess {
+  LICHEN_POINT_PROCESS_STRATIFIED = 0, /* one in each cell of a grid */
+  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process: LICHEN_POISSON_POINTS 1 in the shader */
+  LICHEN_POINT_PROCESS_MAX_ENUM = 0x7FFFFFFF
+} LichenPointProcess;
 
 typedef struct LichenUniformInfo {
   LichenStructureType type;
@@ -356,7 +377,9 @@ typedef struct LichenUniformInfo {
    * where the three do not agree, minified noise has too much or too little contrast. How exactly
    * an anisotropic footprint is filtered is the driver's choice. */
   float maxAnisotropy;
-  uint32_t reserved; /* 0 */
+  LichenPointProcess pointProcess; /* of texton noise */
+  double
+      impacts; /* [1, 1000] of texton noise: how many a point sees in the mean; cost goes with it */
 } LichenUniformInfo;
 
 /* Writes LICHEN_UNIFORM_BYTES of std140 to `destination` (any alignment, may be mapped memory: it

@@ -12,10 +12,10 @@ const float kBlendedCutoff = 0.5;
 
 void main() {
   Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords));
-  LichenTaps taps;
+  LichenPlace place;
   if (kHasNoise)
-    taps = noiseTaps(footprint);
+    place = noisePlace(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
-  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, taps) < cutoff)
+  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, place) < cutoff)
     discard;
 }

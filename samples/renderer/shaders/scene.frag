@@ -13,6 +13,7 @@ const vec3 kLineColor = vec3(0.9, 0.35, 0.1);
 const float kLineWeight = 0.03; // the least weight that is no longer on a line of the lattice
 const float kCellDarkest = 0.15;
 const float kCellContrast = 0.5;
+const float kMostImpacts = 60.0; // of a pixel, twice the usual mean
 const float kLeastNDotV = 1e-3; // keeps the visibility term finite
 
 layout(location = 0) in vec3 worldPosition;
@@ -71,10 +72,36 @@ vec3 ramp(float x) {
   return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
 }
 
+/// A Gaussian value of a map's dimensions.
+vec3 shownGaussian(vec3 gaussian, LichenMap map) {
+  if (map.dimensions == 1u)
+    return gaussian.xxx;
+  return vec3(gaussian.xy, map.dimensions == 2u ? kNothingToShow.z : gaussian.z);
+}
+
+/// The views that texton noises have.
+vec3 textonDebug(LichenImpacts impacts) {
+  if (kDebugView == DEBUG_IMPACTS)
+    return ramp(float(lichenImpactCount(impacts, noiseData.noise, noiseData.texton)) /
+                kMostImpacts);
+  if (kDebugView == DEBUG_MIP_LEVEL)
+    return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
+  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+    return kNothingToShow;
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  return shownGaussian(
+      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
+}
+
 vec3 noiseDebug(Footprint footprint) {
   if (!kHasNoise)
     return kNothingToShow;
-  LichenTaps taps = noiseTaps(footprint);
+  LichenPlace place = noisePlace(footprint);
+  if (lichenIsTexton(noiseData.noise))
+    return textonDebug(place.impacts);
+  LichenTaps taps = place.taps;
+  if (kDebugView == DEBUG_IMPACTS)
+    return kNothingToShow;
   if (kDebugView == DEBUG_WEIGHTS)
     return taps.weights;
   if (kDebugView == DEBUG_LATTICE) {
@@ -89,10 +116,7 @@ vec3 noiseDebug(Footprint footprint) {
   float level = lichenTilingLevel(taps, noiseData.noise, map);
   if (kDebugView == DEBUG_MIP_LEVEL)
     return ramp(level / max(float(map.mipCount) - 1.0, 1.0));
-  vec3 gaussian = lichenTilingGaussian(baseColorGaussian, taps, level);
-  if (map.dimensions == 1u)
-    return gaussian.xxx;
-  return vec3(gaussian.xy, map.dimensions == 2u ? kNothingToShow.z : gaussian.z);
+  return shownGaussian(lichenTilingGaussian(baseColorImage, taps, level), map);
 }
 
 void main() {

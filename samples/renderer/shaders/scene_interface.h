@@ -30,7 +30,7 @@
 
 #define SET_NOISE 2
 #define BINDING_NOISE 0
-// Role k's Gaussian image at BINDING_NOISE_ROLES + 2 k, its inverse table after it.
+// Role k's image at BINDING_NOISE_ROLES + 2 k, its inverse table after it.
 #define BINDING_NOISE_ROLES 1
 #define NOISE_BASE_COLOR 0
 #define NOISE_NORMAL 1
@@ -54,6 +54,7 @@
 #define DEBUG_LATTICE 4
 #define DEBUG_MIP_LEVEL 5
 #define DEBUG_GAUSSIAN 6
+#define DEBUG_IMPACTS 7
 
 #ifdef __cplusplus
 #include <glm/glm.hpp>

@@ -5,8 +5,13 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether some noise of the scene has a separable table, or none.
+// Whether some noise of the scene has a separable table, or none; whether some are tiling noises,
+// some texton noises.
 layout(constant_id = 3) const bool kOtherTables = true;
+layout(constant_id = 4) const bool kTilingNoises = true;
+layout(constant_id = 5) const bool kTextonNoises = true;
+#define LICHEN_TILING_NOISES kTilingNoises
+#define LICHEN_TEXTON_NOISES kTextonNoises
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"
@@ -29,10 +34,11 @@ layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_EMISSIVE)
 layout(std140, set = SET_NOISE, binding = BINDING_NOISE) uniform NoiseBlock {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
+  LichenTexton texton;
 } noiseData;
 #define NOISE_SAMPLERS(role, name)                                                                 \
   layout(set = SET_NOISE, binding = BINDING_NOISE_ROLES + 2 * role)                                \
-      uniform sampler2D name##Gaussian;                                                            \
+      uniform sampler2D name##Image;                                                               \
   layout(set = SET_NOISE, binding = BINDING_NOISE_ROLES + 2 * role + 1)                            \
       uniform sampler3D name##Table
 NOISE_SAMPLERS(NOISE_BASE_COLOR, baseColor);
@@ -70,31 +76,32 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
   return textureGrad(image, linear * uv + vec2(row0.z, row1.z), linear * dx, linear * dy);
 }
 
-/// Taps of the noise, which all its maps share.
-LichenTaps noiseTaps(Footprint f) {
+/// The place in the noise, which all its maps share.
+LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
-  return lichenTilingUvGrad(second ? f.texCoords.zw : f.texCoords.xy, second ? f.dx.zw : f.dx.xy,
-                            second ? f.dy.zw : f.dy.xy, noiseData.noise);
+  return lichenPlaceUvGrad(second ? f.texCoords.zw : f.texCoords.xy, second ? f.dx.zw : f.dx.xy,
+                           second ? f.dy.zw : f.dy.xy, noiseData.noise, noiseData.texton);
 }
 
 int noiseMap(int role) {
   return role == NOISE_OPACITY ? material.flags.z : material.noiseMaps[role];
 }
 
-#define NOISE_VALUE(role, name, taps)                                                              \
-  lichenTiling(name##Gaussian, name##Table, taps, noiseData.noise, noiseData.maps[noiseMap(role)])
+#define NOISE_VALUE(role, name, place)                                                             \
+  lichenValue(name##Image, name##Table, place, noiseData.noise, noiseData.maps[noiseMap(role)],    \
+              noiseData.texton)
 
 bool noiseHas(int role) { return kHasNoise && noiseMap(role) >= 0; }
 
 /// The noise's opacity or the texture's alpha, without the factor.
-float alphaAt(Footprint f, LichenTaps taps) {
+float alphaAt(Footprint f, LichenPlace place) {
   if (noiseHas(NOISE_OPACITY))
-    return NOISE_VALUE(NOISE_OPACITY, opacity, taps).r;
+    return NOISE_VALUE(NOISE_OPACITY, opacity, place).r;
   return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
 }
 
 /// Without the factor.
-vec4 baseColorAt(Footprint f, LichenTaps taps) {
+vec4 baseColorAt(Footprint f, LichenPlace place) {
   bool fromNoise = noiseHas(NOISE_BASE_COLOR);
   bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
   bool opacityFromNoise = alphaIsUsed && noiseHas(NOISE_OPACITY);
@@ -102,27 +109,27 @@ vec4 baseColorAt(Footprint f, LichenTaps taps) {
   if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
     color = materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
   if (fromNoise)
-    color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, taps).rgb;
+    color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, place).rgb;
   if (opacityFromNoise)
-    color.a = alphaAt(f, taps);
+    color.a = alphaAt(f, place);
   return color;
 }
 
-vec3 emissiveAt(Footprint f, LichenTaps taps) {
+vec3 emissiveAt(Footprint f, LichenPlace place) {
   if (noiseHas(NOISE_EMISSIVE))
-    return NOISE_VALUE(NOISE_EMISSIVE, emissive, taps).rgb;
+    return NOISE_VALUE(NOISE_EMISSIVE, emissive, place).rgb;
   return materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
 }
 
 /// Occlusion, roughness and metallic, without their factors.
-vec3 ormAt(Footprint f, LichenTaps taps) {
+vec3 ormAt(Footprint f, LichenPlace place) {
   vec3 orm;
   orm.x = materialTexture(occlusionTexture, TEXTURE_OCCLUSION, material.texCoords.w, f).r;
   orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
                            material.texCoords.y, f)
                .gb;
   if (noiseHas(NOISE_ORM)) {
-    vec3 value = NOISE_VALUE(NOISE_ORM, orm, taps).rgb;
+    vec3 value = NOISE_VALUE(NOISE_ORM, orm, place).rgb;
     for (int k = 0; k < 3; ++k)
       if (material.ormComponents[k] >= 0)
         orm[k] = value[material.ormComponents[k]];
@@ -131,10 +138,10 @@ vec3 ormAt(Footprint f, LichenTaps taps) {
 }
 
 /// The normal in tangent space, and in w the variance of the slopes that a pixel hides.
-vec4 tangentNormalAt(Footprint f, LichenTaps taps) {
+vec4 tangentNormalAt(Footprint f, LichenPlace place) {
   if (noiseHas(NOISE_NORMAL)) {
     float scale = material.factors.z;
-    vec3 value = NOISE_VALUE(NOISE_NORMAL, normal, taps).xyz;
+    vec3 value = NOISE_VALUE(NOISE_NORMAL, normal, place).xyz;
     vec2 slopes = lichenSlopesToUv(scale * value.xy, noiseData.noise);
     return vec4(lichenNormalFromSlopes(slopes), scale * scale * value.z);
   }
@@ -145,15 +152,15 @@ vec4 tangentNormalAt(Footprint f, LichenTaps taps) {
 }
 
 Surface surfaceAt(Footprint f, vec4 vertexColor) {
-  LichenTaps taps;
+  LichenPlace place;
   if (kHasNoise)
-    taps = noiseTaps(f);
-  vec3 orm = ormAt(f, taps);
+    place = noisePlace(f);
+  vec3 orm = ormAt(f, place);
   Surface s;
-  s.baseColor = material.baseColor * vertexColor * baseColorAt(f, taps);
-  s.emissive = material.emissive.rgb * emissiveAt(f, taps);
+  s.baseColor = material.baseColor * vertexColor * baseColorAt(f, place);
+  s.emissive = material.emissive.rgb * emissiveAt(f, place);
   s.occlusion = mix(1.0, orm.x, material.factors.w);
-  vec4 normal = tangentNormalAt(f, taps);
+  vec4 normal = tangentNormalAt(f, place);
   s.roughness = material.factors.y * orm.y;
   if (normal.w > 0.0)
     s.roughness = lichenRoughness(s.roughness, normal.w);

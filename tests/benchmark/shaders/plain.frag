@@ -10,4 +10,4 @@
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 colour;
 
-void main() { colour = texture(lichenGaussian0, uv); }
+void main() { colour = texture(lichenImage0, uv); }

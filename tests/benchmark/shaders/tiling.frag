@@ -1,13 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Tiling and blending with the joint table, as a material's base colour uses it.
+// Tiling and blending, as a material's base colour uses it. The build says which kinds of table
+// there are.
 
-// The usual material: an infinite lattice, plain weights and a joint table, known at compile time.
+// The usual material: an infinite lattice and plain weights, known at compile time.
+#define LICHEN_TEXTON_NOISES 0
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
-#define LICHEN_SEPARABLE_TABLES 0
-#define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "lichen.glsl"
@@ -16,6 +16,6 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  LichenTaps taps = lichenTilingUvGrad(uv, dFdx(uv), dFdy(uv), lichenUniforms.noise);
-  colour = LICHEN_TILING(0, taps);
+  LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_NOISE(0, place);
 }

@@ -20,9 +20,9 @@ void main() {
   if (index >= uint(points.length()))
     return;
   Point point = points[index];
-  LichenTaps taps = lichenTilingUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
-                                       point.gradientY.xy, lichenUniforms.noise);
-  values[3u * index] = LICHEN_TILING(0, taps);
-  values[3u * index + 1u] = LICHEN_TILING(1, taps);
-  values[3u * index + 2u] = LICHEN_TILING(2, taps);
+  LichenPlace place =
+      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  values[3u * index] = LICHEN_NOISE(0, place);
+  values[3u * index + 1u] = LICHEN_NOISE(1, place);
+  values[3u * index + 2u] = LICHEN_NOISE(2, place);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bundle and options -> image, pixel by pixel through the CPU twin.
+// Bundle and options -> image, pixel by pixel through the CPU twin of the noise's method.
 #include "progress_part.h"
 
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
+#include <lichen/texton_evaluate.h>
 
 #include <tbb/parallel_for.h>
 
@@ -11,6 +12,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 namespace lichen {
 namespace {
@@ -60,15 +62,22 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
     return checked;
   if (Result<void> checked = checkRange("contrast", options.contrast, kContrastRange); !checked)
     return checked;
+  if (Result<void> checked = checkRange("impacts", options.impacts, kImpactsRange); !checked)
+    return checked;
   for (const double coordinate : options.origin)
     if (Result<void> checked = checkRange("origin", coordinate, kOriginRange); !checked)
       return checked;
   return {};
 }
 
-/// The texels of the map's Gaussian image.
-const Table& gaussianOf(const Bundle& bundle, std::size_t noise, std::size_t map) {
-  return bundle.tables[bundle.noises[noise].maps[map].image];
+/// Texels of one exemplar, as the map holds it.
+std::array<std::uint32_t, 2> tileTexels(const Bundle& bundle, std::size_t noiseIndex,
+                                        std::size_t map) {
+  const Noise& noise = bundle.noises[noiseIndex];
+  if (noise.method == Method::texton)
+    return {std::uint32_t(noise.texton.texelsPerTileX), std::uint32_t(noise.texton.texelsPerTileY)};
+  const Table& gaussian = bundle.tables[noise.maps[map].image];
+  return {gaussian.width, gaussian.height};
 }
 
 /// Where the image's top left corner lies from the lattice's whole tile origin. A periodic lattice
@@ -80,20 +89,44 @@ double startOf(double origin, double periodTiles, bool periodic) {
   return start < 0.0 ? start + periodTiles : start;
 }
 
+/// The decoded value of a map at a footprint.
+using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&)>;
+
+Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
+                                         const shader::LichenNoise& parameters, std::size_t map) {
+  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.noise);
+  if (!created)
+    return created.error();
+  return PointEvaluation([evaluator = std::move(created).value(), parameters, map,
+                          blend = options.blend](const TileFootprint& at) {
+    return evaluator.evaluate(map, parameters, at, blend);
+  });
+}
+
+Result<PointEvaluation> textonEvaluation(const Bundle& bundle, const SynthesisOptions& options,
+                                         const shader::LichenNoise& parameters,
+                                         const shader::LichenTexton& texton, std::size_t map) {
+  Result<TextonEvaluator> created = TextonEvaluator::create(bundle, options.noise);
+  if (!created)
+    return created.error();
+  return PointEvaluation(
+      [evaluator = std::move(created).value(), parameters, texton, map](const TileFootprint& at) {
+        return evaluator.evaluate(map, parameters, texton, at);
+      });
+}
+
 /// As synthesize(), with pixels per tile along each axis; the options are in range. Throws
 /// Interrupted and std::bad_alloc.
 Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions& options,
                                    const std::array<double, 2>& pixelsPerTile, std::size_t map) {
-  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, options.noise);
-  if (!evaluator)
-    return evaluator.error();
-
   Placement placement;
   placement.periodic = options.tileable;
   placement.periodTilesX = options.width / pixelsPerTile[0];
   placement.periodTilesY = options.height / pixelsPerTile[1];
-  placement.tileOriginX = std::int64_t(std::floor(options.origin[0]));
-  placement.tileOriginY = std::int64_t(std::floor(options.origin[1]));
+  if (!options.tileable) {
+    placement.tileOriginX = std::int64_t(std::floor(options.origin[0]));
+    placement.tileOriginY = std::int64_t(std::floor(options.origin[1]));
+  }
   const std::array<double, 2> start{
       startOf(options.origin[0], placement.periodTilesX, options.tileable),
       startOf(options.origin[1], placement.periodTilesY, options.tileable)};
@@ -102,7 +135,16 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   material.seed = options.seed;
   material.blendSharpness = options.blendSharpness;
   material.contrast = options.contrast;
+  material.impacts = options.impacts;
+  material.pointProcess = options.pointProcess;
   const shader::LichenNoise parameters = shaderNoise(bundle, material, placement);
+  const Result<PointEvaluation> evaluation =
+      bundle.noises[options.noise].method == Method::texton
+          ? textonEvaluation(bundle, options, parameters, shaderTexton(bundle, material, placement),
+                             map)
+          : tilingEvaluation(bundle, options, parameters, map);
+  if (!evaluation)
+    return evaluation.error();
 
   LinearImage image(options.width, options.height,
                     int(bundle.noises[options.noise].maps[map].channels.size()));
@@ -113,8 +155,7 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
     at.position[1] = float(start[1] + (double(y) * options.stride + 0.5) / pixelsPerTile[1]);
     for (int x = 0; x < image.width; ++x) {
       at.position[0] = float(start[0] + (double(x) * options.stride + 0.5) / pixelsPerTile[0]);
-      const TilingEvaluator::Value value =
-          evaluator.value().evaluate(map, parameters, at, options.blend);
+      const std::array<float, 4> value = evaluation.value()(at);
       std::copy_n(value.begin(), image.channels, image.pixel(x, y));
     }
   };
@@ -141,9 +182,9 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
     if (!map)
       return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
                    std::string(nameOf(options.map)));
-    const Table& gaussian = gaussianOf(bundle, options.noise, *map);
-    const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : gaussian.width;
-    const std::array<double, 2> perTile{pixels, pixels * gaussian.height / gaussian.width};
+    const auto [tileWidth, tileHeight] = tileTexels(bundle, options.noise, *map);
+    const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : tileWidth;
+    const std::array<double, 2> perTile{pixels, pixels * tileHeight / tileWidth};
     const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
     const double largest = pixels * tiles / kLeastPeriodTiles;
     if (options.tileable && tiles < kLeastPeriodTiles)
@@ -177,8 +218,9 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, M
                    std::string(nameOf(target)));
     std::uint32_t width = 0, height = 0;
     for (std::size_t m = 0; m < bundle.noises[noise].maps.size(); ++m) {
-      width = std::max(width, gaussianOf(bundle, noise, m).width);
-      height = std::max(height, gaussianOf(bundle, noise, m).height);
+      const std::array<std::uint32_t, 2> tile = tileTexels(bundle, noise, m);
+      width = std::max(width, tile[0]);
+      height = std::max(height, tile[1]);
     }
     const auto side = [tiles](std::uint32_t texels) {
       const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));

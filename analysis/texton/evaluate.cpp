@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
+// names are those of shaders_glsl/noise/texton.glsl and texton_gradient.glsl.
+#include "impacts.h"
+#include "sampling/level_kept.h"
+#include "sampling/repeating_image.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace lichen {
+namespace {
+
+using texton::Impacts;
+using texton::Vec2;
+using Value = TextonEvaluator::Value;
+
+Vec2 clamped(const Vec2& texel, const texton::Reach& reach) {
+  return {std::clamp(texel[0], reach.low[0], reach.high[0]),
+          std::clamp(texel[1], reach.low[1], reach.high[1])};
+}
+
+/// A cubic B-spline at f [0, 1) beyond the centre of the second of four texels.
+struct CubicWeights {
+  explicit CubicWeights(float f) {
+    const float r = 1.0f - f;
+    value = {r * r * r / 6.0f, (4.0f - 3.0f * f * f * (1.0f + r)) / 6.0f,
+             (4.0f - 3.0f * r * r * (1.0f + f)) / 6.0f, f * f * f / 6.0f};
+    slope = {-0.5f * r * r, 0.5f * f * (3.0f * f - 4.0f), 0.5f * r * (4.0f - 3.0f * r),
+             0.5f * f * f};
+  }
+  std::array<float, 4> value{};
+  std::array<float, 4> slope{};
+};
+
+/// A texton's image and the noise's shape, at one point.
+class Textons {
+public:
+  Textons(const RepeatingImage& image, const shader::LichenTexton& shape, const Impacts& impacts,
+          const MixPlace& mix)
+      : image_(image), shape_(shape), impacts_(impacts), mix_(mix) {}
+
+  /// h at a place of an impact's frame, filtered to the footprint.
+  [[nodiscard]] Value at(const Vec2& place) const {
+    Vec2 texel = texelAt(place);
+    const float frame = frameAt(texel);
+    const float minified = std::min(impacts_.level, 1.0f);
+    if (shape_.order == 0) // steps where magnified, none from the first mip on
+      for (float& coordinate : texel) {
+        const float step = std::floor(coordinate) + 0.5f;
+        coordinate = step * (1.0f - minified) + coordinate * minified;
+      }
+    if (!isCubic())
+      return fetch(texel, frame, impacts_.level);
+    // Between the spline and the first mip.
+    Value value = cubic(texel, frame).value;
+    const Value mip = fetch(clamped(texel, texton::mipReach(impacts_.level, shape_)), frame,
+                            std::ceil(impacts_.level));
+    for (std::size_t c = 0; c < 3; ++c)
+      value[c] += minified * (mip[c] - value[c]);
+    return value;
+  }
+
+  /// Value and derivatives [1 / texel] of the first channel.
+  [[nodiscard]] std::array<float, 3> gradientAt(const Vec2& place) const {
+    const Vec2 texel = texelAt(place);
+    const float frame = frameAt(texel);
+    const float level = isCubic() ? std::ceil(impacts_.level) : impacts_.level;
+    const float side = std::exp2(level);
+    const texton::Reach reach = texton::mipReach(level, shape_);
+    const auto first = [&](float x, float y) {
+      return fetch(clamped({texel[0] + x, texel[1] + y}, reach), frame, level)[0];
+    };
+    const float half = 0.5f * side;
+    std::array<float, 3> result{first(0.0f, 0.0f), (first(half, 0.0f) - first(-half, 0.0f)) / side,
+                                (first(0.0f, half) - first(0.0f, -half)) / side};
+    if (!isCubic())
+      return result;
+    const Cubic magnified = cubic(texel, frame);
+    const std::array<float, 3> spline{magnified.value[0], magnified.slope[0], magnified.slope[1]};
+    const float minified = std::min(impacts_.level, 1.0f);
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = spline[k] + minified * (result[k] - spline[k]);
+    return result;
+  }
+
+private:
+  struct Cubic {
+    Value value{};
+    Vec2 slope{}; ///< of the first channel, per texel
+  };
+
+  [[nodiscard]] bool isCubic() const { return shape_.order == 3 && impacts_.level < 1.0f; }
+
+  [[nodiscard]] Vec2 texelAt(const Vec2& place) const {
+    return {place[0] + impacts_.middle[0], place[1] + impacts_.middle[1]};
+  }
+
+  /// The top of an impact's frame in the image: of a mix, that of its own place. [GLM17] section 7.
+  [[nodiscard]] float frameAt(const Vec2& texel) const {
+    if (shape_.steps <= 1)
+      return 0.0f;
+    const float x = (0.5f * float(shape_.coefficientsX) - texel[0]) / shape_.texelsPerTileX;
+    const float y = (0.5f * float(shape_.coefficientsY) - texel[1]) / shape_.texelsPerTileY;
+    const float weight =
+        std::clamp(mix_.weight + mix_.gradient[0] * x + mix_.gradient[1] * y, 0.0f, 1.0f);
+    return std::floor(weight * (float(shape_.steps) - 1.0f) + 0.5f) * float(shape_.frameY);
+  }
+
+  [[nodiscard]] Value fetch(const Vec2& texel, float frame, float level) const {
+    return image_.at(texel[0] / float(shape_.frameX),
+                     (texel[1] + frame) / float(shape_.frameY * int(shape_.steps)), level);
+  }
+
+  /// The cubic B-spline of the coefficients, by direct sums over texels.
+  [[nodiscard]] Cubic cubic(const Vec2& texel, float frame) const {
+    const float baseX = std::floor(texel[0] - 0.5f);
+    const float baseY = std::floor(texel[1] - 0.5f);
+    const CubicWeights x(texel[0] - 0.5f - baseX);
+    const CubicWeights y(texel[1] - 0.5f - baseY);
+    Cubic sum;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int column = int(baseX) + int(i) - 1;
+        const int row = int(baseY) + int(j) - 1;
+        if (column < 0 || row < 0 || column >= shape_.coefficientsX || row >= shape_.coefficientsY)
+          continue;
+        const Value& alpha =
+            image_.texels(0)[(std::size_t(frame) + std::size_t(row)) * std::size_t(shape_.frameX) +
+                             std::size_t(column)];
+        for (std::size_t c = 0; c < 3; ++c)
+          sum.value[c] += x.value[i] * y.value[j] * alpha[c];
+        sum.slope[0] += x.slope[i] * y.value[j] * alpha[0];
+        sum.slope[1] += x.value[i] * y.slope[j] * alpha[0];
+      }
+    return sum;
+  }
+
+  const RepeatingImage& image_;
+  const shader::LichenTexton& shape_;
+  const Impacts& impacts_;
+  const MixPlace& mix_;
+};
+
+/// The level of the footprint among the averages whose loss is known.
+float knownLevel(const Impacts& impacts) {
+  return std::min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
+}
+
+/// What the sum over impacts is multiplied by. Beyond the last mip textons stay as they are, and
+/// the amplitude falls as the deviation does.
+float gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
+             const shader::LichenTexton& texton, const shader::LichenMap& map) {
+  const float kept = levelKept(map, impacts.level);
+  const float ratio = kept > 0.0f ? std::sqrt(levelKept(map, knownLevel(impacts)) / kept) : 0.0f;
+  return noise.contrast * ratio * texton.amplitude;
+}
+
+/// The constants of a map where its mean is that of the place in a mix.
+shader::LichenMap mixed(shader::LichenMap map, const shader::LichenTexton& texton,
+                        const MixPlace& mix) {
+  if (texton.steps <= 1)
+    return map;
+  const float weight = std::clamp(mix.weight, 0.0f, 1.0f);
+  map.row0.w += weight * (map.endMean.x - map.row0.w);
+  map.row1.w += weight * (map.endMean.y - map.row1.w);
+  map.row2.w += weight * (map.endMean.z - map.row2.w);
+  return map;
+}
+
+} // namespace
+
+struct TextonEvaluator::Map {
+  shader::LichenMap constants{};
+  RepeatingImage image;
+};
+
+Result<TextonEvaluator> TextonEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
+  const auto exhausted = [&] {
+    return "noise " + std::to_string(noiseIndex) + ": not enough memory for its textons";
+  };
+  return withinMemory(exhausted, [&]() -> Result<TextonEvaluator> {
+    if (noiseIndex >= bundle.noises.size())
+      return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
+                                         std::to_string(bundle.noises.size())};
+    const Noise& noise = bundle.noises[noiseIndex];
+    if (noise.method != Method::texton)
+      return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
+                                         std::string(nameOf(noise.method)) + ", not texton"};
+    auto maps = std::make_shared<std::vector<Map>>();
+    for (std::size_t m = 0; m < noise.maps.size(); ++m)
+      maps->push_back(
+          {shaderMap(bundle, noise, m), RepeatingImage(bundle.tables[noise.maps[m].image])});
+    return TextonEvaluator(std::move(maps));
+  });
+}
+
+std::size_t TextonEvaluator::mapCount() const { return maps_->size(); }
+
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const TileFootprint& at,
+                                const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  const Impacts impacts = texton::impactsWithin(0.0f, at, noise, texton);
+  const Textons textons(map.image, texton, impacts, mix);
+  Value sum{};
+  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+    const Value h = textons.at(place);
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += sign * h[c];
+  });
+  const float gain = gainOf(impacts, noise, texton, map.constants);
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] = 0.5f + gain * sum[c];
+  sum[3] = 1.0f - levelKept(map.constants, knownLevel(impacts));
+  return sum;
+}
+
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const TileFootprint& at,
+                                const MixPlace& mix) const {
+  const Value value = gaussian(mapIndex, noise, texton, at, mix);
+  // Contrast scales what is missing with what is there.
+  const float lost = std::min(1.0f, noise.contrast * noise.contrast * value[3]);
+  return decodedGaussian(mixed((*maps_)[mapIndex].constants, texton, mix),
+                         {value[0], value[1], value[2]}, lost);
+}
+
+std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
+                                               const shader::LichenNoise& noise,
+                                               const shader::LichenTexton& texton,
+                                               const TileFootprint& at, const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  constexpr float kMargin = 0.5f; // what differences reach beyond the texton
+  const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
+  const Textons textons(map.image, texton, impacts, mix);
+  std::array<float, 3> sum{};
+  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+    const std::array<float, 3> h = textons.gradientAt(place);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += sign * h[k];
+  });
+  const float scale = map.constants.row0.x * gainOf(impacts, noise, texton, map.constants);
+  return {mixed(map.constants, texton, mix).row0.w + scale * sum[0],
+          scale * sum[1] * texton.texelsPerTileX, scale * sum[2] * texton.texelsPerTileY};
+}
+
+} // namespace lichen

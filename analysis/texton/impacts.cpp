@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Point and footprint -> the window of cells around it.
+#include "impacts.h"
+
+#include <algorithm>
+
+namespace lichen::texton {
+namespace {
+
+std::uint32_t wrapped(std::int32_t cell, std::int32_t period) {
+  if (period == 0)
+    return std::uint32_t(cell);
+  const std::int32_t rest = cell % period;
+  return std::uint32_t(rest < 0 ? rest + period : rest);
+}
+
+} // namespace
+
+Reach mipReach(float level, const shader::LichenTexton& texton) {
+  const float side = std::exp2(std::ceil(level));
+  const auto high = [&](int coefficients) {
+    return (std::ceil(float(coefficients) / side) + 0.5f) * side;
+  };
+  return {{-0.5f * side, -0.5f * side}, {high(texton.coefficientsX), high(texton.coefficientsY)}};
+}
+
+Impacts impactsWithin(float margin, const TileFootprint& at, const shader::LichenNoise& noise,
+                      const shader::LichenTexton& texton) {
+  const Vec2 texelsPerTile{texton.texelsPerTileX, texton.texelsPerTileY};
+  const Vec2 cellsPerTile{noise.columnsPerTile, noise.rowsPerTile};
+  const Vec2 coefficients{float(texton.coefficientsX), float(texton.coefficientsY)};
+  const Vec2 fraction{noise.fractionI, noise.fractionJ};
+  const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
+  const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
+  const auto squaredTexels = [&](const Vec2& d) {
+    const float x = d[0] * texelsPerTile[0];
+    const float y = d[1] * texelsPerTile[1];
+    return x * x + y * y;
+  };
+  Impacts impacts;
+  impacts.footprintLevel =
+      0.5f * std::log2(std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)}));
+  impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
+  const Reach reach = mipReach(impacts.level, texton);
+  for (std::size_t k = 0; k < 2; ++k) {
+    float low = reach.low[k];
+    float high = reach.high[k];
+    if (texton.order == 3 && impacts.level < 1.0f) {
+      constexpr float kReach = 1.5f; // of a cubic B-spline beyond the border of its texel
+      low = std::min(low, -kReach);
+      high = std::max(high, coefficients[k] + kReach);
+    }
+    low -= margin * std::exp2(impacts.level);
+    high += margin * std::exp2(impacts.level);
+    impacts.middle[k] = 0.5f * (low + high);
+    impacts.radius[k] = high - impacts.middle[k];
+    // An impact has the middle of its coefficients at its own place.
+    const float grid = at.position[k] * cellsPerTile[k] + fraction[k];
+    const float cell = std::floor(grid);
+    const float inside = grid - cell;
+    impacts.cellTexels[k] = texelsPerTile[k] / cellsPerTile[k];
+    const float shift = 0.5f * coefficients[k] - impacts.middle[k];
+    const float first = std::floor(inside + (shift - impacts.radius[k]) / impacts.cellTexels[k]);
+    const float last = std::floor(inside + (shift + impacts.radius[k]) / impacts.cellTexels[k]);
+    impacts.start[k] = shift + (inside - first) * impacts.cellTexels[k];
+    // Half a cell further than the last: sums of sides are rounded.
+    impacts.end[k] = impacts.start[k] - (last - first + 0.5f) * impacts.cellTexels[k];
+    const auto sum = std::uint32_t(std::int32_t(cell)) + std::uint32_t(std::int32_t(first)) +
+                     std::uint32_t(origin[k]);
+    impacts.firstCell[k] = wrapped(std::int32_t(sum), period[k]);
+  }
+  return impacts;
+}
+
+int poissonCount(std::uint32_t hash) {
+  // 2^32 times its distribution function at 0, 1, ...; more than 12 have a probability of 6e-11.
+  constexpr std::array<std::uint32_t, 12> kDistribution{
+      1580030169u, 3160060337u, 3950075422u, 4213413783u, 4279248374u, 4292415292u,
+      4294609778u, 4294923276u, 4294962463u, 4294966817u, 4294967253u, 4294967292u};
+  return int(std::upper_bound(kDistribution.begin(), kDistribution.end(), hash) -
+             kDistribution.begin());
+}
+
+} // namespace lichen::texton

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The impacts of a texton noise that reach a point: tile coordinate and footprint -> a walk over
+// the places at which the point lies in their textons, and their signs.
+// [GLM17] Galerne, Leclaire and Moisan 2017, section 3.2: points of a process of density lambda,
+// signs +1 and -1. Here the points lie in the cells of a grid, one in each (stratified) or a
+// Poisson number of mean 1; the covariance of the noise is the same, since the signs are
+// independent. Specified bit for bit in docs/gltf_extension/README.md.
+#ifndef LICHEN_IMPACTS_GLSL
+#define LICHEN_IMPACTS_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "hash.glsl"
+
+// 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
+#ifndef LICHEN_PERIODIC_LATTICE
+#define LICHEN_PERIODIC_LATTICE 1
+#endif
+// 0 where every material's point process is stratified. Likewise.
+#ifndef LICHEN_POISSON_POINTS
+#define LICHEN_POISSON_POINTS 1
+#endif
+// 0 where no texton is of order 3. Likewise.
+#ifndef LICHEN_CUBIC_TEXTONS
+#define LICHEN_CUBIC_TEXTONS 1
+#endif
+
+/// What all maps of a texton noise share at one point. A place is [texels], in the frame of an
+/// impact's texton, from the middle of what it reaches.
+struct LichenImpacts {
+  float footprintLevel; // log2 of the footprint's longer side in texels, at least 0
+  float level;          // the same, of a mip that the textons have
+  vec2 middle, radius;  // [texels] of what a texton reaches, fetched at this level
+  ivec2 firstCell;      // of those whose impacts may reach the point, in the period
+  vec2 start, end;      // places of the point seen from corners of cells: first, beyond the last
+  vec2 cellTexels;      // sides of a cell
+  float mixWeight;      // [0, 1] of a mix: the place between its exemplars
+  vec2 mixGradient;     // [1 / tile] its derivative
+};
+
+/// A walk over the impacts of those cells. All of it but the last three members is about the next
+/// one, which may turn out not to exist or not to reach the point.
+struct LichenWalk {
+  uvec3 cell;     // its cell and the seed, after the first step of the hash
+  uint index;     // of it in its cell
+  vec2 corner;    // place of the point seen from the cell's corner
+  bool isReached; // whether the last impact exists and reaches the point
+  vec2 place;     // of the point, seen from the last impact
+  float sign;     // of the last impact, +1 or -1
+};
+
+/// `value` reduced to [0, period), for |value| < 2^30; any value where the period is 0.
+int lichenWrapped(int value, int period) {
+  if (period == 0)
+    return value;
+  // Integer division is slow on many devices; the quotient of floats is off by 1 at most.
+  int rest = value - int(floor(float(value) / float(period))) * period;
+  return rest < 0 ? rest + period : (rest >= period ? rest - period : rest);
+}
+
+/// A mip's texels: half of one outside the coefficients, a bilinear fetch is 0. [texels]
+void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high) {
+  float side = exp2(ceil(level));
+  low = vec2(-0.5 * side);
+  high = (ceil(coefficients / side) + 0.5) * side;
+}
+
+/// Impacts around `position` [tiles, relative to the host's integer tile origin] whose textons
+/// reach it, or reach `margin` texels of their mip beyond.
+LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, vec2 gradientY,
+                                  LichenNoise noise, LichenTexton texton) {
+  vec2 texelsPerTile = vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+  vec2 cellsPerTile = vec2(noise.columnsPerTile, noise.rowsPerTile);
+  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  LichenImpacts impacts;
+  vec2 texelsX = gradientX * texelsPerTile;
+  vec2 texelsY = gradientY * texelsPerTile;
+  impacts.footprintLevel = 0.5 * log2(max(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY))));
+  impacts.level = min(impacts.footprintLevel, float(int(texton.mipCount) - 1));
+  vec2 low, high;
+  lichenMipReach(impacts.level, coefficients, low, high);
+  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0) {
+    const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
+    low = min(low, vec2(-kReach));
+    high = max(high, coefficients + kReach);
+  }
+  low -= margin * exp2(impacts.level);
+  high += margin * exp2(impacts.level);
+  impacts.middle = 0.5 * (low + high);
+  impacts.radius = high - impacts.middle;
+  // An impact has the middle of its coefficients at its own place.
+  vec2 grid = position * cellsPerTile + vec2(noise.fractionI, noise.fractionJ);
+  vec2 cell = floor(grid);
+  vec2 inside = grid - cell;
+  impacts.cellTexels = texelsPerTile / cellsPerTile;
+  vec2 shift = 0.5 * coefficients - impacts.middle;
+  vec2 first = floor(inside + (shift - impacts.radius) / impacts.cellTexels);
+  vec2 last = floor(inside + (shift + impacts.radius) / impacts.cellTexels);
+  impacts.start = shift + (inside - first) * impacts.cellTexels;
+  // Half a cell further than the last: sums of sides are rounded.
+  impacts.end = impacts.start - (last - first + 0.5) * impacts.cellTexels;
+  impacts.firstCell = ivec2(cell) + ivec2(first) + ivec2(noise.cellI, noise.cellJ);
+  if (bool(LICHEN_PERIODIC_LATTICE)) {
+    impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, noise.periodColumns);
+    impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, noise.periodRows);
+  }
+  impacts.mixWeight = 0.0;
+  impacts.mixGradient = vec2(0.0);
+  return impacts;
+}
+
+/// Those of values.
+LichenImpacts lichenImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise,
+                              LichenTexton texton) {
+  return lichenImpactsWithin(0.0, position, gradientX, gradientY, noise, texton);
+}
+
+/// Where an impact lies in its cell, [0, 1).
+vec2 lichenImpactInCell(uint word) {
+  // 15 bits each, below the sign, and the middle of what they tell apart.
+  const float kStep = 1.0 / 32768.0;
+  return (vec2(ivec2(uvec2(word >> 16u, word >> 1u) & 32767u)) + 0.5) * kStep;
+}
+
+/// Impacts in a cell of the Poisson process: the quantile of a Poisson variable of mean 1.
+uint lichenPoissonCount(uint hash) {
+  // 2^32 times its distribution function at 0, 1, ...; more than 12 have a probability of 6e-11.
+  uint count = 0u;
+  count += hash >= 1580030169u ? 1u : 0u;
+  count += hash >= 3160060337u ? 1u : 0u;
+  count += hash >= 3950075422u ? 1u : 0u;
+  count += hash >= 4213413783u ? 1u : 0u;
+  count += hash >= 4279248374u ? 1u : 0u;
+  count += hash >= 4292415292u ? 1u : 0u;
+  count += hash >= 4294609778u ? 1u : 0u;
+  count += hash >= 4294923276u ? 1u : 0u;
+  count += hash >= 4294962463u ? 1u : 0u;
+  count += hash >= 4294966817u ? 1u : 0u;
+  count += hash >= 4294967253u ? 1u : 0u;
+  count += hash >= 4294967292u ? 1u : 0u;
+  return count;
+}
+
+/// A walk before its first impact.
+LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenNoise noise) {
+  LichenWalk walk;
+  walk.cell = uvec3(uvec2(impacts.firstCell), noise.seedWord) * LICHEN_PCG3D_FACTOR +
+              LICHEN_PCG3D_TERM;
+  walk.index = 0u;
+  walk.corner = impacts.start;
+  walk.isReached = false;
+  walk.place = vec2(0.0);
+  walk.sign = 0.0;
+  return walk;
+}
+
+/// The cell after one of these along an axis, both after the first step of the hash; the first one
+/// after the last of the period.
+uint lichenNextCell(uint cell, int period) {
+  // A sum in place of a product: cell numbers wrap as the hash's words do.
+  if (bool(LICHEN_PERIODIC_LATTICE) &&
+      cell == uint(period - 1) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM)
+    return LICHEN_PCG3D_TERM;
+  return cell + LICHEN_PCG3D_FACTOR;
+}
+
+/// To the next cell of the window, row by row.
+void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise) {
+  walk.corner.x -= impacts.cellTexels.x;
+  bool endsRow = walk.corner.x < impacts.end.x;
+  uint first = uint(impacts.firstCell.x) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
+  walk.cell.x = endsRow ? first : lichenNextCell(walk.cell.x, noise.periodColumns);
+  walk.cell.y = endsRow ? lichenNextCell(walk.cell.y, noise.periodRows) : walk.cell.y;
+  walk.corner =
+      endsRow ? vec2(impacts.start.x, walk.corner.y - impacts.cellTexels.y) : walk.corner;
+}
+
+/// One step of a walk.
+void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise,
+                LichenTexton texton) {
+  bool isPoisson =
+      bool(LICHEN_POISSON_POINTS) && texton.pointProcess == uint(LICHEN_POINTS_POISSON);
+  uvec3 hash = lichenPcg3dMix(walk.cell);
+  uint word = isPoisson ? lichenPcg(hash.x + walk.index) : hash.x;
+  uint count = isPoisson ? lichenPoissonCount(hash.y) : 1u;
+  walk.place = walk.corner - lichenImpactInCell(word) * impacts.cellTexels;
+  walk.sign = uintBitsToFloat(floatBitsToUint(1.0) | (word & 0x80000000u));
+  walk.isReached = walk.index < count && abs(walk.place.x) < impacts.radius.x &&
+                   abs(walk.place.y) < impacts.radius.y;
+  ++walk.index;
+  if (!isPoisson || walk.index >= count) {
+    walk.index = 0u;
+    lichenNextCellOf(walk, impacts, noise);
+  }
+}
+
+/// Whether a walk has not come to the end of its cells.
+bool lichenGoesOn(LichenWalk walk, LichenImpacts impacts) {
+  return walk.corner.y > impacts.end.y;
+}
+
+/// Goes on to the next impact that reaches the point, but not further than over one that does not:
+/// with a loop here, devices that compute pixels together would run it for the slowest of them.
+void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise,
+                      LichenTexton texton) {
+  lichenStep(walk, impacts, noise, texton);
+  if (!walk.isReached && lichenGoesOn(walk, impacts))
+    lichenStep(walk, impacts, noise, texton);
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Any noise, whatever its method: a host places it once per fragment (lichenPlaceAt) and evaluates
+// each of its maps there (lichenValue).
+#ifndef LICHEN_METHOD_GLSL
+#define LICHEN_METHOD_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "texton.glsl"
+#include "tiling.glsl"
+
+// 0 where no noise is of this method. Literals, or the host's specialization constants.
+#ifndef LICHEN_TILING_NOISES
+#define LICHEN_TILING_NOISES 1
+#endif
+#ifndef LICHEN_TEXTON_NOISES
+#define LICHEN_TEXTON_NOISES 1
+#endif
+
+/// What all maps of a noise share at one point; the part of the noise's method is set.
+struct LichenPlace {
+  LichenTaps taps;
+  LichenImpacts impacts;
+};
+
+/// Whether this is texton noise; known at compile time where a method is left out.
+bool lichenIsTexton(LichenNoise noise) {
+  return bool(LICHEN_TEXTON_NOISES) &&
+         (!bool(LICHEN_TILING_NOISES) || noise.method == uint(LICHEN_METHOD_TEXTON));
+}
+
+/// The place at `position` [tiles, relative to the host's integer tile origin] of a pixel with
+/// these gradients.
+LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise,
+                          LichenTexton texton) {
+  LichenPlace place;
+  if (lichenIsTexton(noise))
+    place.impacts = lichenImpactsAt(position, gradientX, gradientY, noise, texton);
+  else
+    place.taps = lichenTilingTaps(position, gradientX, gradientY, noise);
+  return place;
+}
+
+/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
+/// the variance of a slope that the footprint hides, for lichenRoughness.
+vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNoise noise,
+                 LichenMap map, LichenTexton texton) {
+  if (lichenIsTexton(noise))
+    return lichenTexton(image, place.impacts, noise, map, texton);
+  return lichenTiling(image, table, place.taps, noise, map);
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Texton noise: impacts around a point -> the material's value. The CPU twin is
+// analysis/texton/evaluate.
+// N(x) = mean + lambda^-1/2 sum_i e_i h(x - x_i), signs e_i, h the B-spline of the coefficients.
+// [GLM17] Galerne, Leclaire and Moisan 2017, sections 3.2 and 5; [SH05] Sigg and Hadwiger 2005,
+// for order 3. Deviations, with reasons: docs/decisions/.
+#ifndef LICHEN_TEXTON_GLSL
+#define LICHEN_TEXTON_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "impacts.glsl"
+#include "mip_variance.glsl"
+#include "tiling_decode.glsl"
+
+// 0 where no noise is a mix. A literal, or the host's specialization constant.
+#ifndef LICHEN_MIXED_TEXTONS
+#define LICHEN_MIXED_TEXTONS 1
+#endif
+// 0 where no texton is of order 0. Likewise.
+#ifndef LICHEN_NEAREST_TEXTONS
+#define LICHEN_NEAREST_TEXTONS 1
+#endif
+
+/// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
+float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
+  if (!bool(LICHEN_MIXED_TEXTONS) || texton.steps == 1u)
+    return 0.0;
+  // [GLM17] section 7.
+  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+  float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
+  return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
+}
+
+/// One fetch at `texel` of the image.
+vec3 lichenTextonFetch(sampler2D image, vec2 texel, float level, LichenTexton texton) {
+  vec2 size = vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
+  return textureLod(image, texel / size, level).rgb;
+}
+
+/// The cubic B-spline of the coefficients.
+vec3 lichenTextonCubic(sampler2D image, vec2 texel, float frame, LichenTexton texton) {
+  // [SH05] section 20.2: two texels of weights a and b are one bilinear fetch at b / (a + b).
+  vec2 base = floor(texel - 0.5);
+  vec2 f = texel - 0.5 - base;
+  vec2 rest = 1.0 - f;
+  vec2 weight0 = rest * rest * rest / 6.0;
+  vec2 weight1 = 2.0 / 3.0 - 0.5 * f * f * (1.0 + rest);
+  vec2 weight3 = f * f * f / 6.0;
+  vec2 near = weight0 + weight1;
+  vec2 far = 1.0 - near;
+  // Half a texel outside the coefficients all is 0, as beyond, where the image repeats.
+  vec2 low, high;
+  lichenMipReach(0.0, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
+  vec2 at0 = clamp(base - 0.5 + weight1 / near, low, high);
+  vec2 at1 = clamp(base + 1.5 + weight3 / far, low, high);
+  at0.y += frame;
+  at1.y += frame;
+  vec3 above = near.x * lichenTextonFetch(image, at0, 0.0, texton) +
+               far.x * lichenTextonFetch(image, vec2(at1.x, at0.y), 0.0, texton);
+  vec3 below = near.x * lichenTextonFetch(image, vec2(at0.x, at1.y), 0.0, texton) +
+               far.x * lichenTextonFetch(image, at1, 0.0, texton);
+  return near.y * above + far.y * below;
+}
+
+/// h at `texel` of its frame, filtered to the footprint.
+vec3 lichenTextonAt(sampler2D image, vec2 texel, LichenImpacts impacts, LichenTexton texton) {
+  float frame = lichenTextonFrame(texel, impacts, texton);
+  float minified = min(impacts.level, 1.0);
+  // Order 0: steps where magnified, none from the first mip on.
+  if (bool(LICHEN_NEAREST_TEXTONS) && texton.order == 0u)
+    texel = mix(floor(texel) + 0.5, texel, minified);
+  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0) {
+    // Between the spline and the first mip.
+    vec3 magnified = lichenTextonCubic(image, texel, frame, texton);
+    vec2 low, high;
+    lichenMipReach(impacts.level, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low,
+                   high);
+    texel = clamp(texel, low, high);
+    texel.y += frame;
+    return mix(magnified, lichenTextonFetch(image, texel, ceil(impacts.level), texton), minified);
+  }
+  texel.y += frame;
+  return lichenTextonFetch(image, texel, impacts.level, texton);
+}
+
+/// The sum over impacts, with mean 0.
+vec3 lichenTextonSum(sampler2D image, LichenImpacts impacts, LichenNoise noise,
+                     LichenTexton texton) {
+  // [GLM17] eq. 2, symmetric signs.
+  vec3 sum = vec3(0.0);
+  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  while (lichenGoesOn(walk, impacts)) {
+    lichenNextImpact(walk, impacts, noise, texton);
+    float sign = walk.isReached ? walk.sign : 0.0;
+    sum += sign * lichenTextonAt(image, walk.place + impacts.middle, impacts, texton);
+  }
+  return texton.amplitude * sum;
+}
+
+/// How many impacts reach the point.
+int lichenImpactCount(LichenImpacts impacts, LichenNoise noise, LichenTexton texton) {
+  int count = 0;
+  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  while (lichenGoesOn(walk, impacts)) {
+    lichenNextImpact(walk, impacts, noise, texton);
+    count += walk.isReached ? 1 : 0;
+  }
+  return count;
+}
+
+/// What the sum over impacts is multiplied by. Beyond the last mip textons stay as they are, and
+/// the amplitude falls as the deviation does.
+float lichenTextonGain(LichenImpacts impacts, LichenNoise noise, LichenMap map) {
+  float kept = lichenLevelKept(impacts.level, map);
+  float rest = lichenLevelKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
+  return noise.contrast * (kept > 0.0 ? sqrt(rest / kept) : 0.0);
+}
+
+/// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified.
+vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenNoise noise,
+                          LichenMap map, LichenTexton texton) {
+  return 0.5 + lichenTextonGain(impacts, noise, map) *
+                   lichenTextonSum(image, impacts, noise, texton);
+}
+
+/// The share of the Gaussian value's variance that filtering loses.
+float lichenTextonLostVariance(LichenImpacts impacts, LichenMap map) {
+  return 1.0 - lichenLevelKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
+}
+
+/// The map where its mean is that of the place in a mix.
+LichenMap lichenMixedMap(LichenImpacts impacts, LichenMap map, LichenTexton texton) {
+  if (bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u) {
+    // [GLM17] section 7: means are interpolated.
+    float weight = clamp(impacts.mixWeight, 0.0, 1.0);
+    map.row0.w = mix(map.row0.w, map.endMean.x, weight);
+    map.row1.w = mix(map.row1.w, map.endMean.y, weight);
+    map.row2.w = mix(map.row2.w, map.endMean.z, weight);
+  }
+  return map;
+}
+
+/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
+/// the variance of a slope that the footprint hides, for lichenRoughness.
+vec4 lichenTexton(sampler2D image, LichenImpacts impacts, LichenNoise noise, LichenMap map,
+                  LichenTexton texton) {
+  float lost = lichenTextonLostVariance(impacts, map);
+  // Contrast scales what is missing with what is there.
+  float scaled = min(1.0, noise.contrast * noise.contrast * lost);
+  return lichenDecodeGaussian(lichenTextonGaussian(image, impacts, noise, map, texton), scaled,
+                              lichenMixedMap(impacts, map, texton));
+}
+
+#endif

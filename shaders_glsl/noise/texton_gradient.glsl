@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// A map's first channel and its derivatives, for bumps of a height: impacts around a point ->
+// (value, d/dx, d/dy), of the stored value and per tile. Where a texton of order 3 is magnified the
+// derivatives are the spline's own, continuous; otherwise differences over a texel of the level.
+// [GLM17] section 5, bump mapping; [UAE93] for the derivative of a B-spline.
+#ifndef LICHEN_TEXTON_GRADIENT_GLSL
+#define LICHEN_TEXTON_GRADIENT_GLSL
+
+#include "texton.glsl"
+
+/// Weights of four neighbouring texels, `f` [0, 1) beyond the second one's centre: of the cubic
+/// B-spline.
+vec4 lichenCubicWeights(float f) {
+  float r = 1.0 - f;
+  return vec4(r * r * r, 4.0 - 3.0 * f * f * (1.0 + r), 4.0 - 3.0 * r * r * (1.0 + f), f * f * f) /
+         6.0;
+}
+
+/// Likewise of its derivative.
+vec4 lichenCubicSlopes(float f) {
+  float r = 1.0 - f;
+  return 0.5 * vec4(-r * r, f * (3.0 * f - 4.0), r * (4.0 - 3.0 * r), f * f);
+}
+
+/// Value and derivatives [1 / texel] of the cubic B-spline of the first channel's coefficients.
+vec3 lichenTextonCubicGradient(sampler2D image, vec2 texel, float frame, LichenTexton texton) {
+  vec2 base = floor(texel - 0.5);
+  vec2 f = texel - 0.5 - base;
+  // The image repeats: texels that hold no coefficients do not count.
+  vec4 columns = base.x + vec4(-1.0, 0.0, 1.0, 2.0);
+  vec4 rows = base.y + vec4(-1.0, 0.0, 1.0, 2.0);
+  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  vec4 isColumn = step(vec4(0.0), columns) * step(columns, vec4(coefficients.x - 1.0));
+  vec4 isRow = step(vec4(0.0), rows) * step(rows, vec4(coefficients.y - 1.0));
+  vec4 weightX = lichenCubicWeights(f.x) * isColumn;
+  vec4 weightY = lichenCubicWeights(f.y) * isRow;
+  vec4 slopeX = lichenCubicSlopes(f.x) * isColumn;
+  vec4 slopeY = lichenCubicSlopes(f.y) * isRow;
+  vec2 size = vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
+  vec2 corner = base + vec2(0.0, frame); // between the first two texels along each axis
+  vec4 aboveLeft = textureGather(image, corner / size, 0);
+  vec4 aboveRight = textureGather(image, (corner + vec2(2.0, 0.0)) / size, 0);
+  vec4 belowLeft = textureGather(image, (corner + vec2(0.0, 2.0)) / size, 0);
+  vec4 belowRight = textureGather(image, (corner + 2.0) / size, 0);
+  // A gather's components: lower left, lower right, upper right, upper left, y downwards.
+  mat4 texels = mat4(aboveLeft.wz, aboveRight.wz, aboveLeft.xy, aboveRight.xy, belowLeft.wz,
+                     belowRight.wz, belowLeft.xy, belowRight.xy);
+  vec4 values = weightX * texels; // of each row
+  return vec3(dot(values, weightY), dot(slopeX * texels, weightY), dot(values, slopeY));
+}
+
+/// Value and derivatives [1 / texel] at `texel` of an impact's frame, filtered to the footprint.
+vec3 lichenTextonGradientAt(sampler2D image, vec2 texel, LichenImpacts impacts,
+                            LichenTexton texton) {
+  float frame = lichenTextonFrame(texel, impacts, texton);
+  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0;
+  float level = isCubic ? ceil(impacts.level) : impacts.level;
+  float side = exp2(level);
+  vec2 low, high;
+  lichenMipReach(level, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
+  vec2 top = vec2(0.0, frame);
+  vec2 alongX = vec2(0.5 * side, 0.0);
+  vec2 alongY = alongX.yx;
+  vec3 differences;
+  differences.x = lichenTextonFetch(image, clamp(texel, low, high) + top, level, texton).x;
+  differences.y =
+      (lichenTextonFetch(image, clamp(texel + alongX, low, high) + top, level, texton).x -
+       lichenTextonFetch(image, clamp(texel - alongX, low, high) + top, level, texton).x) /
+      side;
+  differences.z =
+      (lichenTextonFetch(image, clamp(texel + alongY, low, high) + top, level, texton).x -
+       lichenTextonFetch(image, clamp(texel - alongY, low, high) + top, level, texton).x) /
+      side;
+  if (!isCubic)
+    return differences;
+  return mix(lichenTextonCubicGradient(image, texel, frame, texton), differences,
+             min(impacts.level, 1.0));
+}
+
+/// Impacts for lichenTextonGradient, at `position` [tiles] of a pixel with these gradients.
+LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY,
+                                      LichenNoise noise, LichenTexton texton) {
+  return lichenImpactsWithin(0.5, position, gradientX, gradientY, noise, texton);
+}
+
+/// The stored value of a map's first channel, not clamped, and its derivatives along x and y
+/// [1 / tile].
+vec3 lichenTextonGradient(sampler2D image, LichenImpacts impacts, LichenNoise noise, LichenMap map,
+                          LichenTexton texton) {
+  vec3 sum = vec3(0.0);
+  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  while (lichenGoesOn(walk, impacts)) {
+    lichenNextImpact(walk, impacts, noise, texton);
+    float sign = walk.isReached ? walk.sign : 0.0;
+    sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, texton);
+  }
+  float scale = map.row0.x * texton.amplitude * lichenTextonGain(impacts, noise, map);
+  vec3 gradient = scale * sum * vec3(1.0, texton.texelsPerTileX, texton.texelsPerTileY);
+  gradient.x += lichenMixedMap(impacts, map, texton).row0.w;
+  return gradient;
+}
+
+#endif

@@ -1,0 +1,24 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Texton noise of bilinear textons, as a material's base colour uses it.
+
+// The usual material: an endless grid of stratified impacts, one exemplar, order 1, known at
+// compile time.
+#define LICHEN_TILING_NOISES 0
+#define LICHEN_PERIODIC_LATTICE 0
+#define LICHEN_POISSON_POINTS 0
+#define LICHEN_MIXED_TEXTONS 0
+#define LICHEN_CUBIC_TEXTONS 0
+#define LICHEN_NEAREST_TEXTONS 0
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "lichen.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_NOISE(0, place);
+}

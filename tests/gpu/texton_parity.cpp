@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// Texton noise in the shader, through the plugin, against the CPU twin, and both against an oracle
+// that sums all impacts of a periodic domain in double precision.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_texton.h"
+#include "texton_reference.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+/// As texton_evaluate.comp has them.
+enum Quantity { kValue, kGaussian, kGradient, kImpacts };
+
+struct MixedPoint {
+  Point point;
+  std::array<float, 4> mixPlace{}; ///< weight, its derivatives per tile
+};
+
+constexpr double kStrict = 1.0 / 1024.0;
+
+struct Difference {
+  double largest = 0.0;
+  std::size_t beyond = 0; ///< further off than 1/1024
+  std::size_t count = 0;
+
+  void note(double error) {
+    largest = std::max(largest, error);
+    beyond += error > kStrict ? 1 : 0;
+    ++count;
+  }
+  [[nodiscard]] double fractionBeyond() const { return double(beyond) / double(count); }
+};
+
+/// Footprints from a quarter of a texel to beyond the last mip, and points some tiles around.
+std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t count) {
+  std::mt19937 generator(11u);
+  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 3.0f),
+      angle(0.0f, 2.0f * std::numbers::pi_v<float>), weight(-0.2f, 1.2f);
+  std::vector<MixedPoint> points(count);
+  for (MixedPoint& mixed : points) {
+    Point& point = mixed.point;
+    point.uv = {tiles(generator), tiles(generator)};
+    const float length = std::exp2(level(generator)) / float(texton.texelsPerTileX);
+    const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
+    point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
+    point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
+    mixed.mixPlace = {weight(generator), weight(generator), weight(generator), 0.0f};
+  }
+  return points;
+}
+
+LichenUniformInfo uniformInfo() {
+  LichenUniformInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+  return info;
+}
+
+/// Uniforms that between them use every parameter.
+std::vector<LichenUniformInfo> manyUniforms() {
+  std::vector<LichenUniformInfo> all(5, uniformInfo());
+  all[1].overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
+                     LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
+  all[1].scale = 0.8;
+  all[1].rotation = 0.6;
+  all[1].offset[0] = 0.25;
+  all[1].offset[1] = -1.5;
+  all[1].seed = 4294967295u;
+  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].tileOrigin[1] = std::int64_t(1) << 40;
+  all[2].overrides = LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS;
+  all[2].contrast = 1.4;
+  all[2].impacts = 4.0;
+  all[3].periodTiles[0] = 2.0;
+  all[3].periodTiles[1] = 3.0;
+  all[3].tileOrigin[0] = -7;
+  all[3].overrides = LICHEN_OVERRIDE_POINT_PROCESS;
+  all[3].pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[4].periodTiles[0] = all[4].periodTiles[1] = 1.37;
+  return all;
+}
+
+TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
+  const auto toTile = [&](const std::array<float, 2>& v) {
+    return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
+                      n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+  };
+  TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
+  at.position[0] += n.offsetX;
+  at.position[1] += n.offsetY;
+  return at;
+}
+
+MixPlace mixOf(const MixedPoint& mixed) {
+  return {mixed.mixPlace[0], {mixed.mixPlace[1], mixed.mixPlace[2]}};
+}
+
+/// A device, a noise on it and its twin.
+struct Twins {
+  explicit Twins(const SyntheticTexton& texton)
+      : bundle(parseBundle(syntheticTextonGlb(texton), "synthetic").value()),
+        host(*device, syntheticTextonGlb(texton)),
+        twin(TextonEvaluator::create(bundle, 0).value()) {}
+  ~Twins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+
+  std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
+                                           const std::vector<MixedPoint>& points) {
+    static const std::vector<std::uint32_t> committed = committedShader("texton_evaluate.comp");
+    return host.evaluate(committed, quantity, info, points);
+  }
+
+  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  Bundle bundle;
+  PluginHost host;
+  TextonEvaluator twin;
+};
+
+/// Orders, formats and numbers of channels; no side is a multiple of a coarse texel.
+const std::vector<SyntheticTexton> kTextons = {
+    {},
+    {.coefficientsX = 8, .coefficientsY = 30, .order = 1, .channels = 2},
+    {.order = 3},
+    {.order = 3, .mipLevels = 1, .channels = 1},
+    {.order = 1, .steps = 3, .channels = 1}};
+
+} // namespace
+
+TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and all within 1/255") {
+  for (const SyntheticTexton& texton : kTextons) {
+    Twins twins(texton);
+    const std::vector<MixedPoint> points = samplePoints(texton, 400);
+    int uniforms = 0;
+    for (const LichenUniformInfo& info : manyUniforms()) {
+      const auto values = twins.shader(kValue, info, points);
+      const auto gaussians = twins.shader(kGaussian, info, points);
+      const shader::LichenUniforms& u = twins.host.uniforms();
+      Difference value, gaussian;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const TileFootprint at = footprintOf(points[k].point, u.noise);
+        const auto expected = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto expectedG = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        for (std::size_t c = 0; c < 4; ++c) {
+          value.note(std::abs(double(values[k][c]) - double(expected[c])));
+          if (c < std::size_t(texton.channels) || c == 3)
+            gaussian.note(std::abs(double(gaussians[k][c]) - double(expectedG[c])));
+        }
+      }
+      INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
+                    << texton.steps << ", uniforms " << uniforms++);
+      CHECK(value.largest <= 1.0 / 255.0);
+      CHECK(value.fractionBeyond() <= 0.001);
+      CHECK(gaussian.largest <= 1.0 / 255.0);
+      CHECK(gaussian.fractionBeyond() <= 0.001);
+    }
+  }
+}
+
+TEST_CASE("textons of order 0 agree but for points on the border of a coefficient") {
+  Twins twins({.order = 0});
+  const std::vector<MixedPoint> points = samplePoints({}, 600);
+  for (const LichenUniformInfo& info : manyUniforms()) {
+    const auto values = twins.shader(kGaussian, info, points);
+    const shader::LichenUniforms& u = twins.host.uniforms();
+    Difference difference;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto expected =
+          twins.twin.gaussian(0, u.noise, u.texton, footprintOf(points[k].point, u.noise));
+      for (std::size_t c = 0; c < 4; ++c)
+        difference.note(std::abs(double(values[k][c]) - double(expected[c])));
+    }
+    // Coordinates of some 100 texels are rounded to 2^-17: of 30 impacts, 3e-4 have one on the
+    // other side of one of two borders.
+    CHECK(difference.fractionBeyond() <= 0.002);
+  }
+}
+
+namespace {
+
+/// Points at one pixel per texel of a mip, and uniforms of a periodic placement.
+struct OracleCase {
+  SyntheticTexton texton;
+  LichenUniformInfo info = uniformInfo();
+  std::uint32_t mip = 0;
+};
+
+std::vector<OracleCase> oracleCases() {
+  std::vector<OracleCase> all;
+  for (const int order : {0, 1, 3})
+    for (const bool poisson : {false, true})
+      for (const std::uint32_t mip : {0u, 1u, 2u}) {
+        OracleCase one{{.order = order, .steps = order == 1 ? 3 : 1, .wholeFloats = true}};
+        one.mip = mip;
+        one.info.periodTiles[0] = 2.0;
+        one.info.periodTiles[1] = 1.0;
+        one.info.tileOrigin[0] = poisson ? 5 : 0;
+        one.info.overrides = LICHEN_OVERRIDE_POINT_PROCESS;
+        one.info.pointProcess =
+            poisson ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
+        all.push_back(one);
+      }
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("shader and twin sum what the oracle sums over all impacts of a periodic domain") {
+  for (const OracleCase& one : oracleCases()) {
+    Twins twins(one.texton);
+    std::vector<MixedPoint> points = samplePoints(one.texton, 30);
+    for (MixedPoint& mixed : points) {
+      const float pixel = std::exp2(float(one.mip)) / float(one.texton.texelsPerTileX);
+      mixed.point.gradientX = {pixel, 0.0f};
+      mixed.point.gradientY = {0.0f, pixel};
+    }
+    const auto values = twins.shader(kGaussian, one.info, points);
+    const shader::LichenUniforms& u = twins.host.uniforms();
+    const TextonReference reference(twins.bundle, u.noise, u.texton);
+    const NoiseMap& map = twins.bundle.noises[0].maps[0];
+    std::size_t strangers = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const TileFootprint at = footprintOf(points[k].point, u.noise);
+      const MixPlace mix = mixOf(points[k]);
+      const auto twin = twins.twin.gaussian(0, u.noise, u.texton, at, mix);
+      const TextonReference::Sum expected =
+          reference.at(double(at.position[0]), double(at.position[1]), one.mip, double(mix.weight),
+                       {double(mix.gradient[0]), double(mix.gradient[1])});
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double gaussian = 0.5 + expected.value[c] / map.scale[c];
+        // 30 impacts at coordinates of 100 texels rounded to 2^-17, slopes up to 0.2 a texel: less
+        // than 5e-5. Order 0 and steps of a mix have borders, where a texton may be another's.
+        constexpr double kTolerance = 1e-4;
+        const double worst = std::max(std::abs(double(values[k][c]) - gaussian),
+                                      std::abs(double(twin[c]) - gaussian));
+        strangers += worst > kTolerance ? 1u : 0u;
+      }
+    }
+    INFO("order " << one.texton.order << ", mip " << one.mip << ", process "
+                  << int(one.info.pointProcess));
+    CHECK(strangers <= (one.texton.order == 3 ? 0u : 3u)); // one point
+  }
+}
+
+TEST_CASE("derivatives of order 3 are those of the spline, and the count is of impacts in reach") {
+  const SyntheticTexton texton{.order = 3, .channels = 1, .wholeFloats = true};
+  Twins twins(texton);
+  std::vector<MixedPoint> points = samplePoints(texton, 200);
+  for (MixedPoint& mixed : points)
+    mixed.point.gradientX = mixed.point.gradientY = {0.0f, 0.0f};
+  LichenUniformInfo info = uniformInfo();
+  info.periodTiles[0] = info.periodTiles[1] = 2.0;
+  const auto gradients = twins.shader(kGradient, info, points);
+  const auto counts = twins.shader(kImpacts, info, points);
+  const shader::LichenUniforms& u = twins.host.uniforms();
+  const TextonReference reference(twins.bundle, u.noise, u.texton);
+  const NoiseMap& map = twins.bundle.noises[0].maps[0];
+  double mean = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TileFootprint at = footprintOf(points[k].point, u.noise);
+    const auto twin = twins.twin.gradient(0, u.noise, u.texton, at);
+    const TextonReference::Sum expected =
+        reference.at(double(at.position[0]), double(at.position[1]), 0);
+    const double values[] = {map.mean[0] + expected.value[0], expected.gradient[0],
+                             expected.gradient[1]};
+    for (std::size_t c = 0; c < 3; ++c) {
+      // The slope's own slope is below 0.08 a texel, 64 texels a tile, by the same roundings.
+      const double tolerance = c == 0 ? 1e-4 : 2e-3;
+      REQUIRE(double(gradients[k][c]) == Approx(values[c]).margin(tolerance));
+      REQUIRE(double(twin[c]) == Approx(values[c]).margin(tolerance));
+    }
+    mean += double(counts[k][0]) / double(points.size());
+  }
+  // A Bernoulli variable for each cell: 200 points, of at most sqrt(30 / 4) each, 5 standard
+  // errors. A square window of (24, 21) texels is what 30 are counted in.
+  CHECK(mean == Approx(30.0).margin(1.0));
+}
+
+TEST_CASE("differences of a minified height agree in shader and twin") {
+  for (const int order : {1, 3}) {
+    const SyntheticTexton texton{.order = order, .channels = 1};
+    Twins twins(texton);
+    const std::vector<MixedPoint> points = samplePoints(texton, 400);
+    const auto gradients = twins.shader(kGradient, uniformInfo(), points);
+    const shader::LichenUniforms& u = twins.host.uniforms();
+    Difference difference;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto expected =
+          twins.twin.gradient(0, u.noise, u.texton, footprintOf(points[k].point, u.noise));
+      for (std::size_t c = 0; c < 3; ++c) // per texel, as values are
+        difference.note(std::abs(double(gradients[k][c]) - double(expected[c])) /
+                        (c == 0 ? 1.0 : 64.0));
+    }
+    CHECK(difference.largest <= 1.0 / 255.0);
+    CHECK(difference.fractionBeyond() <= 0.001);
+  }
+}

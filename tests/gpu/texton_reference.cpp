@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The oracle of the texton tests; see texton_reference.h.
+#include "texton_reference.h"
+
+#include <lichen/lattice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::test {
+namespace {
+
+/// The centred B-spline of an order, and its derivative: Cox and de Boor's recursion, half-open.
+double spline(int order, double x) {
+  if (order == 0)
+    return x >= -0.5 && x < 0.5 ? 1.0 : 0.0;
+  const double half = 0.5 * (order + 1);
+  return ((half + x) * spline(order - 1, x + 0.5) + (half - x) * spline(order - 1, x - 0.5)) /
+         order;
+}
+double splineSlope(int order, double x) {
+  return order == 0 ? 0.0 : spline(order - 1, x + 0.5) - spline(order - 1, x - 0.5);
+}
+
+/// A Poisson variable of mean 1 by its distribution function, at a quantile.
+int poissonQuantile(double quantile) {
+  int count = 0;
+  double probability = std::exp(-1.0);
+  for (double sum = probability; quantile >= sum && count < 12; sum += probability)
+    probability /= ++count;
+  return count;
+}
+
+} // namespace
+
+TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
+                                 const shader::LichenTexton& texton)
+    : bundle_(bundle), noise_(noise), texton_(texton) {
+  const double cellX = double(texton.texelsPerTileX) / double(noise.columnsPerTile);
+  const double cellY = double(texton.texelsPerTileY) / double(noise.rowsPerTile);
+  for (std::int32_t j = 0; j < noise.periodRows; ++j)
+    for (std::int32_t i = 0; i < noise.periodColumns; ++i) {
+      const auto hash = pcg3d({std::uint32_t(i), std::uint32_t(j), noise.seedWord});
+      const bool poisson = texton.pointProcess == LICHEN_POINTS_POISSON;
+      const int count = poisson ? poissonQuantile(double(hash[1]) / std::exp2(32.0)) : 1;
+      for (int k = 0; k < count; ++k) {
+        const std::uint32_t word = poisson ? pcg(hash[0] + std::uint32_t(k)) : hash[0];
+        const double x =
+            i - noise.cellI - double(noise.fractionI) + ((word >> 16 & 32767) + 0.5) / 32768.0;
+        const double y =
+            j - noise.cellJ - double(noise.fractionJ) + ((word >> 1 & 32767) + 0.5) / 32768.0;
+        impacts_.push_back({x * cellX, y * cellY, (word >> 31) != 0 ? -1.0 : 1.0});
+      }
+    }
+  const Table& image = bundle.tables[bundle.noises[0].maps[0].image];
+  for (std::uint32_t level = 0; level < image.mipLevels; ++level)
+    mips_.push_back(decodeLevel(image, level));
+}
+
+TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32_t mip,
+                                         double mixWeight,
+                                         std::array<double, 2> mixGradient) const {
+  const NoiseMap& map = bundle_.noises[0].maps[0];
+  const Table& image = bundle_.tables[map.image];
+  const auto stored = std::size_t(channelCount(image.format));
+  const int order = mip == 0 ? int(texton_.order) : 1;
+  const double side = std::exp2(double(mip));
+  const int width = int(image.width >> mip);
+  const int columns = int(std::ceil(texton_.coefficientsX / side));
+  const int rows = int(std::ceil(texton_.coefficientsY / side));
+  const double pointX = tileX * double(texton_.texelsPerTileX);
+  const double pointY = tileY * double(texton_.texelsPerTileY);
+  const double periodX = double(noise_.periodTilesX) * double(texton_.texelsPerTileX);
+  const double periodY = double(noise_.periodTilesY) * double(texton_.texelsPerTileY);
+  Sum sum;
+  for (const Impact& impact : impacts_) {
+    // All copies that are less than twice the texton and its mips away.
+    const double farX = 2.0 * texton_.coefficientsX + 4.0 * side + 8.0;
+    const double farY = 2.0 * texton_.coefficientsY + 4.0 * side + 8.0;
+    for (double y = impact.y + periodY * std::ceil((pointY - farY - impact.y) / periodY);
+         y < pointY + farY; y += periodY)
+      for (double x = impact.x + periodX * std::ceil((pointX - farX - impact.x) / periodX);
+           x < pointX + farX; x += periodX) {
+        const double atX = pointX - x + 0.5 * texton_.coefficientsX;
+        const double atY = pointY - y + 0.5 * texton_.coefficientsY;
+        const double weight =
+            std::clamp(mixWeight + mixGradient[0] * (x - pointX) / double(texton_.texelsPerTileX) +
+                           mixGradient[1] * (y - pointY) / double(texton_.texelsPerTileY),
+                       0.0, 1.0);
+        const int step = int(std::floor(weight * (double(texton_.steps) - 1.0) + 0.5));
+        const int top = step * (texton_.frameY >> mip);
+        for (int row = 0; row < rows; ++row) {
+          const double y0 = atY / side - row - 0.5;
+          if (std::abs(y0) > 2.0)
+            continue;
+          for (int column = 0; column < columns; ++column) {
+            const double x0 = atX / side - column - 0.5;
+            if (std::abs(x0) > 2.0)
+              continue;
+            const float* texel =
+                &mips_[mip][(std::size_t(top + row) * std::size_t(width) + std::size_t(column)) *
+                            stored];
+            const double h = impact.sign * spline(order, x0) * spline(order, y0);
+            for (std::size_t c = 0; c < map.channels.size(); ++c)
+              sum.value[c] += h * map.scale[c] * double(texel[c]);
+            const double first = impact.sign * map.scale[0] * double(texel[0]);
+            sum.gradient[0] += first * splineSlope(order, x0) * spline(order, y0);
+            sum.gradient[1] += first * spline(order, x0) * splineSlope(order, y0);
+          }
+        }
+      }
+  }
+  const double cellArea = double(texton_.texelsPerTileX) / double(noise_.columnsPerTile) *
+                          double(texton_.texelsPerTileY) / double(noise_.rowsPerTile);
+  for (double& value : sum.value)
+    value *= std::sqrt(cellArea);
+  sum.gradient[0] *= std::sqrt(cellArea) * double(texton_.texelsPerTileX) / side;
+  sum.gradient[1] *= std::sqrt(cellArea) * double(texton_.texelsPerTileY) / side;
+  return sum;
+}
+
+} // namespace lichen::test
