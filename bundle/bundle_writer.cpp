@@ -49,11 +49,11 @@ Result<void> checkParts(const BundleFile& file) {
 double exemplarAspect(const Bundle& bundle) {
   if (bundle.noises.empty() || bundle.noises.front().maps.empty())
     return 1.0;
-  const std::size_t index = bundle.noises.front().maps.front().image;
-  if (index >= bundle.tables.size())
+  const Noise& noise = bundle.noises.front();
+  if (noise.maps.front().image >= bundle.tables.size())
     return 1.0;
-  const Table& gaussian = bundle.tables[index];
-  return double(std::max(gaussian.width, 1u)) / double(std::max(gaussian.height, 1u));
+  const auto [width, height] = exemplarSize(bundle, noise, noise.maps.front());
+  return double(std::max(width, 1u)) / double(std::max(height, 1u));
 }
 
 /// The whole document but its buffer.

@@ -16,7 +16,8 @@ using Tables = std::vector<std::optional<Table>>;
 /// read so far, null where one could not be.
 [[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables);
 
-/// Reads and checks what the textons of a noise have in common; usable whatever was recorded.
+/// Reads and checks what the textons of a noise have in common. One that is at fault has no
+/// coefficients, and nothing is checked against it.
 [[nodiscard]] TextonShape readTextonShape(ObjectReader& noise, FindingList& findings);
 
 /// Reads and checks what a map of a texton noise has besides channels and statistics.
@@ -32,8 +33,6 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
 [[nodiscard]] std::string shapeOf(const Table& table);
 /// Colour channels of a table: alpha is unused.
 [[nodiscard]] std::size_t usedChannels(TexelFormat format);
-/// Reads mipLoss: in [0, 1], not decreasing. `first` is whether the first level loses nothing.
-void readLosses(ObjectReader& reader, NoiseMap& map);
 
 /// A bound that the schema states too; those of parameters are in bundle.h.
 inline constexpr std::uint64_t kMaxTexCoord = 15;

@@ -63,7 +63,6 @@ constexpr std::array<FormatEntry, 9> kFormats = {{{TexelFormat::r8Unorm, 9, 1, f
 const FormatEntry& entryOf(TexelFormat format) { return kFormats[std::size_t(format)]; }
 
 /// Largest side, as of images.
-constexpr std::uint32_t kMaxSide = 16384;
 
 template <class T>
 void append(std::vector<std::byte>& bytes, const T& value) {
@@ -160,12 +159,12 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
                              std::to_string(header.vkFormat) + " has " +
                              std::to_string(format->typeSize));
   for (const std::uint32_t side : {header.pixelWidth, header.pixelHeight})
-    if (side == 0 || side > kMaxSide)
+    if (side == 0 || side > kMaxTableSide)
       return refusal(name, "side of " + std::to_string(side) + " texels; 1 to " +
-                               std::to_string(kMaxSide) + " are accepted");
-  if (header.pixelDepth > kMaxSide)
+                               std::to_string(kMaxTableSide) + " are accepted");
+  if (header.pixelDepth > kMaxTableSide)
     return refusal(name, "depth of " + std::to_string(header.pixelDepth) + " texels; at most " +
-                             std::to_string(kMaxSide) + " are accepted");
+                             std::to_string(kMaxTableSide) + " are accepted");
   if (header.layerCount != 0 || header.faceCount != 1)
     return refusal(name, std::to_string(header.layerCount) + " layers and " +
                              std::to_string(header.faceCount) +

@@ -154,6 +154,18 @@ void readStatistics(ObjectReader& reader, NoiseMap& map) {
   }
 }
 
+/// Shares of lost variance; how many is for the kind of image to say.
+void readLosses(ObjectReader& reader, NoiseMap& map) {
+  if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
+    if (!loss->empty() && loss->front() != 0.0)
+      reader.error("map-mip-loss", "mipLoss",
+                   json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
+    if (!std::is_sorted(loss->begin(), loss->end()))
+      reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
+    map.mipLoss = std::move(*loss);
+  }
+}
+
 /// The affine map of a separable table.
 void readTableBasis(ObjectReader& reader, NoiseMap& map, const Table* gaussian) {
   constexpr NumberRange kBasisRange{-1e6, 1e6};
@@ -336,17 +348,6 @@ const Table* readTableIndex(ObjectReader& reader, const char* key, const char* c
   }
   index = std::size_t(*value);
   return tables[index] ? &*tables[index] : nullptr;
-}
-
-void readLosses(ObjectReader& reader, NoiseMap& map) {
-  if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
-    if (!loss->empty() && loss->front() != 0.0)
-      reader.error("map-mip-loss", "mipLoss",
-                   json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
-    if (!std::is_sorted(loss->begin(), loss->end()))
-      reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
-    map.mipLoss = std::move(*loss);
-  }
 }
 
 NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of a noise's maps has a target, how a map is decoded, and how a noise can be mapped.
+// Which of a noise's maps has a target, the size of its exemplar, how it is decoded, and how a
+// noise can be mapped.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -12,6 +13,14 @@ std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
   if (found == noise.maps.end())
     return std::nullopt;
   return std::size_t(found - noise.maps.begin());
+}
+
+std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
+                                          const NoiseMap& map) {
+  if (noise.method == Method::texton)
+    return {std::uint32_t(noise.texton.texelsPerTileX), std::uint32_t(noise.texton.texelsPerTileY)};
+  const Table& gaussian = bundle.tables[map.image];
+  return {gaussian.width, gaussian.height};
 }
 
 bool mappingFits(Method method, Mapping mapping) {

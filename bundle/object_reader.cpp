@@ -96,7 +96,7 @@ std::optional<std::vector<double>> ObjectReader::numbers(const char* key, Number
 }
 
 std::optional<std::uint64_t> ObjectReader::integer(const char* key, std::uint64_t most,
-                                                   const char* rangeCode) {
+                                                   const char* rangeCode, std::uint64_t least) {
   const json* member = required(key);
   if (member == nullptr)
     return std::nullopt;
@@ -104,11 +104,15 @@ std::optional<std::uint64_t> ObjectReader::integer(const char* key, std::uint64_
     error("type", key, std::string(member->type_name()) + "; an integer is accepted");
     return std::nullopt;
   }
-  if (!member->is_number_unsigned() || member->get<std::uint64_t>() > most) {
-    error(rangeCode, key, member->dump() + "; 0 to " + std::to_string(most) + " is accepted");
+  const auto value =
+      member->is_number_unsigned() ? std::optional(member->get<std::uint64_t>()) : std::nullopt;
+  if (!value || *value < least || *value > most) {
+    error(rangeCode, key,
+          member->dump() + "; " + std::to_string(least) + " to " + std::to_string(most) +
+              " is accepted");
     return std::nullopt;
   }
-  return member->get<std::uint64_t>();
+  return value;
 }
 
 std::optional<std::string> ObjectReader::text(const char* key) {

@@ -30,9 +30,10 @@ public:
   [[nodiscard]] std::optional<double> number(const char* key, NumberRange range);
   [[nodiscard]] double numberOr(const char* key, NumberRange range, double fallback);
   [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key, NumberRange range);
-  /// Integers in [0, most]; `rangeCode` is the code of one outside.
+  /// Integers in [least, most]; `rangeCode` is the code of one outside.
   [[nodiscard]] std::optional<std::uint64_t> integer(const char* key, std::uint64_t most,
-                                                     const char* rangeCode = "range");
+                                                     const char* rangeCode = "range",
+                                                     std::uint64_t least = 0);
   [[nodiscard]] std::optional<std::string> text(const char* key);
   /// A member that is an array of 1 to `most` elements; null otherwise ("count").
   [[nodiscard]] const nlohmann::json* array(const char* key, std::size_t most);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The preview scene: for each noise a ball of radius 1 on one ground, seen by a camera at low
 // height in front of them, or from higher up where they lie in rows, lit by a sun from the upper
-// left. Units are metres, +Y is up, the camera
-// looks along -Z. Texture coordinates count exemplars when the material's scale is 1.
+// left. Units are metres, +Y is up, the camera looks along -Z. Texture coordinates count exemplars
+// when the material's scale is 1.
 // Source of the ball's mapping: J. P. Snyder, Map Projections, 1987, ch. 24 (Lambert azimuthal
 // equal-area): radius 2 sin(theta / 2) at the angle theta from the centre.
 #include "preview_scene.h"

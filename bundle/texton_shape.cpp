@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How large a texton's frame is.
+// How large a texton's frame is, and how many mips it may have.
 #include <lichen/bundle.h>
+
+#include <algorithm>
+#include <bit>
 
 namespace lichen {
 namespace {
@@ -13,6 +16,12 @@ std::uint32_t frameSide(int coefficients, int mipLevels) {
 }
 
 } // namespace
+
+int TextonShape::mostMipLevels() const {
+  constexpr int kFewestCoarseTexels = 4;
+  const int coarsest = std::min(coefficientsX, coefficientsY) / kFewestCoarseTexels;
+  return int(std::bit_width(std::uint32_t(std::max(1, coarsest))));
+}
 
 std::uint32_t TextonShape::frameWidth() const { return frameSide(coefficientsX, mipLevels); }
 std::uint32_t TextonShape::frameHeight() const { return frameSide(coefficientsY, mipLevels); }

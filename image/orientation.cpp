@@ -39,6 +39,11 @@ constexpr std::array<Sides, kLastOrientation> kSides{{{false, false, false},
                                                       {true, true, true},
                                                       {true, false, true}}};
 
+const Sides& sidesOf(int orientation) {
+  assert(orientation >= kUpright && orientation <= kLastOrientation);
+  return kSides[std::size_t(orientation - kUpright)];
+}
+
 template <class AnyImage>
 AnyImage turned(const AnyImage& stored, const Sides& sides) {
   const auto [width, height] = sides.isTransposed ? std::pair(stored.height, stored.width)
@@ -82,13 +87,21 @@ int exifOrientation(std::span<const std::byte> block) {
 ImageFile upright(ImageFile file) {
   if (file.orientation == kUpright)
     return file;
-  assert(file.orientation >= kUpright && file.orientation <= kLastOrientation);
-  const Sides& sides = kSides[std::size_t(file.orientation - kUpright)];
+  const Sides& sides = sidesOf(file.orientation);
   std::visit([&](auto& stored) { stored = turned(stored, sides); }, file.pixels);
   file.notes.push_back("turned as its EXIF orientation, " + std::to_string(file.orientation) +
                        ", says");
+  file.turnedFrom = file.orientation;
   file.orientation = kUpright;
   return file;
+}
+
+std::array<float, 2> uprightDirection(std::array<float, 2> stored, int orientation) {
+  const Sides& sides = sidesOf(orientation);
+  auto [right, down] = stored;
+  if (sides.isTransposed)
+    std::swap(right, down);
+  return {sides.fromRight ? -right : right, sides.fromBottom ? -down : down};
 }
 
 } // namespace lichen

@@ -11,7 +11,8 @@
 // LICHEN_TILING(k, taps), the value of map k.
 //
 // A host that knows more at compile time may define LICHEN_PERIODIC_LATTICE, LICHEN_BLEND_SHARPNESS,
-// LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY as 0 (noise/): less code to run.
+// LICHEN_JOINT_TABLES, LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY as 0 (noise/): less code to
+// run.
 #ifndef LICHEN_GLSL
 #define LICHEN_GLSL
 

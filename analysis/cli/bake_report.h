@@ -7,8 +7,10 @@
 
 #include <lichen/bundle.h>
 #include <lichen/precision_loss.h>
+#include <lichen/texton.h>
 #include <lichen/tiling.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,15 +22,19 @@ struct BakeOutcome {
   std::string output;
   const Bundle& bundle; ///< of one noise
   bool exemplarWasPeriodic = true;
-  PrecisionLoss precisionLoss; ///< of the first map; used with --json
+  std::optional<PrecisionLoss> precisionLoss; ///< of the first map of a tiling noise, with --json
   std::vector<std::string> notes;
   std::vector<MapRisk> risks;
   std::vector<MapTransportBound> transportBounds;
+  std::optional<TextonQuality> texton;
   double seconds = 0.0;
 };
 
 /// A line for each map whose transport is certified, with the worst of its bounds.
 [[nodiscard]] std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds);
+
+/// How near a texton is to the exemplar's Gaussian texture.
+[[nodiscard]] std::string qualityNote(const TextonQuality& quality);
 
 /// One line, or with --json one object, on standard output.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);

@@ -77,19 +77,45 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
   return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
 }
 
-Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
-                                                  const SharedOptions& options) {
+namespace {
+
+/// Pixels of `first` for one of `map`, along the longer side of `map`.
+double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
+  return map.width >= map.height ? double(first.width) / map.width
+                                 : double(first.height) / map.height;
+}
+
+/// The risks of each map by `assess`, told its progress.
+template <class Assess>
+Result<std::vector<std::vector<Risk>>>
+assessEach(std::span<const MapExemplar> maps, const SharedOptions& options, const Assess& assess) {
   ProgressLine line("assess", options);
   std::vector<std::vector<Risk>> risks;
   for (const MapExemplar& map : maps) {
     const auto done = double(risks.size()), all = double(maps.size());
     Result<std::vector<Risk>> assessed =
-        assessSuitability(map, periodic, partOf(line.asProgress(), done / all, (done + 1) / all));
+        assess(map, partOf(line.asProgress(), done / all, (done + 1) / all));
     if (!assessed)
       return assessed.error();
     risks.push_back(std::move(assessed).value());
   }
   return risks;
+}
+
+} // namespace
+
+Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
+                                                  const SharedOptions& options) {
+  return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
+    return assessSuitability(map, periodic, progress, firstPixelsOf(map, maps.front()));
+  });
+}
+
+Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemplar> maps,
+                                                        int support, const SharedOptions& options) {
+  return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
+    return assessTextonSuitability(map, support, progress);
+  });
 }
 
 std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,

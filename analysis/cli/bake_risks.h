@@ -43,6 +43,10 @@ struct Flattened {
 [[nodiscard]] Result<std::vector<std::vector<Risk>>>
 assessMaps(std::span<const MapExemplar> maps, bool periodic, const SharedOptions& options);
 
+/// Likewise, of a texton of this support.
+[[nodiscard]] Result<std::vector<std::vector<Risk>>>
+assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& options);
+
 /// A risk and the map that runs it most.
 struct MapRisk {
   MapTarget map{};

@@ -5,13 +5,13 @@
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
+#include "method_options.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/precision_loss.h>
-#include <lichen/tiling.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -28,12 +28,12 @@ struct Arguments {
   const SharedOptions& shared;
   std::vector<std::string> inputs;
   std::string output;
-  std::string method;
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
-  TilingOptions tiling;
+  MethodOptions method;
+  const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
 };
@@ -92,7 +92,9 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   MaterialSet& set = read.value().set;
   std::vector<MapExemplar>& maps = set.maps;
   Result<std::vector<std::vector<Risk>>> assessed =
-      assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
+      arguments.method.method == Method::texton
+          ? assessTextonMaps(maps, arguments.method.texton.support, arguments.shared)
+          : assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
   if (!assessed)
     return assessed.error();
   std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
@@ -109,27 +111,27 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
                 std::move(read).value().origins};
 }
 
-Result<TilingBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
+Result<MethodBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
                         ProgressLine& progress) {
-  TilingOptions options = arguments.tiling;
-  options.periodic = exemplar.borders;
-  options.progress = progress.asProgress();
-  Result<TilingBake> baked = bakeTiling(exemplar.name, exemplar.maps, options);
+  Result<MethodBake> baked = bakeBy(arguments.method, exemplar.name, exemplar.maps,
+                                    exemplar.borders, progress.asProgress());
   if (!baked)
     return baked;
   for (std::string& line : certificateNotes(baked.value().transportBounds))
     notes.add(std::move(line));
+  if (baked.value().texton)
+    notes.add(qualityNote(*baked.value().texton));
   if (!baked.value().exemplarWasPeriodic && arguments.exemplar.set.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
+Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake bake) {
   BundleFile file;
   file.shape = arguments.preview;
   file.generator = "lichen " LICHEN_VERSION;
   bake.noise.tileSizeMetres = arguments.tileMetres;
-  MaterialNoise material;
+  MaterialNoise material = arguments.method.material;
   material.seed = arguments.seed;
   file.bundle.tables = std::move(bake.tables);
   file.bundle.materialNames = {bake.noise.name};
@@ -145,6 +147,8 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TilingBake bake) {
 
 Result<int> run(Arguments& arguments) {
   StepTimes times;
+  if (Result<void> checked = checkMethodOptions(*arguments.verb, arguments.method); !checked)
+    return checked.error();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
@@ -159,21 +163,24 @@ Result<int> run(Arguments& arguments) {
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
-  Result<TilingBake> baked = bake(arguments, exemplar.value(), notes, progress);
+  Result<MethodBake> baked = bake(arguments, exemplar.value(), notes, progress);
   if (!baked)
     return baked.error();
   times.end("Baking the noise");
   const bool periodic = baked.value().exemplarWasPeriodic;
   const std::vector<MapTransportBound> bounds = std::move(baked.value().transportBounds);
+  const std::optional<TextonQuality> texton = std::move(baked.value().texton);
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;
-  Result<PrecisionLoss> loss = PrecisionLoss{};
-  if (arguments.shared.json)
-    loss = precisionLoss(bundle, 0, 0, maps.front(), periodic);
-  if (!loss)
-    return loss.error();
+  std::optional<PrecisionLoss> loss;
+  if (arguments.shared.json && bundle.noises.front().method == Method::tiling) {
+    const Result<PrecisionLoss> measured = precisionLoss(bundle, 0, 0, maps.front(), periodic);
+    if (!measured)
+      return measured.error();
+    loss = measured.value();
+  }
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
@@ -194,8 +201,8 @@ Result<int> run(Arguments& arguments) {
     return written.error();
   if (!arguments.report.empty())
     times.end("Report");
-  reportBake(arguments.shared, {arguments.output, bundle, periodic, loss.value(), notes.lines(),
-                                exemplar.value().risks, bounds, times.sum()});
+  reportBake(arguments.shared, {arguments.output, bundle, periodic, loss, notes.lines(),
+                                exemplar.value().risks, bounds, texton, times.sum()});
   return kDone;
 }
 
@@ -207,32 +214,17 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "A photograph, or a folder or files with the maps of a material: PNG, JPEG or EXR")
       ->required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
-  addValue(verb, "--method", arguments->method, oneOf<std::string>({{"tiling", "tiling"}}),
-           "tiling", "The noise method");
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of noise and material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
   addExemplarOptions(verb, arguments->exemplar);
-  const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
-                                         {"default", TransportEffort::standard},
-                                         {"exact", TransportEffort::exact}};
-  addValue(verb, "--transport", arguments->tiling.transport, oneOf(efforts), "default",
-           "How near to optimal colours are matched");
-  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
-                                  {"separable", LookupTable::separable}};
-  addValue(verb, "--lut", arguments->tiling.lut, oneOf(luts), "joint",
-           "One table of all colours, or a small one for each axis of colour");
-  const Choices<GaussianOnly> gaussian{
-      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
-  addValue(verb, "--gaussian", arguments->tiling.gaussian, oneOf(gaussian), "auto",
-           "Whether the exemplar's values are Gaussian, and need no table");
-  addValue(verb, "--precision", arguments->tiling.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
-           "Bits per channel of the tables");
   addPreviewShape(verb, arguments->preview);
   addText(verb, "--report", arguments->report, "OUT.html",
           "A page with pictures, measures and charts of the noise");
+  addMethodOptions(verb, arguments->method);
+  arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }
 

@@ -91,19 +91,18 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   return std::vector{MapMeasures{exemplar.target, std::move(measures).value()}};
 }
 
-/// A note where an exemplar has not the size of what the noise's map was baked of, which its
-/// Gaussian image has kept.
+/// A note where an exemplar has not the size of what the noise's map was baked of.
 void noteOtherSize(const MapExemplar& exemplar, const Bundle& bundle, const Noise& noise,
                    std::vector<std::string>& notes) {
   const std::optional<std::size_t> place = findMap(noise, exemplar.target);
   if (!place)
     return; // compareNoise() refuses it
-  const Table& baked = bundle.tables[noise.maps[*place].image];
-  if (int(baked.width) != exemplar.width || int(baked.height) != exemplar.height)
+  const auto [width, height] = exemplarSize(bundle, noise, noise.maps[*place]);
+  if (int(width) != exemplar.width || int(height) != exemplar.height)
     notes.push_back(fmt::format("{}: the exemplar is {} x {}, but was {} x {} when it was baked; "
                                 "give the --crop and --size of the bake",
-                                nameOf(exemplar.target), exemplar.width, exemplar.height,
-                                baked.width, baked.height));
+                                nameOf(exemplar.target), exemplar.width, exemplar.height, width,
+                                height));
 }
 
 Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments,

@@ -59,10 +59,18 @@ FormatName formatName(TexelFormat format) {
 
 bool isVolume(const Table& table) { return table.depth > 0; }
 
+/// The parameters of the noise's first material, or the format's defaults.
+MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
+  for (const std::optional<MaterialNoise>& use : bundle.materials)
+    if (use && use->noise == noise)
+      return *use;
+  return {};
+}
+
 /// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
 /// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
 /// table is filtered by the one fetch, of which a separable table takes one an axis.
-int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
+int fetchesOfTiling(const NoiseMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
   switch (tableKindOf(map)) {
   case TableKind::none:
@@ -75,10 +83,25 @@ int fetchesPerPixel(const NoiseMap& map, const std::vector<Table>& tables) {
   return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
 }
 
-int fetchesPerPixel(const Noise& noise, const std::vector<Table>& tables) {
+/// About those of shaders_glsl/noise/texton.glsl: an impact in each cell that a support of
+/// sqrt(impacts) cells a side overlaps, and four fetches of a cubic spline.
+int fetchesOfTexton(const TextonShape& shape, double impacts) {
+  constexpr int kCubicFetches = 4;
+  const double cells = std::sqrt(impacts) + 1.0;
+  return int(std::lround(cells * cells)) * (shape.order == 3 ? kCubicFetches : 1);
+}
+
+int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
+  const Noise& described = bundle.noises[noise];
+  return described.method == Method::texton
+             ? fetchesOfTexton(described.texton, useOf(bundle, noise).impacts)
+             : fetchesOfTiling(map, bundle.tables);
+}
+
+int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   int sum = 0;
-  for (const NoiseMap& map : noise.maps)
-    sum += fetchesPerPixel(map, tables);
+  for (const NoiseMap& map : bundle.noises[noise].maps)
+    sum += fetchesPerPixel(bundle, noise, map);
   return sum;
 }
 
@@ -109,48 +132,69 @@ Result<std::size_t> bytesOnDisk(const std::string& path) {
 // ---- JSON --------------------------------------------------------------------------------------
 
 Json describe(const MaterialNoise& use, std::size_t index, const std::string& name) {
-  return {{"index", index},           {"name", name},       {"mapping", nameOf(use.mapping)},
-          {"texCoord", use.texCoord}, {"scale", use.scale}, {"offset", use.offset},
-          {"rotation", use.rotation}, {"seed", use.seed},   {"blendSharpness", use.blendSharpness},
-          {"contrast", use.contrast}};
+  return {{"index", index},
+          {"name", name},
+          {"mapping", nameOf(use.mapping)},
+          {"texCoord", use.texCoord},
+          {"scale", use.scale},
+          {"offset", use.offset},
+          {"rotation", use.rotation},
+          {"seed", use.seed},
+          {"blendSharpness", use.blendSharpness},
+          {"contrast", use.contrast},
+          {"impacts", use.impacts},
+          {"pointProcess", nameOf(use.pointProcess)}};
 }
 
-Json describe(const NoiseMap& map, const std::vector<Table>& tables) {
+Json describe(const TextonShape& shape) {
+  return {{"coefficients", {shape.coefficientsX, shape.coefficientsY}},
+          {"order", shape.order},
+          {"support", {shape.coefficientsX + shape.order, shape.coefficientsY + shape.order}},
+          {"mipLevels", shape.mipLevels},
+          {"steps", shape.steps}};
+}
+
+Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   Json channels = Json::array();
   for (const MapChannel channel : map.channels)
     channels.push_back(nameOf(channel));
-  const Table& gaussian = tables[map.image];
+  const bool isTexton = bundle.noises[noise].method == Method::texton;
+  const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   return {{"target", nameOf(map.target)},
           {"channels", channels},
           {"encoding", nameOf(map.encoding)},
-          {"width", gaussian.width},
-          {"height", gaussian.height},
-          {"bits", formatName(gaussian.format).bits},
+          {"width", width},
+          {"height", height},
+          {"bits", formatName(bundle.tables[map.image].format).bits},
           {"mean", map.mean},
           {"covariance", map.covariance},
-          {"gaussian", map.image},
+          {"gaussian", isTexton ? Json() : Json(map.image)},
+          {"texton", isTexton ? Json(map.image) : Json()},
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
           {"table", nameOf(tableKindOf(map))},
           {"levels", map.levels.size()},
-          {"fetchesPerPixel", fetchesPerPixel(map, tables)}};
+          {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
 }
 
 Json describe(const Bundle& bundle, std::size_t index) {
   const Noise& noise = bundle.noises[index];
   Json maps = Json::array();
   for (const NoiseMap& map : noise.maps)
-    maps.push_back(describe(map, bundle.tables));
+    maps.push_back(describe(bundle, index, map));
   Json materials = Json::array();
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)
     if (bundle.materials[m] && bundle.materials[m]->noise == index)
       materials.push_back(describe(*bundle.materials[m], m, bundle.materialNames[m]));
-  return {{"name", noise.name},
-          {"method", nameOf(noise.method)},
-          {"revision", noise.revision},
-          {"tileSize", noise.tileSizeMetres},
-          {"fetchesPerPixel", fetchesPerPixel(noise, bundle.tables)},
-          {"maps", maps},
-          {"materials", materials}};
+  Json json{{"name", noise.name},
+            {"method", nameOf(noise.method)},
+            {"revision", noise.revision},
+            {"tileSize", noise.tileSizeMetres},
+            {"fetchesPerPixel", fetchesPerPixel(bundle, index)},
+            {"maps", maps},
+            {"materials", materials}};
+  if (noise.method == Method::texton)
+    json["texton"] = describe(noise.texton);
+  return json;
 }
 
 Json describe(const Bundle& bundle, const std::string& file, std::size_t diskBytes) {
@@ -198,6 +242,8 @@ std::string parametersOf(const MaterialNoise& use) {
   add(use.blendSharpness == defaults.blendSharpness,
       fmt::format("sharpness {:g}", use.blendSharpness));
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
+  add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
+  add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
   return text;
 }
 
@@ -219,33 +265,48 @@ std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables
                      counted(levels, "level"));
 }
 
-void sayMap(const SharedOptions& shared, const NoiseMap& map, const std::vector<Table>& tables) {
-  const Table& gaussian = tables[map.image];
+void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise,
+            const NoiseMap& map) {
   std::vector<std::string_view> channels;
   std::vector<double> deviations;
   for (std::size_t c = 0; c < map.channels.size(); ++c) {
     channels.push_back(nameOf(map.channels[c]));
     deviations.push_back(std::sqrt(std::max(0.0, map.covariance[c * (map.channels.size() + 1)])));
   }
+  const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", gaussian.width,
-                          gaussian.height, formatName(gaussian.format).bits, nameOf(map.encoding),
-                          fetchesPerPixel(map, tables)));
+  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
+                          formatName(bundle.tables[map.image].format).bits, nameOf(map.encoding),
+                          fetchesPerPixel(bundle, noise, map)));
   say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
                           fmt::join(deviations, ", ")));
+  if (bundle.noises[noise].method == Method::texton)
+    return say(shared, fmt::format("    texton: table {}", map.image));
   say(shared, fmt::format("    Gaussian image: table {}", map.image));
-  say(shared, "    " + inverseTableOf(map, tables));
+  say(shared, "    " + inverseTableOf(map, bundle.tables));
+}
+
+/// "textons of 64 x 64 texels, order 1, 30 impacts a point, stratified".
+std::string textonsOf(const TextonShape& shape, const MaterialNoise& use) {
+  std::string text =
+      fmt::format("textons of {} x {} texels, order {}, {:g} impacts a point, {}",
+                  shape.coefficientsX + shape.order, shape.coefficientsY + shape.order, shape.order,
+                  use.impacts, nameOf(use.pointProcess));
+  return text + (shape.steps > 1 ? fmt::format("; {} steps", shape.steps) : "");
 }
 
 void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
   const Noise& noise = bundle.noises[index];
+  const bool isTexton = noise.method == Method::texton;
   say(shared, "");
   say(shared, "noise " + noise.name);
-  say(shared, fmt::format("  {}, revision {}, {:g} m wide, {} fetches a pixel and plane",
+  say(shared, fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches a pixel and plane",
                           nameOf(noise.method), noise.revision, noise.tileSizeMetres,
-                          fetchesPerPixel(noise, bundle.tables)));
+                          isTexton ? "about " : "", fetchesPerPixel(bundle, index)));
+  if (isTexton)
+    say(shared, "  " + textonsOf(noise.texton, useOf(bundle, index)));
   for (const NoiseMap& map : noise.maps)
-    sayMap(shared, map, bundle.tables);
+    sayMap(shared, bundle, index, map);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)
     if (bundle.materials[m] && bundle.materials[m]->noise == index) {
       say(shared, fmt::format("  material {} {}", m, bundle.materialNames[m]));

@@ -126,14 +126,15 @@ Accepted<std::array<int, 4>> pixelRectangle(int largest) {
       }};
 }
 
-void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
-                   const std::string& sentence, std::function<bool(const std::string&)> take,
-                   const std::string& preset, const std::string& help) {
+CLI::Option* addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                           const std::string& sentence,
+                           std::function<bool(const std::string&)> take, const std::string& preset,
+                           const std::string& help) {
   const auto read = [=](const std::string& text) {
     if (!take(text))
       throw CLI::ValidationError(name + " " + text, sentence + " is accepted");
   };
-  verb.add_option_function<std::string>(name, read, help)
+  return verb.add_option_function<std::string>(name, read, help)
       ->type_name(placeholder)
       ->default_str(preset);
 }

@@ -74,15 +74,17 @@ template <class Value>
 
 /// Declares an option of which `take` reads the text; where it returns false, the parse ends with
 /// CLI::ValidationError("NAME TEXT: SENTENCE is accepted").
-void addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
-                   const std::string& sentence, std::function<bool(const std::string& text)> take,
-                   const std::string& preset, const std::string& help);
+CLI::Option* addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                           const std::string& sentence,
+                           std::function<bool(const std::string& text)> take,
+                           const std::string& preset, const std::string& help);
 
 /// Declares an option of a verb. `value`, which must outlive the parse, is set to what `preset`
 /// says, unless that is empty, and to what the user says.
 template <class Value>
-void addValue(CLI::App& verb, const std::string& name, Value& value,
-              const Accepted<Value>& accepted, const std::string& preset, const std::string& help) {
+CLI::Option* addValue(CLI::App& verb, const std::string& name, Value& value,
+                      const Accepted<Value>& accepted, const std::string& preset,
+                      const std::string& help) {
   const auto take = [&value, read = accepted.read](const std::string& text) {
     const std::optional<Value> result = read(text);
     if (result)
@@ -91,7 +93,7 @@ void addValue(CLI::App& verb, const std::string& name, Value& value,
   };
   [[maybe_unused]] const bool presetIsAccepted = preset.empty() || take(preset);
   assert(presetIsAccepted);
-  addReadOption(verb, name, accepted.placeholder, accepted.sentence, take, preset, help);
+  return addReadOption(verb, name, accepted.placeholder, accepted.sentence, take, preset, help);
 }
 
 /// An option or argument that is taken as it stands.

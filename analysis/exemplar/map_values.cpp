@@ -186,10 +186,11 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   std::size_t inward = 0;
   for (std::size_t i = 0; i < pixels.count(); ++i) {
     const auto component = [&](int c) { return 2.0f * std::min(1.0f, pixels[i][c]) - 1.0f; };
-    const float up = greenPointsDown ? -component(1) : component(1);
+    const auto [right, down] = uprightDirection(
+        {component(0), greenPointsDown ? component(1) : -component(1)}, image.file.turnedFrom);
     const float z = std::max(component(2), kLeastNormalZ);
     inward += component(2) < 0.0f ? 1u : 0u;
-    map.values.insert(map.values.end(), {-component(0) / z, -up / z});
+    map.values.insert(map.values.end(), {-right / z, down / z});
   }
   if (2 * inward > pixels.count())
     return Error{ErrorKind::badInput,

@@ -38,8 +38,9 @@ struct NamedImage {
                                           std::vector<std::string>& notes);
 
 /// The slopes (-nx / nz, -ny / nz) of a normal map whose green points up the image, or, when
-/// `greenPointsDown`, down; nz at least 0.05. Error: badInput for an image without three colours,
-/// or most of whose normals point into the surface.
+/// `greenPointsDown`, down; nz at least 0.05. Those of an image that was turned upright are turned
+/// with its pixels. Error: badInput for an image without three colours, or most of whose normals
+/// point into the surface.
 [[nodiscard]] Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
                                             std::vector<std::string>& notes);
 

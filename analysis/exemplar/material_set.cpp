@@ -193,12 +193,6 @@ void fillInvisibleColors(std::vector<NamedMap>& maps) {
       fillInvisible(named.map, opacity->map);
 }
 
-bool bordersFit(const std::vector<NamedMap>& maps, Periodic periodic) {
-  const auto tiles = [](const NamedMap& named) { return tiling::isPeriodic(named.map); };
-  return periodic == Periodic::yes ||
-         (periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), tiles));
-}
-
 Result<void> resize(std::vector<NamedMap>& maps, const std::array<int, 2>& size, bool wraps,
                     std::vector<std::string>& notes) {
   const auto [width, height] = size;
@@ -294,7 +288,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
     if (Result<void> done = crop(maps, *options.crop); !done)
       return done.error();
   fillInvisibleColors(maps);
-  const bool wraps = bordersFit(maps, options.periodic);
+  const bool wraps = tiling::keepsBorders(maps, options.periodic, &NamedMap::map);
   if (options.size) {
     if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
       return done.error();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace lichen {
 namespace {
@@ -108,6 +109,24 @@ Result<JsonTree> gaussianPicture(const Table& table, int side) {
   LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
     std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
+  return picture(twoAsRedGreen(std::move(image)));
+}
+
+/// The coefficients of a texton, of a mix the first: grey is 0, the range that of the largest.
+Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  float largest = std::numeric_limits<float>::min();
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    if (i % stored < channels)
+      largest = std::max(largest, std::abs(texels[i]));
+  LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < channels; ++c)
+        image.pixel(x, y)[c] =
+            0.5f +
+            0.5f * texels[(std::size_t(y) * table.width + std::size_t(x)) * stored + c] / largest;
   return picture(twoAsRedGreen(std::move(image)));
 }
 
@@ -239,10 +258,14 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Sho
           addPictures(section, bundle, seed, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
-  Result<JsonTree> gaussian = gaussianPicture(bundle.tables[map.image], exemplarSide);
-  if (!gaussian)
-    return gaussian.error();
-  section["gaussian"] = std::move(gaussian).value();
+  const bool isTexton = noise.method == Method::texton;
+  const Table& stored = bundle.tables[map.image];
+  Result<JsonTree> image = isTexton ? textonPicture(stored, noise.texton, map.channels.size())
+                                    : gaussianPicture(stored, exemplarSide);
+  if (!image)
+    return image.error();
+  section["image"] = std::move(image).value();
+  section["method"] = nameOf(noise.method);
   section["table"] = JsonTree();
   if (map.inverseTable) {
     Result<JsonTree> table =

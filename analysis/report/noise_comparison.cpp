@@ -12,26 +12,32 @@ constexpr int kResultExemplars = 4; // a side
 /// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
 constexpr int kLargestSide = 4096;
 
+/// Of the exemplar, in texels.
+struct Extents {
+  int width = 0;
+  int height = 0;
+};
+
 /// The exemplars that the lattice is looked for in. Of large ones not every texel is evaluated;
 /// those that are keep their footprint, since a coarser one would show another noise, whose
 /// averaged texels are less Gaussian: its contrast follows the lattice three times as much.
-SynthesisOptions latticeOptions(SynthesisOptions options, const Table& gaussian) {
-  const int width = kLatticeExemplars * int(gaussian.width);
-  const int height = kLatticeExemplars * int(gaussian.height);
+SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
+  const int width = kLatticeExemplars * exemplar.width;
+  const int height = kLatticeExemplars * exemplar.height;
   options.stride = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
   options.width = std::max(1, width / options.stride);
   options.height = std::max(1, height / options.stride);
   return options;
 }
 
-LatticeView latticeView(const SynthesisOptions& options, const Table& gaussian) {
+LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar) {
   const double stride = options.stride;
   const double firstTexel = 0.5 - 0.5 * stride; // a view's pixels have their centres in the middle
   return {{},
-          stride / gaussian.width,
-          stride / gaussian.height,
-          firstTexel / gaussian.width,
-          firstTexel / gaussian.height};
+          stride / exemplar.width,
+          stride / exemplar.height,
+          firstTexel / exemplar.width,
+          firstTexel / exemplar.height};
 }
 
 /// The noise's map that the exemplar is of.
@@ -52,17 +58,30 @@ Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
   return &map;
 }
 
+/// How far the noise shows the lattice of its tiles.
+Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wide,
+                               const Extents& exemplar, const MapLook& look) {
+  const Result<LinearImage> result = synthesize(bundle, wide);
+  if (!result)
+    return result.error();
+  return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
+}
+
 Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
                                 const MapExemplar& exemplar, SynthesisOptions options,
                                 const Progress& progress) {
-  const Table& gaussian = bundle.tables[map.image];
+  const Noise& noise = bundle.noises[options.noise];
+  const auto [width, height] = exemplarSize(bundle, noise, map);
+  const Extents baked{int(width), int(height)};
+  const bool hasLattice = noise.method == Method::tiling;
   options.map = map.target;
-  options.width = std::min(kResultExemplars * int(gaussian.width), kLargestSide);
-  options.height = std::min(kResultExemplars * int(gaussian.height), kLargestSide);
-  SynthesisOptions wide = latticeOptions(options, gaussian);
+  options.width = std::min(kResultExemplars * baked.width, kLargestSide);
+  options.height = std::min(kResultExemplars * baked.height, kLargestSide);
+  SynthesisOptions wide = latticeOptions(options, baked);
   // The result's progress and the lattice's are by the pixels of each.
   const double resultPixels = double(options.width) * options.height;
-  const double share = resultPixels / (resultPixels + double(wide.width) * wide.height);
+  const double widePixels = hasLattice ? double(wide.width) * wide.height : 0.0;
+  const double share = resultPixels / (resultPixels + widePixels);
   options.progress = partOf(progress, 0.0, share);
   wide.progress = partOf(progress, share, 1.0);
 
@@ -75,11 +94,9 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
-  const Result<LinearImage> wideResult = synthesize(bundle, wide);
-  if (!wideResult)
-    return wideResult.error();
-  Result<Measure> lattice =
-      measureLattice(look.picture(wideResult.value()), latticeView(wide, gaussian));
+  if (!hasLattice)
+    return comparison;
+  Result<Measure> lattice = latticeMeasure(bundle, wide, baked, look);
   if (!lattice)
     return lattice.error();
   comparison.measures.push_back(std::move(lattice).value());

@@ -9,21 +9,6 @@
 #include <numeric>
 
 namespace lichen {
-namespace {
-
-/// The least size, at least `size`, without a prime factor above 5: those transform fast.
-int fastTransformSize(int size) {
-  for (;; ++size) {
-    int rest = size;
-    for (const int factor : {2, 3, 5})
-      while (rest % factor == 0)
-        rest /= factor;
-    if (rest == 1)
-      return size;
-  }
-}
-
-} // namespace
 
 std::vector<double> autocovariance(std::span<const float> plane, int width, int height,
                                    int support) {

@@ -4,6 +4,17 @@
 
 namespace lichen {
 
+int fastTransformSize(int size) {
+  for (;; ++size) {
+    int rest = size;
+    for (const int factor : {2, 3, 5})
+      while (rest % factor == 0)
+        rest /= factor;
+    if (rest == 1)
+      return size;
+  }
+}
+
 HalfSpectrum forwardFft(std::span<const float> plane, int width, int height) {
 #ifdef LICHEN_FFT_KISS
   return forwardKissFft(plane, width, height);

@@ -52,8 +52,8 @@ std::vector<float> luminancePlane(const SrgbImage& image) {
   const auto channels = std::size_t(image.channels);
   for (std::size_t i = 0; i < plane.size(); ++i) {
     const float* p = image.values.data() + i * channels;
-    // Rec. ITU-R BT.709, item 3.2.
-    plane[i] = channels >= 3 ? 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2] : p[0];
+    const auto& [red, green, blue] = kLuminanceWeights;
+    plane[i] = channels >= 3 ? red * p[0] + green * p[1] + blue * p[2] : p[0];
   }
   return plane;
 }

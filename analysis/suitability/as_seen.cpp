@@ -3,9 +3,11 @@
 #include "as_seen.h"
 
 #include "tiling/color_space.h"
+#include "tiling/value_encoding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace lichen::suitability {
 namespace {
@@ -31,8 +33,11 @@ MapExemplar slopesOfHeight(const MapExemplar& map, bool periodic) {
   slopes.width = map.width;
   slopes.height = map.height;
   slopes.values.reserve(2 * map.values.size());
+  std::vector<float> heights(map.values.size());
+  std::transform(map.values.begin(), map.values.end(), heights.begin(),
+                 [&](float value) { return tiling::decoded(value, map.encoding); });
   const auto at = [&](int x, int y) {
-    return map.values[std::size_t(y) * std::size_t(map.width) + std::size_t(x)];
+    return heights[std::size_t(y) * std::size_t(map.width) + std::size_t(x)];
   };
   const auto neighbour = [periodic](int place, int step, int side) {
     return periodic ? (place + step + side) % side : std::clamp(place + step, 0, side - 1);

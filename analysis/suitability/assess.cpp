@@ -2,6 +2,7 @@
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
 #include "as_seen.h"
 #include "calibration.h"
+#include "calm.h"
 #include "clipped_share.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
@@ -52,14 +53,21 @@ enum class SlowCause {
 /// a wave as long as that (highPassGain).
 constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
 
+/// What varies slowly in a map, and what --flatten needs to be told of it.
+struct SlowPart {
+  SlowCause cause = SlowCause::light;
+  double firstPixels = 1.0; ///< as assessSuitability() has it
+};
+
 /// The option that helps and "or ", if one does. --flatten auto goes by the base colour; for the
-/// other maps it is told a period, in pixels. Opacity is never flattened.
-std::string flattenOr(const MapExemplar& map, SlowCause cause, double period) {
-  if (cause == SlowCause::object || map.target == MapTarget::opacity)
+/// other maps it is told a period, here a share of the longer side. Opacity is never flattened.
+std::string flattenOr(const MapExemplar& map, const SlowPart& slow, double share) {
+  if (slow.cause == SlowCause::object || map.target == MapTarget::opacity)
     return {};
   if (map.target == MapTarget::baseColor)
     return "--flatten auto, or ";
-  const double pixels = std::max(period, kFlattenPeriodRange.least);
+  const double period = share * std::max(map.width, map.height) * slow.firstPixels;
+  const double pixels = std::clamp(period, kFlattenPeriodRange.least, kFlattenPeriodRange.most);
   return "--flatten " + std::to_string(std::lround(pixels)) + ", or ";
 }
 
@@ -69,7 +77,7 @@ HalfSpectrum spectrumOf(const std::optional<GaussianPlane>& plane) {
                : HalfSpectrum{1, 1, {0.0f}};
 }
 
-Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCause cause) {
+Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const SlowPart& slow) {
   const double measured = cloudiness(spectrum);
   // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
   const int side = std::max(spectrum.width, spectrum.height);
@@ -79,11 +87,10 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, SlowCa
   double share = kLongestAdvisedPeriod;
   while (share > kShortestAutoPeriod && !flattensBy(share))
     share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
-  const double period = share * std::max(map.width, map.height);
   return risk("cloudiness", scoreOf(measured, kCloudiness),
               "the contrast will vary by " + percent(measured) + " from place to place",
               "with what is blended there by chance",
-              (flattensBy(share) ? flattenOr(map, cause, period) : "") +
+              (flattensBy(share) ? flattenOr(map, slow, share) : "") +
                   "a photograph that varies less over large distances");
 }
 
@@ -116,7 +123,7 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
 }
 
 /// `seen` is the map, or the slopes that show of it.
-Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause cause) {
+Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const SlowPart& slow) {
   const double measured = slowVariationShare(seen);
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
@@ -124,10 +131,9 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, SlowCause
               "one side or part of the image differs from the rest by " + percent(difference) +
                   " of the full range",
               "which will show as patches",
-              cause == SlowCause::object
+              slow.cause == SlowCause::object
                   ? "a photograph that shows many such objects, or a crop without the one"
-                  : flattenOr(map, cause, kLongestAdvisedPeriod * std::max(map.width, map.height)) +
-                        "even light");
+                  : flattenOr(map, slow, kLongestAdvisedPeriod) + "even light");
 }
 
 Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
@@ -144,36 +150,38 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
 
 /// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
-                            const HalfSpectrum& spectrum, bool periodic) {
-  const bool isCalm =
-      cloudiness(spectrum) < kCloudiness.mild && slowVariationShare(seen) < kSlowVariation.mild;
-  const SlowCause cause = !isCalm && edgeConcentration(map, periodic) > kEdgeConcentration
+                            const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
+  const bool calm = isCalm(seen, [&] { return cloudiness(spectrum); });
+  const SlowCause cause = !calm && edgeConcentration(map, periodic) > kEdgeConcentration
                               ? SlowCause::object
                               : SlowCause::light;
-  return {cloudinessRisk(map, spectrum, cause), lowFrequencyRisk(map, seen, cause)};
+  const SlowPart slow{cause, firstPixels};
+  return {cloudinessRisk(map, spectrum, slow), lowFrequencyRisk(map, seen, slow)};
 }
 
 /// The same of a height map, as the light on its slopes shows them.
-std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, ProgressPart progress) {
+std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, double firstPixels,
+                             ProgressPart progress) {
   const MapExemplar slopes = slopesOfHeight(height, periodic);
   const std::optional<GaussianPlane> plane = gaussianPlane(slopes, periodic, progress);
-  return slowRisks(height, slopes, spectrumOf(plane), periodic);
+  return slowRisks(height, slopes, spectrumOf(plane), periodic, firstPixels);
 }
 
-std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, ProgressPart progress) {
+std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPixels,
+                          ProgressPart progress) {
   const bool isHeight = map.target == MapTarget::height;
   const ProgressPart first = isHeight ? progress.part(0.0, kSlopesOfProgress) : ProgressPart();
   const ProgressPart rest = isHeight ? progress.part(kSlopesOfProgress, 1.0) : progress;
   std::vector<Risk> risks;
   if (isHeight)
-    risks = slopeRisks(map, periodic, first);
+    risks = slopeRisks(map, periodic, firstPixels, first);
   const std::optional<GaussianPlane> plane =
       gaussianPlane(map, periodic, rest.part(0.0, kPlaneOfProgress));
   rest.reach(kPlaneOfProgress);
   const HalfSpectrum spectrum = spectrumOf(plane);
   rest.reach(kTransformOfProgress);
   if (!isHeight)
-    risks = slowRisks(map, map, spectrum, periodic);
+    risks = slowRisks(map, map, spectrum, periodic, firstPixels);
   const FewColors few = fewColors(map);
   risks.insert(risks.begin() + 1,
                structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
@@ -198,7 +206,7 @@ std::string_view nameOf(Risk::Level level) {
 }
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
-                                            const Progress& progress) {
+                                            const Progress& progress, double firstPixels) {
   const auto exhausted = [&] {
     return "not enough memory to assess " + std::to_string(map.width) + " x " +
            std::to_string(map.height) + " pixels";
@@ -207,7 +215,7 @@ Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodi
     if (Result<void> checked = tiling::checkRanges(map); !checked)
       return checked.error();
     return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
-      return risksOf(map, periodic, ProgressPart(progress));
+      return risksOf(map, periodic, firstPixels, ProgressPart(progress));
     });
   });
 }

@@ -2,12 +2,12 @@
 // Maps (height, width, channels each) -> the same without their slow variation.
 #include "as_seen.h"
 #include "calibration.h"
+#include "calm.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
 #include "gaussian_plane.h"
 #include "low_pass.h"
 #include "progress_part.h"
-#include "slow_variation.h"
 #include "tiling/map_ranges.h"
 #include "tiling/value_encoding.h"
 
@@ -104,13 +104,12 @@ Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels)
 }
 
 /// Whether the map has neither risk of slow variation.
-bool isCalm(const MapExemplar& map, bool periodic, ProgressPart progress) {
+bool hasNoSlowRisk(const MapExemplar& map, bool periodic, ProgressPart progress) {
   const auto calm = [&](const MapExemplar& seen) {
-    if (slowVariationShare(seen) >= kSlowVariation.mild)
-      return false;
-    const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
-    return !plane ||
-           cloudiness(forwardFft(plane->values, plane->width, plane->height)) < kCloudiness.mild;
+    return suitability::isCalm(seen, [&] {
+      const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
+      return plane ? cloudiness(forwardFft(plane->values, plane->width, plane->height)) : 0.0;
+    });
   };
   return map.target == MapTarget::height ? calm(slopesOfHeight(map, periodic)) : calm(map);
 }
@@ -120,7 +119,7 @@ constexpr double kJudgement = 1.0 / 5.0;
 
 /// The period for the map, if any, and why; throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  if (isCalm(map, periodic, progress.part(0.0, kJudgement)))
+  if (hasNoSlowRisk(map, periodic, progress.part(0.0, kJudgement)))
     return {FlatteningChoice::Reason::calm, std::nullopt, {}};
   progress.reach(kJudgement);
   if (edgeConcentration(map, periodic) > kEdgeConcentration)
@@ -132,7 +131,7 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
     const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
     flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const bool calm = isCalm(flattened, periodic, progress.part(middle, end));
+    const bool calm = hasNoSlowRisk(flattened, periodic, progress.part(middle, end));
     begin = end;
     return calm;
   };
@@ -163,7 +162,7 @@ FlatteningChoice flattenUncalm(std::span<MapExemplar> maps, bool periodic, Progr
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const ProgressPart part = progress.part(double(m + 1) * each, double(m + 2) * each);
     const bool skips = maps[m].target == MapTarget::opacity;
-    if (skips || (m > 0 && isCalm(maps[m], periodic, part.part(0.0, 0.5))))
+    if (skips || (m > 0 && hasNoSlowRisk(maps[m], periodic, part.part(0.0, 0.5))))
       continue;
     flattenMap(maps[m], periodOf(maps[m], first, *choice.periodPixels), periodic,
                part.part(0.5, 1.0));

@@ -5,10 +5,7 @@
 #include "tiling/borders.h"
 #include "tiling/color_space.h"
 #include "tiling/gaussian_distribution.h"
-
-#include <tbb/parallel_sort.h>
-
-#include <utility>
+#include "tiling/gaussianize.h"
 
 namespace lichen::suitability {
 namespace {
@@ -18,20 +15,6 @@ constexpr double kProjected = 0.1;
 constexpr double kStratified = 0.4;
 constexpr double kRanked = 0.6;
 constexpr double kFaded = 0.8;
-
-/// The Gaussian of the same rank for every point, by the first coordinate: transport on a line.
-std::vector<Point> gaussianByRank(const std::vector<Point>& points,
-                                  const std::vector<Point>& gaussian) {
-  std::vector<std::pair<float, std::size_t>> order; // ties by index
-  order.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    order.emplace_back(points[i].x, i);
-  tbb::parallel_sort(order.begin(), order.end());
-  std::vector<Point> matched(points.size());
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
-    matched[order[rank].second] = gaussian[rank];
-  return matched;
-}
 
 } // namespace
 
@@ -68,12 +51,13 @@ std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic
   const std::vector<Point> stratified = tiling::stratifiedGaussian(
       component.values.size(), 1, tiling::Precision::bits16); // ascending
   progress.reach(kStratified);
-  std::vector<Point> image = gaussianByRank(tiling::transportPoints(component, space), stratified);
+  std::vector<Point> image =
+      tiling::matchedByRank(tiling::transportPoints(component, space), stratified);
   progress.reach(kRanked);
   if (!periodic) {
     image = tiling::crossFadeBorders(image, map.width, map.height);
     progress.reach(kFaded);
-    image = gaussianByRank(image, stratified);
+    image = tiling::matchedByRank(image, stratified);
   }
   GaussianPlane plane{map.width, map.height, {}};
   plane.values.reserve(image.size());

@@ -17,21 +17,20 @@
 #include "fit.h"
 
 #include "interpolation.h"
+#include "model_distance.h"
 
 #include <lichen/spectrum.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <tbb/parallel_for.h>
 
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 namespace lichen::texton {
 namespace {
 
-/// [GLM17] section 4.2.
-constexpr int kPaperIterations = 50;
 /// Tuned on three photographs of 128 x 128 at supports of 16, 32 and 64: 60 reflections and 40
 /// descents end within 0.5 % of where 100 and 100 do.
 constexpr int kReflections = 60;
@@ -42,9 +41,11 @@ constexpr float kLastRelaxation = 0.5f;
 using Spectra = std::vector<HalfSpectrum>;
 
 /// The inverse of the normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and
-/// circulant where the support reaches around the period; positive definite, as b^ > 0. Kept whole:
-/// multiplying by it is faster than two banded solves up to supports of 256.
-Eigen::MatrixXf inverseNormalMatrix(int size, int period, int order) {
+/// circulant where the support reaches around the period; positive definite, as b^ > 0. Its entries
+/// fall by a constant factor from one diagonal to the next; those that floats would not feel are
+/// left out, since products with what is left of them, below the smallest normal number, are slow.
+Eigen::SparseMatrix<float> inverseNormalMatrix(int size, int period, int order) {
+  constexpr double kNegligible = 1e-9;
   const std::vector<double> b = kernelAutocorrelation(order);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   for (int i = 0; i < size; ++i) {
@@ -54,15 +55,8 @@ Eigen::MatrixXf inverseNormalMatrix(int size, int period, int order) {
         matrix(i, j) += b[std::size_t(std::abs(lag))];
     }
   }
-  return matrix.llt().solve(Eigen::MatrixXd::Identity(size, size)).cast<float>();
-}
-
-/// sqrt(b^) along one axis of `size` frequencies.
-std::vector<float> kernelAmplitudes(int order, int size) {
-  std::vector<float> amplitudes;
-  for (int k = 0; k < size; ++k)
-    amplitudes.push_back(float(std::sqrt(kernelPower(order, double(k) / size))));
-  return amplitudes;
+  const Eigen::MatrixXd inverse = matrix.llt().solve(Eigen::MatrixXd::Identity(size, size));
+  return inverse.cast<float>().sparseView(1.0f, float(kNegligible));
 }
 
 class Fit {
@@ -145,34 +139,6 @@ public:
     workToPatches();
   }
 
-  [[nodiscard]] double relativeError() {
-    coefficientsToWork();
-    const int height = model_.height();
-    std::vector<double> distances(std::size_t(height), 0.0);
-    std::vector<double> powers(std::size_t(height), 0.0);
-    forFrequencies([&](std::size_t i, float kernel) {
-      if (i == 0)
-        return;
-      const auto columns = std::size_t(work_[0].columns());
-      double power = 0.0;
-      double noisePower = 0.0;
-      std::complex<double> correlation = 0.0;
-      for (std::size_t c = 0; c < work_.size(); ++c) {
-        const std::complex<double> t = model_.channels[c].values[i];
-        const std::complex<double> h = kernel * work_[c].values[i];
-        power += std::norm(t);
-        noisePower += std::norm(h);
-        correlation += std::conj(h) * t;
-      }
-      const double multiplicity = work_[0].multiplicity(int(i % columns));
-      distances[i / columns] += multiplicity * (power + noisePower - 2.0 * std::abs(correlation));
-      powers[i / columns] += multiplicity * power;
-    });
-    const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
-    const double distance = std::accumulate(distances.begin(), distances.end(), 0.0);
-    return power > 0.0 ? std::sqrt(std::max(distance, 0.0) / power) : 0.0;
-  }
-
 private:
   [[nodiscard]] std::size_t patchSize() const {
     return std::size_t(coefficients_.width) * std::size_t(coefficients_.height);
@@ -234,8 +200,8 @@ private:
   const GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
-  Eigen::MatrixXf inverseX_;
-  Eigen::MatrixXf inverseY_;
+  Eigen::SparseMatrix<float> inverseX_;
+  Eigen::SparseMatrix<float> inverseY_;
   std::vector<PatchFft> transforms_;
   Spectra work_;
   TextonCoefficients coefficients_;
@@ -270,6 +236,11 @@ void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
 
 } // namespace
 
+int iterationsOf(const FitOptions& options, FitMethod method) {
+  return method == FitMethod::alternatingProjections ? options.projections
+                                                     : kReflections + kDescents;
+}
+
 TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
@@ -280,7 +251,7 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
   if (method == FitMethod::alternatingProjections) {
     // Of white noise only the phases of t^* . alpha^ come through the first projection: uniform and
     // independent, as these are.
-    for (int step = 0; step < kPaperIterations && goOn(); ++step)
+    for (int step = 0; step < options.projections && goOn(); ++step)
       fit.projectAsPrinted(step == 0 ? &x : nullptr);
     return fit.coefficients();
   }
@@ -295,9 +266,9 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
 
 double relativeModelError(const GaussianModel& model, const TextonCoefficients& coefficients,
                           int order) {
-  Fit fit(model, coefficients.width, coefficients.height, order);
-  fit.setCoefficients(coefficients);
-  return fit.relativeError();
+  const double variance = modelVariance(model);
+  const GaussianModel noise = noiseModel(coefficients, order, model.width(), model.height());
+  return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
 }
 
 } // namespace lichen::texton

@@ -22,7 +22,7 @@ struct GaussianModel {
 };
 
 /// The model of an image, `channelCount` interleaved values a pixel: the periodic component less
-/// its mean over sqrt(width height) [GLM17 section 3.1, M11].
+/// its mean over sqrt(width height) [GLM17] section 3.1, [M11].
 [[nodiscard]] GaussianModel gaussianModel(std::span<const float> values, int width, int height,
                                           int channelCount);
 
@@ -40,6 +40,7 @@ struct FitOptions {
   int height = 0; ///< coefficients, [1, the model's height]
   int order = 1;  ///< of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
+  int projections = 50; ///< of alternatingProjections, >= 1; 50 in [GLM17] section 4.2
   /// Called after each iteration; false ends the fit with what there is.
   std::function<bool()> goOn;
 };
@@ -47,8 +48,11 @@ struct FitOptions {
 /// How the coefficients are found.
 enum class FitMethod {
   transportDistance,      ///< least transport distance, from a start of relaxed reflections
-  alternatingProjections, ///< [GLM17] algorithm 1, as printed
+  alternatingProjections, ///< [GLM17] algorithm 1 as printed; of order 0, [GLM14] algorithm 2
 };
+
+/// How many times a fit calls FitOptions::goOn.
+[[nodiscard]] int iterationsOf(const FitOptions& options, FitMethod method);
 
 /// Coefficients whose noise is near the model. Same bytes for any number of threads. Time: 100
 /// transforms of a plane for each channel. Throws std::bad_alloc.

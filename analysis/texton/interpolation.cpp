@@ -39,4 +39,11 @@ double kernelPower(int order, double cyclesPerTexel) {
   return power;
 }
 
+std::vector<float> kernelAmplitudes(int order, int size) {
+  std::vector<float> amplitudes;
+  for (int k = 0; k < size; ++k)
+    amplitudes.push_back(float(std::sqrt(kernelPower(order, double(k) / size))));
+  return amplitudes;
+}
+
 } // namespace lichen::texton

@@ -14,4 +14,7 @@ namespace lichen::texton {
 /// b^(x), its Fourier series at x cycles a texel, > 0; (2 + cos 2 pi x) / 3 for order 1.
 [[nodiscard]] double kernelPower(int order, double cyclesPerTexel);
 
+/// sqrt(b^) at the `size` frequencies of a row of that many texels.
+[[nodiscard]] std::vector<float> kernelAmplitudes(int order, int size);
+
 } // namespace lichen::texton

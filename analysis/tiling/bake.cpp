@@ -17,7 +17,9 @@
 #include <lichen/tiling.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 namespace lichen {
 namespace {
@@ -104,7 +106,6 @@ MapKind kindOf(const MapExemplar& map, const ColorSpace& space, const TilingOpti
 }
 
 /// What the steps of a map's bake take, in units of transporting a pixel by the default effort.
-/// More than one trial of a share is not foreseen: most photographs need none.
 struct MapWork {
   double fit = 0.0;
   double rest = 0.0; ///< mips, losses and slabs
@@ -116,14 +117,10 @@ struct MapWork {
 /// 6 ns a pixel on two cores. Twenty times as much where surrogates decide, which is rare.
 constexpr double kKindWork = 0.02;
 
-MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort) {
+MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort,
+                  bool choosesShare) {
   // Nearly the same for every exemplar; measured on 256 x 256.
-  constexpr double kTable = 0.7 * 65536.0;
   constexpr double kSlabs = 0.4 * 65536.0;
-  // By the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
-  constexpr double kFast = 0.5;
-  // A photograph's certificate, 4 s, over its default transport, 0.38 s.
-  constexpr double kExact = 12.0;
   // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
   constexpr double kMips = 0.08;
   constexpr double kSort = 0.03;
@@ -143,21 +140,20 @@ MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effo
   case MapKind::transported:
     break;
   }
-  const double matching = effort == TransportEffort::fast    ? kFast
-                          : effort == TransportEffort::exact ? kExact
-                                                             : 1.0;
-  return {kTable + matching * matchings, kSlabs + rest};
+  const FitWork fit = fitWork(planned.map, periodic, effort);
+  return {(choosesShare ? fit.trial : 0.0) + fit.fit, kSlabs + rest};
 }
 
-/// Of a map that may have `others` before it, to go with.
+/// Of a map that may have `others` before it, to go with, which have chosen the share.
 MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
-  MapWork work = workAlone(planned, periodic, effort);
+  MapWork work = workAlone(planned, periodic, effort, !others);
   const bool isJoint = planned.kind == MapKind::sorted || planned.kind == MapKind::transported;
   if (!others || !isJoint || effort == TransportEffort::fast)
     return work;
-  const double standard = workAlone(planned, periodic, TransportEffort::standard).fit;
+  const double standard = workAlone(planned, periodic, TransportEffort::standard, false).fit;
   // An exact transport comes after one of the default effort.
-  work.fit += (kJoiningWork + (effort == TransportEffort::exact ? 1.0 : 0.0)) * standard;
+  const bool comesTwice = effort == TransportEffort::exact && planned.kind == MapKind::transported;
+  work.fit += (kJoiningWork + (comesTwice ? 1.0 : 0.0)) * standard;
   return work;
 }
 
@@ -241,8 +237,10 @@ MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<S
     fitting.share = fit.share;
   if (settled != nullptr)
     settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
+  std::optional<double> costOfUnmoved = fit.costOfUnmoved;
   for (const TransportBound& bound : fit.gaussian.bounds)
-    bake.transportBounds.push_back({planned.map.target, bound, isSorted});
+    bake.transportBounds.push_back(
+        {planned.map.target, bound, isSorted, std::exchange(costOfUnmoved, std::nullopt)});
   return fit;
 }
 
@@ -339,8 +337,7 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
 } // namespace
 
 bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic) {
-  return periodic == Periodic::yes ||
-         (periodic == Periodic::detect && std::all_of(maps.begin(), maps.end(), isPeriodic));
+  return keepsBorders(maps, periodic, std::identity());
 }
 
 Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,

@@ -6,6 +6,8 @@
 
 #include <lichen/tiling.h>
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace lichen::tiling {
@@ -23,6 +25,16 @@ struct SeamStrength {
 
 /// Whether no seam is stronger than 1.25 (docs/decisions/006-seam-detection.md).
 [[nodiscard]] bool isPeriodic(const MapExemplar& map);
+
+/// Whether a bake keeps the borders of `maps`: as told, or as all of them are periodic. Each is
+/// what `mapOf` makes of an element.
+template <class Maps, class MapOf>
+[[nodiscard]] bool keepsBorders(const Maps& maps, Periodic told, const MapOf& mapOf) {
+  return told == Periodic::yes ||
+         (told == Periodic::detect && std::all_of(maps.begin(), maps.end(), [&](const auto& each) {
+            return isPeriodic(std::invoke(mapOf, each));
+          }));
+}
 
 /// Makes a Gaussian image periodic: a band of an eighth of the side along each border pair is
 /// cross-faded with the image displaced by half its size, which is continuous there. The blend

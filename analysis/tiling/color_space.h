@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <vector>
 
 namespace lichen::tiling {
@@ -33,6 +34,10 @@ struct ColorSpace {
   Moments moments;
   ChannelMatrix basis;
   [[nodiscard]] int dimensions() const { return int(basis.rows()); }
+  /// Root of the variance of all directions together.
+  [[nodiscard]] double deviation() const {
+    return std::sqrt((basis * moments.covariance * basis.transpose()).trace());
+  }
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
 /// As colorSpaceOf(), but the directions are always the principal ones, the largest variance first:

@@ -26,7 +26,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-/// In correlations, about the standard error of those of blends.
+/// In correlations: about the standard error of those of blends.
 constexpr double kNegligible = 3e-4;
 
 /// Exchanging values inside ties has less effect than in a continuum, which gain makes up for:
@@ -75,11 +75,6 @@ MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
   for (std::size_t block = 1; block < sums.size(); ++block)
     sums[0] += sums[block];
   return sums[0] / double(count);
-}
-
-/// Root of the variance of all axes together.
-double deviationOf(const ColorSpace& space) {
-  return std::sqrt((space.basis * space.moments.covariance * space.basis.transpose()).trace());
 }
 
 /// Values less their mean, on the axes of `space`, of some pixels: D x columns.
@@ -133,7 +128,7 @@ MatrixXd decoderOf(const MapExemplar& map, const ColorSpace& space, const Matrix
   const auto gaussian = [&](Index begin, Index n) {
     return MatrixXd(matched.middleCols(begin, n).cast<double>());
   };
-  return meanProduct(matched.cols(), values, gaussian) / deviationOf(space);
+  return meanProduct(matched.cols(), values, gaussian) / space.deviation();
 }
 
 /// Settled maps, their coordinates stacked, seen from the pixels of another map.
@@ -169,7 +164,7 @@ public:
     eachMap([&](const SettledMap& other, Index row, Index rows) {
       stacked.middleRows(row, rows) =
           valuesOf(*other.map, other.space, samePlaces(*other.map, map_, begin, n)) /
-          deviationOf(other.space);
+          other.space.deviation();
     });
     return stacked;
   }
@@ -186,7 +181,7 @@ public:
     MatrixXd stacked(coordinates_, n);
     eachMap([&](const SettledMap& other, Index row, Index rows) {
       stacked.middleRows(row, rows) =
-          other.blends.values.middleCols(begin, n).cast<double>() / deviationOf(other.space);
+          other.blends.values.middleCols(begin, n).cast<double>() / other.space.deviation();
     });
     return stacked;
   }
@@ -211,7 +206,7 @@ class CrossCovariances {
 public:
   CrossCovariances(const MapExemplar& map, const ColorSpace& space,
                    std::span<const SettledMap> settled, const InverseTable& table)
-      : map_(map), space_(space), settled_(map, settled), deviation_(deviationOf(space)),
+      : map_(map), space_(space), settled_(map, settled), deviation_(space.deviation()),
         table_(onAxes(table, map, space)) {
     const Index count = Index(map.width) * map.height;
     const auto own = [&](Index begin, Index n) {
@@ -333,6 +328,10 @@ SettledMap::SettledMap(const MapExemplar& exemplar, ColorSpace colorSpace,
       image(standardized(gaussian.image, gaussian.dimensions)),
       blends(decodedBlends(gaussian, onAxes(table, exemplar, space))) {}
 
+bool isNegligible(const MatrixXd& lack) {
+  return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
+}
+
 JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
                                  std::span<const SettledMap> settled, Gaussianized alone,
                                  const InverseTable& table, bool periodic, ProgressPart progress) {
@@ -345,15 +344,17 @@ JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space
   MatrixXd lack = covariances.lackOf(best.gaussian);
   MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
   double gain = 1.0;
-  for (int pass = 0; pass < passes && lack.norm() > kNegligible; ++pass) {
+  for (int pass = 0; pass < passes && !isNegligible(lack); ++pass) {
     progress.reach(double(pass) / passes);
     slope += gain * covariances.slopeFor(lack, best.gaussian);
     const MatrixXf moved = covariances.moved(start, slope);
-    std::vector<Point> points =
-        onLine ? ties.ranks({moved.data(), std::size_t(moved.size())}) : pointsOf(moved);
+    std::vector<Point> points = onLine ? std::vector<Point>() : pointsOf(moved);
     transport::TransportOptions exchanges = kExchanges;
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
-    Gaussianized next = gaussianizeNear(best.gaussian, points, periodic, exchanges);
+    Gaussianized next =
+        onLine ? gaussianizeInOrder(best.gaussian,
+                                    ties.by({moved.data(), std::size_t(moved.size())}), periodic)
+               : gaussianizeNear(best.gaussian, points, periodic, exchanges);
     const MatrixXd left = covariances.lackOf(next);
     if (left.norm() >= lack.norm())
       break;

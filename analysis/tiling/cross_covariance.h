@@ -28,11 +28,15 @@ struct SettledMap {
   DecodedBlends blends;    ///< decoded to values less their mean, on the axes of `space`
 };
 
-/// A Gaussian image and the points that it was matched from, none where it is as it was.
+/// A Gaussian image and the points that it was matched from; none where it is as it was, or where
+/// only ties were exchanged, on a line.
 struct JoinedImage {
   Gaussianized gaussian;
   std::vector<Point> points{};
 };
+
+/// Whether correlations lack so little, in the root mean square, that blends could not tell.
+[[nodiscard]] bool isNegligible(const Eigen::MatrixXd& lack);
 
 /// `alone`, which `table` decodes, with its values exchanged among alike pixels so that decoding
 /// blends of it and of the settled maps gives the covariances of the maps themselves; `alone`

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lichen::tiling {
 
@@ -24,17 +25,22 @@ std::vector<float> firstCoordinates(const std::vector<Point>& points) {
   return x;
 }
 
+/// The targets on a line in the order that matches them to sources that come in `order`.
+std::vector<Point> sortedLike(const std::vector<std::uint32_t>& order,
+                              const std::vector<Point>& targets) {
+  const std::vector<std::uint32_t> to = ascendingOrder(firstCoordinates(targets));
+  std::vector<Point> matched(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    matched[order[rank]] = targets[to[rank]];
+  return matched;
+}
+
 /// The targets in the order that matches them to the sources, which are near them already.
 std::vector<Point> rematched(const std::vector<Point>& sources, const std::vector<Point>& targets,
                              int dimensions, const TransportOptions& options) {
+  if (dimensions == 1)
+    return matchedByRank(sources, targets);
   std::vector<Point> matched(sources.size());
-  if (dimensions == 1) {
-    const std::vector<std::uint32_t> from = ascendingOrder(firstCoordinates(sources));
-    const std::vector<std::uint32_t> to = ascendingOrder(firstCoordinates(targets));
-    for (std::size_t rank = 0; rank < from.size(); ++rank)
-      matched[from[rank]] = targets[to[rank]];
-    return matched;
-  }
   std::vector<std::uint32_t> asTheyAre(targets.size());
   std::iota(asTheyAre.begin(), asTheyAre.end(), 0u);
   const std::vector<std::uint32_t> assignment =
@@ -44,26 +50,43 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
   return matched;
 }
 
+/// `near` with other points matched to its pixels, and its image made of those.
+Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, bool periodic,
+                       const TransportOptions& options) {
+  Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
+  result.image = periodic ? result.matched
+                          : rematched(crossFadeBorders(result.matched, near.width, near.height),
+                                      near.image, near.dimensions, options);
+  return result;
+}
+
 } // namespace
+
+std::vector<Point> matchedByRank(const std::vector<Point>& sources,
+                                 const std::vector<Point>& targets) {
+  return sortedLike(ascendingOrder(firstCoordinates(sources)), targets);
+}
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
                          bool periodic, Precision precision, const TransportOptions& options,
-                         double certificateStep) {
+                         const std::optional<CertificateSteps>& certificate) {
   Gaussianized result;
   result.width = map.width;
   result.height = map.height;
   result.dimensions = dimensions;
   const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
-  const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
+  const auto matchTo = [&](const std::vector<Point>& sources, double CertificateSteps::*step,
+                           double begin, double end) {
     TransportOptions part = options;
-    const bool certified = certificateStep > 0.0 && dimensions > 1;
+    const bool certified = certificate && dimensions > 1;
     const double middle = certified ? begin + kAssignmentOfProgress * (end - begin) : end;
     part.progress = options.progress.part(begin, middle);
     std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
     if (certified)
-      result.bounds.push_back(transport::improveByAuction(
-          sources, stratified, assignment, certificateStep, options.progress.part(middle, end)));
-    else if (certificateStep > 0.0) // points on a line are sorted
+      result.bounds.push_back(transport::improveByAuction(sources, stratified, assignment,
+                                                          (*certificate).*step,
+                                                          options.progress.part(middle, end)));
+    else if (certificate) // points on a line are sorted
       result.bounds.push_back(transport::boundOfOptimum(sources, stratified, assignment));
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
@@ -71,31 +94,27 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
     return matched;
   };
   if (periodic) {
-    result.image = result.matched = matchTo(points, 0.0, 1.0);
+    result.image = result.matched = matchTo(points, &CertificateSteps::points, 0.0, 1.0);
     return result;
   }
-  result.matched = matchTo(points, 0.0, 0.5);
-  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height), 0.5, 1.0);
+  result.matched = matchTo(points, &CertificateSteps::points, 0.0, 0.5);
+  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height),
+                         &CertificateSteps::faded, 0.5, 1.0);
   return result;
 }
 
 Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>& points,
                              bool periodic, const TransportOptions& options) {
-  Gaussianized result;
-  result.width = near.width;
-  result.height = near.height;
-  result.dimensions = near.dimensions;
   TransportOptions part = options;
   part.progress = options.progress.part(0.0, periodic ? 1.0 : 0.5);
-  result.matched = rematched(points, near.matched, near.dimensions, part);
-  if (periodic) {
-    result.image = result.matched;
-    return result;
-  }
+  std::vector<Point> matched = rematched(points, near.matched, near.dimensions, part);
   part.progress = options.progress.part(0.5, 1.0);
-  result.image = rematched(crossFadeBorders(result.matched, near.width, near.height), near.image,
-                           near.dimensions, part);
-  return result;
+  return withImage(near, std::move(matched), periodic, part);
+}
+
+Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std::uint32_t>& order,
+                                bool periodic) {
+  return withImage(near, sortedLike(order, near.matched), periodic, {});
 }
 
 } // namespace lichen::tiling

@@ -8,6 +8,8 @@
 
 #include <lichen/tiling.h>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace lichen::tiling {
@@ -27,19 +29,35 @@ struct Gaussianized {
   std::vector<TransportBound> bounds{};
 };
 
+/// Tolerances of transport::improveByAuction(), one for each transport.
+struct CertificateSteps {
+  double points = 0.0; ///< of the exemplar's points
+  double faded = 0.0;  ///< of the image whose borders were cross-faded
+};
+
+/// Transport on a line: the targets, each where the source is that has its rank; by the first
+/// coordinates, and by index where they are equal. N log N.
+[[nodiscard]] std::vector<Point> matchedByRank(const std::vector<Point>& sources,
+                                               const std::vector<Point>& targets);
+
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
-/// are then cross-faded and the image is matched to the set once more. A `certificateStep` above 0,
-/// the tolerance of transport::improveByAuction(), makes that improve and bound both transports;
-/// those of one dimension are optimal as they are, and their bound is their cost.
+/// are then cross-faded and the image is matched to the set once more. `certificate` has both
+/// transports improved and bounded by auctions; those of one dimension are optimal as they are, and
+/// their bound is their cost.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, Precision precision,
                                        const transport::TransportOptions& options,
-                                       double certificateStep = 0.0);
+                                       const std::optional<CertificateSteps>& certificate = {});
 
 /// What gaussianize() makes of points close to those that `near` was made from, one to one: by
 /// exchanges that start from its matching.
 [[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
                                            const std::vector<Point>& points, bool periodic,
                                            const transport::TransportOptions& options);
+
+/// The same of points on a line, which come in `order`, least first.
+[[nodiscard]] Gaussianized gaussianizeInOrder(const Gaussianized& near,
+                                              const std::vector<std::uint32_t>& order,
+                                              bool periodic);
 
 } // namespace lichen::tiling

@@ -30,6 +30,8 @@ struct MapFit {
   std::vector<Point> points; ///< of its values; those of a map alone were transported
   Gaussianized gaussian;
   InverseTable table;
+  /// As MapTransportBound has it, of the first of the Gaussian image's bounds.
+  std::optional<double> costOfUnmoved;
 };
 
 struct MapFitOptions {
@@ -42,6 +44,14 @@ struct MapFitOptions {
   std::span<const SettledMap> settled{};
   ProgressPart progress{};
 };
+
+/// What fitting a map of two or three dimensions takes that goes by itself, in units of matching a
+/// pixel by the default effort.
+struct FitWork {
+  double trial = 0.0; ///< of one share, where it is no fit itself; most exemplars need no second
+  double fit = 0.0;
+};
+[[nodiscard]] FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort);
 
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
 /// not given is chosen so that the noise has as much detail as the exemplar

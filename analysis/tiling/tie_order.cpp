@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values and scores (one each a pixel) -> ranks.
+// Values and scores (one each a pixel) -> pixels in order.
 #include "tie_order.h"
 
 #include <tbb/parallel_for.h>
@@ -20,6 +20,13 @@ std::uint64_t sortKey(float value, std::uint32_t index) {
   return (std::uint64_t(ordered) << 32u) | index;
 }
 
+std::vector<std::uint32_t> indicesOf(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::uint32_t> indices(keys.size());
+  std::transform(keys.begin(), keys.end(), indices.begin(),
+                 [](std::uint64_t key) { return std::uint32_t(key); });
+  return indices;
+}
+
 } // namespace
 
 std::vector<std::uint32_t> ascendingOrder(std::span<const float> values) {
@@ -27,10 +34,7 @@ std::vector<std::uint32_t> ascendingOrder(std::span<const float> values) {
   for (std::size_t i = 0; i < keys.size(); ++i)
     keys[i] = sortKey(values[i], std::uint32_t(i));
   tbb::parallel_sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> order(keys.size());
-  std::transform(keys.begin(), keys.end(), order.begin(),
-                 [](std::uint64_t key) { return std::uint32_t(key); });
-  return order;
+  return indicesOf(keys);
 }
 
 TieOrder::TieOrder(std::span<const float> values) : order_(ascendingOrder(values)) {
@@ -40,9 +44,8 @@ TieOrder::TieOrder(std::span<const float> values) : order_(ascendingOrder(values
   ties_.push_back(std::uint32_t(order_.size()));
 }
 
-std::vector<Point> TieOrder::ranks(std::span<const float> scores) const {
+std::vector<std::uint32_t> TieOrder::by(std::span<const float> scores) const {
   std::vector<std::uint64_t> keys(order_.size());
-  std::vector<Point> ranks(order_.size());
   tbb::parallel_for(std::size_t(1), ties_.size(), [&](std::size_t k) {
     const auto begin = std::ptrdiff_t(ties_[k - 1]), end = std::ptrdiff_t(ties_[k]);
     for (std::ptrdiff_t i = begin; i < end; ++i) {
@@ -51,10 +54,8 @@ std::vector<Point> TieOrder::ranks(std::span<const float> scores) const {
     }
     if (end - begin > 1)
       tbb::parallel_sort(keys.begin() + begin, keys.begin() + end);
-    for (std::ptrdiff_t i = begin; i < end; ++i)
-      ranks[std::uint32_t(keys[std::size_t(i)])].x = float(i);
   });
-  return ranks;
+  return indicesOf(keys);
 }
 
 } // namespace lichen::tiling

@@ -2,8 +2,6 @@
 // Orders on a line, and the freedom that they leave: that of pixels of equal value.
 #pragma once
 
-#include "transport/point.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,8 +16,8 @@ class TieOrder {
 public:
   explicit TieOrder(std::span<const float> values);
 
-  /// Each pixel's rank by value and, where values are equal, by score, as points on a line.
-  [[nodiscard]] std::vector<Point> ranks(std::span<const float> scores) const;
+  /// The pixels by value, by score where values are equal, and then by index.
+  [[nodiscard]] std::vector<std::uint32_t> by(std::span<const float> scores) const;
 
 private:
   std::vector<std::uint32_t> order_; ///< of pixels, by value and then by index

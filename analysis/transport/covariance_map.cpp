@@ -13,14 +13,14 @@ constexpr double kNoVariance = 1e-12;
 
 } // namespace
 
-SmallMatrix power(const SmallMatrix& symmetric, double exponent) {
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(symmetric);
-  const auto& values = solver.eigenvalues();
+template <class Matrix>
+Matrix power(const Matrix& symmetric, double exponent) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric);
+  auto values = solver.eigenvalues();
   const double floor = kNoVariance * std::max(values.maxCoeff(), 0.0);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> powered(values.size());
   for (Eigen::Index k = 0; k < values.size(); ++k)
-    powered[k] = values[k] > floor ? std::pow(values[k], exponent) : 0.0;
-  return solver.eigenvectors() * powered.asDiagonal() * solver.eigenvectors().transpose();
+    values[k] = values[k] > floor ? std::pow(values[k], exponent) : 0.0;
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 int rank(const SmallMatrix& symmetric) {
@@ -29,10 +29,16 @@ int rank(const SmallMatrix& symmetric) {
   return int((solver.eigenvalues().array() > floor).count());
 }
 
-SmallMatrix covarianceMap(const SmallMatrix& from, const SmallMatrix& to) {
-  const SmallMatrix root = power(from, 0.5);
-  const SmallMatrix inverseRoot = power(from, -0.5);
-  return inverseRoot * power(root * to * root, 0.5) * inverseRoot;
+template <class Matrix>
+Matrix covarianceMap(const Matrix& from, const Matrix& to) {
+  const Matrix root = power(from, 0.5);
+  const Matrix inverseRoot = power(from, -0.5);
+  return inverseRoot * power(Matrix(root * to * root), 0.5) * inverseRoot;
 }
+
+template SmallMatrix power(const SmallMatrix&, double);
+template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
+template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);
+template Eigen::MatrixXd covarianceMap(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 
 } // namespace lichen::transport

@@ -6,20 +6,27 @@
 
 namespace lichen::transport {
 
-/// Up to 3 x 3, on the stack.
+/// Up to 3 x 3, on the stack: of one map's channels. The functions take Eigen::MatrixXd too.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
 /// The symmetric matrix with the same eigenvectors and eigenvalues raised to `exponent`.
 /// Eigenvalues below 1e-12 of the largest, which is the rounding of float coordinates, count as
 /// zero and stay zero: the pseudo-inverse for negative exponents. `symmetric` is positive
 /// semidefinite.
-[[nodiscard]] SmallMatrix power(const SmallMatrix& symmetric, double exponent);
+template <class Matrix>
+[[nodiscard]] Matrix power(const Matrix& symmetric, double exponent);
 
 /// How many eigenvalues do not count as zero.
 [[nodiscard]] int rank(const SmallMatrix& symmetric);
 
 /// The symmetric optimal-transport map between centred Gaussians,
 /// A^(-1/2) (A^(1/2) B A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19 eq. 2.40].
-[[nodiscard]] SmallMatrix covarianceMap(const SmallMatrix& from, const SmallMatrix& to);
+template <class Matrix>
+[[nodiscard]] Matrix covarianceMap(const Matrix& from, const Matrix& to);
+
+extern template SmallMatrix power(const SmallMatrix&, double);
+extern template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
+extern template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);
+extern template Eigen::MatrixXd covarianceMap(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 
 } // namespace lichen::transport

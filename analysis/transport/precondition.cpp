@@ -41,10 +41,10 @@ std::vector<Point> transformed(std::span<const Point> points, const Vector3d& me
 PointPair precondition(std::span<const Point> source, std::span<const Point> target) {
   const Vector3d sourceMean = meanOf(source);
   const Vector3d targetMean = meanOf(target);
-  const Matrix3d map =
-      covarianceMap(covarianceOf(source, sourceMean), covarianceOf(target, targetMean));
-  return {transformed(source, sourceMean, power(map, 0.5)),
-          transformed(target, targetMean, power(map, -0.5)), rank(map)};
+  const Matrix3d map = covarianceMap<SmallMatrix>(covarianceOf(source, sourceMean),
+                                                  covarianceOf(target, targetMean));
+  return {transformed(source, sourceMean, power<SmallMatrix>(map, 0.5)),
+          transformed(target, targetMean, power<SmallMatrix>(map, -0.5)), rank(map)};
 }
 
 } // namespace lichen::transport

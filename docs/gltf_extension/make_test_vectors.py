@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes test_vectors.json: the lattice of README.md, implemented a second time, in Python with
+"""Writes test_vectors.json: lattice and impacts of README.md, implemented a second time, in Python with
 integers and decimals of any length, so that an implementation in another language can be compared
 with something that shares no code with it. Run: python3 make_test_vectors.py > test_vectors.json"""
 import json
@@ -66,12 +66,53 @@ def periodic_lattice(width, height):
     return {"tiles": [width, height], "columns": columns, "rows": rows}
 
 
+def impact_grid(coefficients, order, impacts, tile):
+    # columns = round(tile / side) with side^2 = (N + k) (N' + k) / impacts, in exact arithmetic.
+    area = Decimal((coefficients[0] + order) * (coefficients[1] + order))
+    side = (area / Decimal(impacts)).sqrt()
+
+    def cells(texels):
+        return max(1, int((texels / side + Decimal("0.5")).to_integral_value(rounding="ROUND_FLOOR")))
+
+    return {"coefficients": coefficients, "order": order, "impacts": impacts,
+            "texelsPerTile": tile, "cells": [cells(tile[0]), cells(tile[1])]}
+
+
+def poisson_count(word):
+    # The thresholds, from the distribution function itself: 2^32 sum_k e^-1 / k!, rounded.
+    below, term, count = Decimal(0), Decimal(-1).exp(), 0
+    while True:
+        below += term
+        threshold = int((below * WORD).to_integral_value(rounding="ROUND_HALF_EVEN"))
+        if word < threshold or threshold >= WORD:
+            return count
+        count += 1
+        term /= count
+
+
+def impacts_of(i, j, seed, plane, process):
+    first, second, _ = pcg3d(i % WORD, j % WORD, lattice_seed(seed, plane))
+    words = [first]
+    if process == "poisson":
+        words = []
+        for _ in range(poisson_count(second)):
+            first = pcg(first)
+            words.append(first)
+    return {"cell": [i, j], "seed": seed, "plane": plane, "process": process,
+            "impacts": [{"place": [((w >> shift) % 32768 + 0.5) / 32768 for shift in (16, 1)],
+                         "sign": -1 if w >> 31 else 1} for w in words]}
+
+
 WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
 VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
 SIZES = [(1, 1), (256, 256), (1000, 17), (16384, 16384)]
 TILES = [(0, 0), (1, 0), (0, 1), (-1, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
 PERIODS = [(0.5, 0.5), (1.0, 1.0), (1.37, 2.0), (4.0, 4.0), (16.0, 3.0)]
+GRIDS = [([63, 63], 1, 30, [1024, 1024]), ([64, 64], 0, 30, [1024, 512]),
+         ([61, 21], 3, 12.5, [1000, 17]), ([8, 8], 1, 1000, [32, 32]), ([31, 31], 1, 1, [31, 40])]
+COUNTS = [0, 1580030168, 1580030169, 3160060337, 3950075422, 4213413783, 4279248374, 4292415292,
+          4294609778, 4294923276, 4294962463, 4294966817, 4294967253, 4294967291, 4294967292]
 
 print(json.dumps({
     "pcg": [{"value": w, "hash": pcg(w)} for w in WORDS],
@@ -83,4 +124,8 @@ print(json.dumps({
                    for v in VERTICES for s, p in SEEDS[1:3] for size in SIZES],
     "latticeOrigin": [lattice_origin(*tile) for tile in TILES],
     "periodicLattice": [periodic_lattice(*period) for period in PERIODS],
+    "impactGrid": [impact_grid(*grid) for grid in GRIDS],
+    "poissonCount": [{"word": w, "count": poisson_count(w)} for w in COUNTS],
+    "impacts": [impacts_of(*v, s, p, process)
+                for v in VERTICES for s, p in SEEDS[1:3] for process in ("stratified", "poisson")],
 }, indent=1))

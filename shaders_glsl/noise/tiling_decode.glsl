@@ -9,8 +9,11 @@
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
 
-// 0 where no map has a separable table, or where none has no table. Literals, or the host's
-// specialization constants.
+// 0 where no map has a joint table, none a separable one, or where none has no table. Literals, or
+// the host's specialization constants. Not all are 0.
+#ifndef LICHEN_JOINT_TABLES
+#define LICHEN_JOINT_TABLES 1
+#endif
 #ifndef LICHEN_SEPARABLE_TABLES
 #define LICHEN_SEPARABLE_TABLES 1
 #endif
@@ -105,9 +108,14 @@ vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
 /// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`
 /// is not fetched where the map has none.
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
-  if (bool(LICHEN_SEPARABLE_TABLES) && map.decoding == uint(LICHEN_DECODING_SEPARABLE))
+  // The last kind that there is needs no test.
+  bool isSeparable = map.decoding == uint(LICHEN_DECODING_SEPARABLE) ||
+                     !(bool(LICHEN_JOINT_TABLES) || bool(LICHEN_GAUSSIAN_ONLY));
+  bool isGaussian =
+      map.decoding == uint(LICHEN_DECODING_GAUSSIAN) || !bool(LICHEN_JOINT_TABLES);
+  if (bool(LICHEN_SEPARABLE_TABLES) && isSeparable)
     return lichenDecodeSeparable(table, gaussian, lostVariance, map);
-  if (bool(LICHEN_GAUSSIAN_ONLY) && map.decoding == uint(LICHEN_DECODING_GAUSSIAN))
+  if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian)
     return lichenDecodeGaussian(gaussian, lostVariance, map);
   return lichenDecodeJoint(table, gaussian, lostVariance, map);
 }

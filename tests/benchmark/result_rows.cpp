@@ -11,9 +11,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <set_covariances.h>
 
 namespace lichen::bench {
 namespace {
+
+using test::decodedMaps;
+using test::norm;
 
 constexpr double kExemplarSide = 256.0;
 /// As TARGETS.md measured its prototype: 256 x 256 -> 1024 x 1024.
@@ -38,52 +42,17 @@ SrgbImage synthesized(const Bundle& bundle, int side) {
 
 /// Covariances between base colour and the other maps' channels; images of equal size.
 std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
-  std::vector<std::vector<double>> mean(maps.size());
-  const std::size_t count = maps.front().pixelCount();
-  for (std::size_t m = 0; m < maps.size(); ++m) {
-    const auto channels = std::size_t(maps[m].channels);
-    mean[m].assign(channels, 0.0);
-    for (std::size_t i = 0; i < maps[m].values.size(); ++i)
-      mean[m][i % channels] += double(maps[m].values[i]) / double(count);
-  }
-  std::vector<double> result;
-  const LinearImage& color = maps.front();
+  std::vector<double> covariances;
   for (std::size_t m = 1; m < maps.size(); ++m)
-    for (std::size_t d = 0; d < mean[m].size(); ++d)
-      for (std::size_t c = 0; c < mean.front().size(); ++c) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < count; ++i)
-          sum += (double(color.values[i * mean.front().size() + c]) - mean.front()[c]) *
-                 (double(maps[m].values[i * mean[m].size() + d]) - mean[m][d]);
-        result.push_back(sum / double(count));
-      }
-  return result;
-}
-
-double norm(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += value * value;
-  return std::sqrt(sum);
+    for (const double covariance : test::crossCovariances(maps.front(), maps[m]))
+      covariances.push_back(covariance);
+  return covariances;
 }
 
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result(a.size());
   std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::minus<>());
   return result;
-}
-
-/// The maps as results have them: light, slopes, data.
-std::vector<LinearImage> decodedMaps(const std::vector<MapExemplar>& set) {
-  std::vector<LinearImage> images;
-  for (const MapExemplar& map : set) {
-    images.emplace_back(map.width, map.height, int(map.channels.size()));
-    images.back().values = map.values;
-    if (map.encoding == ValueEncoding::srgb)
-      for (float& value : images.back().values)
-        value = srgbToLinear(value);
-  }
-  return images;
 }
 
 std::vector<LinearImage> resultMaps(const Bundle& bundle, const std::vector<MapExemplar>& set,

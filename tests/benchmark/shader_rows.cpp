@@ -11,7 +11,9 @@
 #include <plain.frag.h>
 #include <plugin_host.h>
 #include <stdexcept>
-#include <tiling.frag.h>
+#include <tiling.frag.gaussian.h>
+#include <tiling.frag.joint.h>
+#include <tiling.frag.separable.h>
 #include <view.vert.h>
 
 namespace lichen::bench {
@@ -24,9 +26,9 @@ constexpr int kFrames = 31;
 /// The first draws of a pipeline compile it.
 constexpr int kWarmUpFrames = 3;
 
-std::vector<std::byte> exemplarGlb() {
+std::vector<std::byte> exemplarGlb(const TilingOptions& options) {
   BundleFile file;
-  file.bundle = bakedBundle(exemplars::rust(kExemplarSide));
+  file.bundle = bakedBundle(exemplars::rust(kExemplarSide), options);
   PreviewImages preview;
   preview.baseColor = encodePng(SrgbImage(1, 1, 3), 8).value();
   file.previews = {preview};
@@ -64,16 +66,47 @@ Row ratioRow(const std::string& what, double target, ScreenPass& tiling, ScreenP
   return {what, median(tilingSeconds) / unit, target, "", note};
 }
 
+/// A kind of table, how its noise is baked, and the shader that has its code alone.
+struct Kind {
+  const char* name;
+  TilingOptions baking;
+  std::span<const std::uint32_t> fragment;
+  double flatTarget;
+  double floorTarget;
+};
+
+TilingOptions bakedWith(LookupTable lut, GaussianOnly gaussian) {
+  TilingOptions options;
+  options.lut = lut;
+  options.gaussian = gaussian;
+  return options;
+}
+
+void appendRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
+                const DeviceImage& image) {
+  test::PluginHost host(gpu, exemplarGlb(kind.baking));
+  prepare(host);
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
+    throw std::runtime_error("no set layout");
+  ScreenPass plain(gpu, view_vert, plain_frag, layout);
+  ScreenPass tiling(gpu, view_vert, kind.fragment, layout);
+  // Flat: one texel a pixel. Perspective: a floor, 1/4 of a texel a pixel at the near edge, 16
+  // times as far at the other.
+  const ScreenView flat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
+  const ScreenView floor{0.25f * flat.uvPerScreenX, 0.25f * flat.uvPerScreenX, 16.0f};
+  const std::string device = gpu.properties().deviceName;
+  rows.push_back(ratioRow(std::string(kind.name) + " over one plain fetch, 1920 x 1080, flat",
+                          kind.flatTarget, tiling, plain, image, host.set(), flat, device));
+  rows.push_back(ratioRow("the same, perspective", kind.floorTarget, tiling, plain, image,
+                          host.set(), floor, device));
+}
+
 std::vector<Row> measure() {
   Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
   if (!device)
     throw std::runtime_error(device.error().message);
   HeadlessDevice& gpu = *device.value();
-  test::PluginHost host(gpu, exemplarGlb());
-  prepare(host);
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
-    throw std::runtime_error("no set layout");
   DeviceImageInfo info;
   info.format = kScreenFormat;
   info.extent = {kWidth, kHeight, 1};
@@ -81,17 +114,18 @@ std::vector<Row> measure() {
   Result<DeviceImage> image = gpu.createImage(info);
   if (!image)
     throw std::runtime_error(image.error().message);
-  ScreenPass plain(gpu, view_vert, plain_frag, layout);
-  ScreenPass tiling(gpu, view_vert, tiling_frag, layout);
-  // Flat: one texel a pixel. Perspective: a floor, 1/4 of a texel a pixel at the near edge, 16
-  // times as far at the other.
-  const ScreenView flat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
-  const ScreenView floor{0.25f * flat.uvPerScreenX, 0.25f * flat.uvPerScreenX, 16.0f};
-  const std::string name = gpu.properties().deviceName;
-  return {ratioRow("tiling with joint table over one plain fetch, 1920 x 1080, flat", 3.6, tiling,
-                   plain, image.value(), host.set(), flat, name),
-          ratioRow("the same, perspective", 4.3, tiling, plain, image.value(), host.set(), floor,
-                   name)};
+  // Separable tables have no targets of their own: those of the joint one.
+  const Kind kinds[] = {{"tiling with joint table", bakedWith(LookupTable::joint, GaussianOnly::no),
+                         tiling_frag_joint, 3.6, 4.3},
+                        {"tiling with separable table",
+                         bakedWith(LookupTable::separable, GaussianOnly::no), tiling_frag_separable,
+                         3.6, 4.3},
+                        {"tiling, Gaussian only", bakedWith(LookupTable::joint, GaussianOnly::yes),
+                         tiling_frag_gaussian, 2.5, 3.2}};
+  std::vector<Row> rows;
+  for (const Kind& kind : kinds)
+    appendRows(rows, kind, gpu, image.value());
+  return rows;
 }
 
 } // namespace

@@ -85,7 +85,7 @@ TEST_CASE("unknown options and numbers outside their range are refused by every 
 
 TEST_CASE("bake refuses option values that it does not know, with those that it does") {
   checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: 8 or 16 is accepted"});
-  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: tiling is accepted"});
+  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: tiling or texton is accepted"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
                    {"--periodic maybe: auto, yes or no is accepted; see 'lichen bake --help'"});
   checkBakeRefuses({"--transport", "slow"}, kUsage,

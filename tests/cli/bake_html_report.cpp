@@ -215,7 +215,7 @@ TEST_CASE("a report shows narrow exemplars as they are, beside a result that is 
     const nlohmann::json map = dataOf(reportOf(workplace, input))["maps"][0];
     CHECK(extentsOf(map.at("exemplar")) == std::array{unsigned(width), unsigned(height)});
     CHECK(extentsOf(map.at("result")) == result);
-    CHECK(extentsOf(map.at("gaussian")) == std::array{unsigned(width), unsigned(height)});
+    CHECK(extentsOf(map.at("image")) == std::array{unsigned(width), unsigned(height)});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace lichen;
@@ -15,15 +16,16 @@ using namespace lichen::cli_test;
 
 namespace {
 
+constexpr int kSide = 64;
+
 /// Grain on light from one side: a pixel's hash, and a ramp.
-SrgbImage slope() {
-  constexpr int kSide = 64;
-  SrgbImage image(kSide, kSide, 1);
+SrgbImage slope(int width = kSide, int height = kSide) {
+  SrgbImage image(width, height, 1);
   std::uint32_t state = 1;
   for (std::size_t i = 0; i < image.values.size(); ++i) {
     state = state * 1664525u + 1013904223u; // Numerical Recipes, section 7.1
     const float grain = float(state >> 8u) * 0x1p-24f;
-    image.values[i] = 0.3f + 0.4f * float(i % kSide) / float(kSide) + 0.2f * grain;
+    image.values[i] = 0.3f + 0.4f * float(int(i) % width) / float(width) + 0.2f * grain;
   }
   return image;
 }
@@ -62,7 +64,6 @@ TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
 
 TEST_CASE("a picture of few colours is told so, and given no advice on exposure") {
   const Workplace workplace;
-  constexpr int kSide = 64;
   SrgbImage dither(kSide, kSide, 1), soft(kSide, kSide, 1);
   std::uint32_t state = 1;
   for (std::size_t i = 0; i < dither.values.size(); ++i) {
@@ -96,6 +97,27 @@ TEST_CASE("of a set, a risk is told of the base colour, unless another map has i
   CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
         "occlusionRoughnessMetallic");
   CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
+}
+
+TEST_CASE("a period is advised in pixels of the first map, which --flatten counts") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", speckled(kSide, kSide, 3));
+  const auto riskOf = [&](int width, int height, const Arguments& flatten) {
+    const std::string roughness = workplace.write("stone_rough.png", slope(width, height));
+    Arguments arguments{color, roughness};
+    arguments.insert(arguments.end(), flatten.begin(), flatten.end());
+    return jsonOf(workplace, arguments).at("risks")[2];
+  };
+  for (const auto [width, height] :
+       {std::array{2 * kSide, 2 * kSide}, std::array{kSide / 2, kSide / 2},
+        std::array{kSide, 2 * kSide}}) {
+    INFO(width << " x " << height);
+    const nlohmann::json risk = riskOf(width, height, {});
+    CHECK(risk.at("map") == "occlusionRoughnessMetallic");
+    CHECK_THAT(risk.at("remedy").get<std::string>(),
+               Catch::StartsWith("--flatten 21, or ")); // a third of the first map's side
+    CHECK(riskOf(width, height, {"--flatten", "21"}).at("level") == "none");
+  }
 }
 
 TEST_CASE("opacity is not advised to be flattened, which it never is") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `lichen inspect` tells of a bundle, against what is known of how it was made.
+#include "bundle_example.h"
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -116,6 +117,40 @@ TEST_CASE("inspect tells the kind of each inverse table, and the fetches that it
     CHECK(map.at("fetchesPerPixel") == kind.fetches);
     CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains(kind.line));
   }
+}
+
+TEST_CASE("inspect tells support, impacts and cost of textons, and the size of their exemplar") {
+  const Workplace workplace;
+  const std::string bundle = workplace.path("sand.glb");
+  REQUIRE(writeBundle(bundle, example::textonMix()).ok());
+  const nlohmann::json report = inspected(bundle);
+  const nlohmann::json& noise = report.at("noises")[1];
+  CHECK(noise.at("method") == "texton");
+  CHECK(noise.at("texton").at("coefficients") == std::vector<int>{9, 17});
+  CHECK(noise.at("texton").at("support") == std::vector<int>{12, 20}); // of a cubic spline
+  CHECK(noise.at("texton").at("order") == 3);
+  CHECK(noise.at("texton").at("steps") == 3);
+  CHECK(noise.at("materials")[0].at("impacts") == 12.5);
+  CHECK(noise.at("materials")[0].at("pointProcess") == "poisson");
+  REQUIRE(noise.at("maps").size() == 3);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const nlohmann::json& map = noise["maps"][m];
+    CHECK(map.at("texton") == 2 + m);
+    CHECK(map.at("gaussian").is_null());
+    CHECK(map.at("width") == 100);
+    CHECK(map.at("height") == 50);
+    CHECK(map.at("fetchesPerPixel") == 4 * 21); // (sqrt(12.5) + 1)^2 is 20.57
+  }
+  CHECK(noise.at("fetchesPerPixel") == 3 * 4 * 21);
+  CHECK_FALSE(report["noises"][0].contains("texton"));
+  // 12 x 20 texels of 8 bytes in three steps, and a mip of a quarter.
+  CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
+  const std::string page = runLichen({"inspect", bundle}).output;
+  for (const char* words :
+       {"textons of 12 x 20 texels, order 3, 12.5 impacts a point, poisson; 3 steps",
+        "about 252 fetches a pixel and plane", "100 x 50, 16 bits, srgb", "texton: table 2",
+        "surface, seed 1, 12.5 impacts, poisson"})
+    CHECK_THAT(page, Catch::Contains(words));
 }
 
 TEST_CASE("inspect refuses what is not a bundle in one line") {

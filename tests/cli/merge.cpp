@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `lichen merge` makes of several bundles.
+#include "bundle_example.h"
 #include "command_run.h"
 
 #include <lichen/bundle.h>
@@ -65,6 +66,30 @@ TEST_CASE("merge keeps order, tables, parameters and pictures of the noises") {
   const SrgbImage same =
       synth(workplace, workplace.path("all.glb"), {"--size", "40x30", "--noise", "moss"});
   CHECK(same.values == picture.values);
+}
+
+TEST_CASE("merge places noises of both methods in one bundle") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb");
+  const std::string dune = workplace.path("dune.glb");
+  BundleFile file = example::smallestTexton();
+  file.bundle.materials[0]->impacts = 100.0;
+  REQUIRE(writeBundle(dune, file).ok());
+  const Bundle all = merged(workplace, {moss, dune, dune});
+  REQUIRE(all.noises.size() == 3);
+  CHECK(all.noises[0].method == Method::tiling);
+  CHECK(all.noises[2].name == "dune-2");
+  CHECK(all.tables.size() == 3); // both noises of the dune share a texton
+  for (const std::size_t n : {1u, 2u}) {
+    const Noise& noise = all.noises[n];
+    const NoiseMap& map = noise.maps[0];
+    CHECK(noise.method == Method::texton);
+    CHECK(noise.texton.coefficientsX == 8);
+    CHECK(noise.texton.texelsPerTileY == 32);
+    CHECK(map.scale == file.bundle.noises[0].maps[0].scale);
+    CHECK(isSameImage(all.tables[map.image], file.bundle.tables[0]));
+    CHECK(all.materials[n]->impacts == 100.0);
+  }
 }
 
 TEST_CASE("a merged bundle of one is the bake itself, byte for byte") {

@@ -36,15 +36,52 @@ void checkTable(const Table& table) {
     require(std::isfinite(value), "a texel that is not finite");
 }
 
-void checkMap(const NoiseMap& map, const Bundle& bundle) {
+bool isWithin(int value, int least, int most) { return value >= least && value <= most; }
+
+void checkShape(const TextonShape& shape) {
+  require(isWithin(shape.coefficientsX, 1, kMaxTextonSide) &&
+              isWithin(shape.coefficientsY, 1, kMaxTextonSide),
+          "number of coefficients");
+  require(shape.order == 0 || shape.order == 1 || shape.order == 3, "order of the spline");
+  require(isWithin(shape.mipLevels, 1, shape.mostMipLevels()), "mips of the textons");
+  require(isWithin(shape.texelsPerTileX, shape.coefficientsX, int(kMaxTableSide)) &&
+              isWithin(shape.texelsPerTileY, shape.coefficientsY, int(kMaxTableSide)),
+          "size of the exemplar");
+  require(isWithin(shape.steps, 1, kMaxTextonSteps), "number of steps");
+}
+
+void checkTexton(const NoiseMap& map, const TextonShape& shape, const Table& image) {
+  const std::size_t n = map.channels.size();
+  require(image.depth == 0 && image.width == shape.frameWidth() &&
+              image.height == shape.frameHeight() * std::uint32_t(shape.steps) &&
+              image.mipLevels == std::uint32_t(shape.mipLevels),
+          "shape of a texton's image");
+  require(std::size_t(channelCount(image.format)) >= n, "channels of a texton");
+  require(map.scale.size() == n && areFinite(map.scale), "a scale for each channel");
+  require(map.endMean.size() == (shape.steps > 1 ? n : 0) && areFinite(map.endMean),
+          "the mean of the last step");
+  require(map.mipLoss.size() >= image.mipLevels && map.mipLoss.size() <= kMaxTextonLosses,
+          "number of a texton's losses");
+  require(!map.inverseTable && map.levels.empty(), "an inverse table of a texton");
+}
+
+void checkGaussian(const NoiseMap& map, const Table& image) {
+  require(map.mipLoss.size() == image.mipLevels, "number of mip losses");
+  require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
+  require(map.scale.empty() && map.endMean.empty(), "a texton's members of a Gaussian image");
+}
+
+void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   const std::size_t n = map.channels.size();
   require(n >= 1 && n <= 3, "number of channels");
   require(map.mean.size() == n && map.covariance.size() == n * n, "size of the statistics");
   require(areFinite(map.mean) && areFinite(map.covariance) && areFinite(map.mipLoss),
           "a number that is not finite");
-  require(map.image < bundle.tables.size(), "index of the Gaussian image");
-  require(map.mipLoss.size() == bundle.tables[map.image].mipLevels, "number of mip losses");
-  require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
+  require(map.image < bundle.tables.size(), "index of the image");
+  if (noise.method == Method::texton)
+    checkTexton(map, noise.texton, bundle.tables[map.image]);
+  else
+    checkGaussian(map, bundle.tables[map.image]);
   require(map.tableOffset.empty() == map.tableBasis.empty(), "a basis without an offset");
   require(map.inverseTable || map.tableBasis.empty(), "a basis without a table");
   require(map.tableOffset.empty() || map.tableOffset.size() == map.channels.size(),
@@ -54,12 +91,20 @@ void checkMap(const NoiseMap& map, const Bundle& bundle) {
 
 void checkContract(const Bundle& bundle) {
   std::for_each(bundle.tables.begin(), bundle.tables.end(), checkTable);
-  for (const Noise& noise : bundle.noises)
+  for (const Noise& noise : bundle.noises) {
+    if (noise.method == Method::texton)
+      checkShape(noise.texton);
     for (const NoiseMap& map : noise.maps)
-      checkMap(map, bundle);
+      checkMap(map, noise, bundle);
+  }
   require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
-  for (const std::optional<MaterialNoise>& use : bundle.materials)
+  for (const std::optional<MaterialNoise>& use : bundle.materials) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
+    require(!use || mappingFits(bundle.noises[use->noise].method, use->mapping),
+            "a mapping that the noise has not");
+    require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
+            "number of impacts");
+  }
   for (const IgnoredNoise& noise : bundle.ignoredNoises) {
     require(noise.revision > kNoiseRevision, "a known revision that is ignored");
     for (const std::size_t material : noise.materials)

@@ -22,7 +22,7 @@ using Random = std::mt19937_64; // the standard fixes its sequence, not that of 
 
 std::size_t below(Random& random, std::size_t limit) { return std::size_t(random() % limit); }
 
-constexpr std::size_t kGlbSeeds = 3;
+constexpr std::size_t kGlbSeeds = 5;
 
 /// Two noises with tables of their own, the first of a revision to come.
 Bytes laterRevision() {
@@ -49,7 +49,11 @@ std::vector<Bytes> seeds() {
   BundleFile withScene = example::smallest();
   withScene.previews[0].baseColor = example::tinyPng();
   withScene.shape = PreviewShape::plane;
-  return {encodeGlb(example::smallest()).value(), encodeGlb(withScene).value(), laterRevision(),
+  return {encodeGlb(example::smallest()).value(),
+          encodeGlb(withScene).value(),
+          laterRevision(),
+          encodeGlb(example::smallestTexton()).value(),
+          encodeGlb(example::textonMix()).value(),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Srgb, 2, 2, 2, 1))};
 }
@@ -130,7 +134,8 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
       mutateJson(parts.json, random);
     constexpr std::size_t kTableBytes = 600; // the tables lie at the buffer's beginning
     if (random() % 2 == 0)
-      parts.binary[below(random, kTableBytes)] ^= std::byte(1u << (random() % 8));
+      parts.binary[below(random, std::min(kTableBytes, parts.binary.size()))] ^=
+          std::byte(1u << (random() % 8));
     return parts.join();
   }
   constexpr std::size_t kMostMutations = 3;

@@ -23,12 +23,17 @@ TEST_CASE("the smallest bundle is written as its golden bytes") {
   CHECK(encodeGlb(example::smallest()).value() == golden("bundle_smallest.glb"));
 }
 
+TEST_CASE("the smallest bundle of a texton is written as its golden bytes") {
+  CHECK(encodeGlb(example::smallestTexton()).value() == golden("bundle_texton.glb"));
+}
+
 TEST_CASE("a KTX2 table is written as its golden bytes") {
   CHECK(encodeKtx2(example::tableWithMips()) == golden("table_mips.ktx2"));
 }
 
 TEST_CASE("the golden files are read") {
   CHECK(checkBundle(golden("bundle_smallest.glb")).empty());
+  CHECK(checkBundle(golden("bundle_texton.glb")).empty());
   const auto table = decodeKtx2(golden("table_mips.ktx2"), "mips");
   REQUIRE(table.ok());
   CHECK(table.value().texels == example::tableWithMips().texels);
@@ -36,17 +41,19 @@ TEST_CASE("the golden files are read") {
 
 TEST_CASE("the extension's examples are sound, and both forms hold the same bundle") {
   const std::filesystem::path folder(LICHEN_SOURCE_DIR "/docs/gltf_extension/examples");
-  for (const char* name : {"felt.glb", "felt.gltf"}) {
-    const auto findings = checkBundle(folder / name);
-    REQUIRE(findings.ok());
-    CHECK(findings.value().empty());
+  for (const std::string name : {"felt", "dune"}) {
+    for (const char* extension : {".glb", ".gltf"}) {
+      const auto findings = checkBundle(folder / (name + extension));
+      REQUIRE(findings.ok());
+      CHECK(findings.value().empty());
+    }
+    const auto binary = readBundle(folder / (name + ".glb"));
+    const auto text = readBundle(folder / (name + ".gltf"));
+    REQUIRE(binary.ok());
+    REQUIRE(text.ok());
+    REQUIRE(binary.value().tables.size() == text.value().tables.size());
+    for (std::size_t i = 0; i < binary.value().tables.size(); ++i)
+      CHECK(binary.value().tables[i].texels == text.value().tables[i].texels);
+    CHECK(binary.value().noises[0].maps[0].mean == text.value().noises[0].maps[0].mean);
   }
-  const auto binary = readBundle(folder / "felt.glb");
-  const auto text = readBundle(folder / "felt.gltf");
-  REQUIRE(binary.ok());
-  REQUIRE(text.ok());
-  REQUIRE(binary.value().tables.size() == 2);
-  for (std::size_t i = 0; i < 2; ++i)
-    CHECK(binary.value().tables[i].texels == text.value().tables[i].texels);
-  CHECK(binary.value().noises[0].maps[0].mean == text.value().noises[0].maps[0].mean);
 }

@@ -3,7 +3,8 @@
 // examples of docs/gltf_extension. Run by the target regenerate_bundle_goldens only, when the
 // format changes on purpose.
 //
-// The example is "felt": a 16 x 16 image of white Gaussian noise, decoded to shades between two
+// Of textons the example is "dune", which bundle_example.h describes. Of tiling it is "felt": a
+// 16 x 16 image of white Gaussian noise, decoded to shades between two
 // colours. Its base colour spans one dimension, so the Gaussian image has one channel and the
 // inverse table is 256 x 4.
 #include "bundle_example.h"
@@ -174,10 +175,15 @@ int main(int argumentCount, char** arguments) {
   const std::filesystem::path golden = source / "tests/golden";
   const std::filesystem::path examples = source / "docs/gltf_extension/examples";
   const BundleFile felt = feltExample();
+  BundleFile dune = example::smallestTexton();
+  dune.generator = felt.generator;
   const bool written =
       report(writeBundle(golden / "bundle_smallest.glb", example::smallest())) &&
+      report(writeBundle(golden / "bundle_texton.glb", example::smallestTexton())) &&
       report(replaceFile(golden / "table_mips.ktx2", encodeKtx2(example::tableWithMips()))) &&
       report(writeBundle(examples / "felt.glb", felt)) &&
-      report(writeBundle(examples / "felt.gltf", felt));
+      report(writeBundle(examples / "felt.gltf", felt)) &&
+      report(writeBundle(examples / "dune.glb", dune)) &&
+      report(writeBundle(examples / "dune.gltf", dune));
   return written ? 0 : 1;
 }

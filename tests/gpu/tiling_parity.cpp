@@ -15,6 +15,9 @@
 #include <random>
 #include <tiling_evaluate.comp.anisotropic.h>
 #include <tiling_evaluate.comp.joint_table.h>
+#include <tiling_evaluate.comp.no_table.h>
+#include <tiling_evaluate.comp.other_table.h>
+#include <tiling_evaluate.comp.separable_table.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -164,17 +167,33 @@ TEST_CASE("16-bit tiling is the oracle's: 99.9 % within 1/1024 and all within 1/
   }
 }
 
-TEST_CASE("a shader without the code of other tables decodes joint ones as the whole shader does") {
-  for (const SyntheticMap& map : kSixteenBits) {
-    if (map.table != joint)
-      continue;
-    int uniforms = 0;
-    for (const Parity& parity : parities(map, tiling_evaluate_comp_joint_table)) {
-      INFO("D = " << map.dimensions << ", uniforms " << uniforms++);
-      CHECK(parity.value.largest <= 1.0 / 255.0);
-      CHECK(parity.value.fractionBeyond <= 0.001);
+TEST_CASE("a shader without the code of other tables decodes as the whole shader does") {
+  struct Variant {
+    SyntheticTable table;
+    std::span<const std::uint32_t> spirv;
+  };
+  for (const auto& [table, spirv] : {Variant{joint, tiling_evaluate_comp_joint_table},
+                                     Variant{separable, tiling_evaluate_comp_separable_table},
+                                     Variant{separable, tiling_evaluate_comp_other_table},
+                                     Variant{none, tiling_evaluate_comp_no_table},
+                                     Variant{none, tiling_evaluate_comp_other_table}})
+    for (const SyntheticMap& map : kSixteenBits) {
+      if (map.table != table)
+        continue;
+      int uniforms = 0;
+      for (const Parity& parity : parities(map, spirv)) {
+        INFO("D = " << map.dimensions << ", table " << int(table) << ", uniforms " << uniforms++);
+        CHECK(parity.value.largest <= 1.0 / 255.0);
+        CHECK(parity.value.fractionBeyond <= 0.001);
+      }
+      if (table != joint)
+        break; // one is enough of those that have the same code for all dimensions
     }
-  }
+}
+
+TEST_CASE("a shader without the code of joint tables takes no notice of one") {
+  for (const Parity& parity : parities({3, 64, 64}, tiling_evaluate_comp_no_table))
+    CHECK(parity.value.largest > 0.1);
 }
 
 TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains") {

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tiling/cross_covariance.h>
@@ -88,6 +89,14 @@ TEST_CASE("a fast bake leaves the maps of a set as they are alone") {
   CHECK(lastImage(maps, options) == lastImage({&maps[1], 1}, options));
 }
 
+TEST_CASE("what is lacking is negligible by what an entry lacks, however many there are") {
+  for (const auto [rows, columns] : {std::array{1, 1}, std::array{3, 2}, std::array{6, 3}}) {
+    const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(rows, columns);
+    CHECK(isNegligible(2.9e-4 * ones)); // the standard error of blends is 3e-4
+    CHECK_FALSE(isNegligible(3.1e-4 * ones));
+  }
+}
+
 TEST_CASE("an exact transport is certified for the points that the correction moved") {
   const std::vector<MapExemplar> maps = slopeSet();
   const ColorSpace colors = colorSpaceOf(maps[0]), slopes = colorSpaceOf(maps[1]);
@@ -106,11 +115,24 @@ TEST_CASE("an exact transport is certified for the points that the correction mo
   REQUIRE(exact.gaussian.bounds.size() == 1);
   std::vector<std::uint32_t> itself(joined.points.size());
   std::iota(itself.begin(), itself.end(), 0u);
+  const auto costOf = [&](const std::vector<Point>& points, const std::vector<Point>& matched) {
+    return transport::transportCost(points, matched, itself);
+  };
+  // Standardized and moved by little, they are given the variance of the slopes: half of both.
+  const double deviation = std::sqrt(slopes.moments.covariance.trace() / 2.0);
+  std::vector<Point> moved = joined.points;
+  for (Point& point : moved)
+    point = {float(deviation) * point.x, float(deviation) * point.y, 0.0f};
   const TransportBound& bound = exact.gaussian.bounds[0];
-  CHECK(bound.cost ==
-        Approx(transport::transportCost(joined.points, exact.gaussian.matched, itself)));
+  CHECK(bound.cost == Approx(costOf(moved, exact.gaussian.matched)));
   CHECK(bound.lowerBound <= bound.cost);
-  CHECK(bound.excess() < 3e-4); // the target
+  // The slopes have the mean 0, the Gaussian points 1/2.
+  REQUIRE(exact.costOfUnmoved);
+  CHECK(*exact.costOfUnmoved == Approx(costOf(alone.points, alone.gaussian.matched) - 0.5));
+  const MapTransportBound stated{MapTarget::normal, bound, false, exact.costOfUnmoved};
+  CHECK(stated.excess() == Approx((bound.cost - bound.lowerBound) / *exact.costOfUnmoved));
+  CHECK(stated.excess() < 3e-4); // the target
+  CHECK(costOf(moved, exact.gaussian.matched) <= costOf(moved, joined.gaussian.matched));
 }
 
 TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every step") {
@@ -137,7 +159,7 @@ TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every st
   }
 }
 
-TEST_CASE("ranks follow the values, and the scores where values are equal") {
+TEST_CASE("pixels are ordered by value, and by score where values are equal") {
   const std::size_t count = 1000;
   std::vector<float> values(count), scores(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -146,12 +168,10 @@ TEST_CASE("ranks follow the values, and the scores where values are equal") {
     if (i % 7 == 0 && values[i] == 0.0f)
       values[i] = -0.0f; // equal to 0
   }
-  std::vector<std::size_t> expected(count);
-  std::iota(expected.begin(), expected.end(), std::size_t(0));
+  std::vector<std::uint32_t> expected(count);
+  std::iota(expected.begin(), expected.end(), 0u);
   std::stable_sort(expected.begin(), expected.end(), [&](std::size_t a, std::size_t b) {
     return values[a] != values[b] ? values[a] < values[b] : scores[a] < scores[b];
   });
-  const std::vector<Point> ranks = TieOrder(values).ranks(scores);
-  for (std::size_t rank = 0; rank < count; ++rank)
-    CHECK(ranks[expected[rank]].x == float(rank));
+  CHECK(TieOrder(values).by(scores) == expected);
 }

@@ -4,17 +4,21 @@
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
+#include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exemplar/file_roles.h>
 #include <exemplar/invisible_color.h>
 #include <exemplar/joined_channels.h>
+#include <exemplar/map_values.h>
 #include <exemplar/resample.h>
 #include <numbers>
 #include <numeric>
+#include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::exemplar;
@@ -63,6 +67,29 @@ double largestDifference(const MapExemplar& a, const MapExemplar& b) {
 }
 
 constexpr double kRounding = 1e-6; // of sums of floats below 1
+
+/// Central differences to the right and upwards, around the borders.
+std::array<double, 2> slopesAt(const SrgbImage& height, int x, int y) {
+  const auto at = [&](int column, int row) {
+    return double(*height.pixel((column + height.width) % height.width,
+                                (row + height.height) % height.height));
+  };
+  return {0.5 * (at(x + 1, y) - at(x - 1, y)), 0.5 * (at(x, y - 1) - at(x, y + 1))};
+}
+
+/// The normals of a height, as the colours of a normal map.
+SrgbImage normalsOf(const SrgbImage& height, bool greenPointsDown) {
+  SrgbImage normals(height.width, height.height, 3);
+  for (int y = 0; y < height.height; ++y)
+    for (int x = 0; x < height.width; ++x) {
+      const auto [right, up] = slopesAt(height, x, y);
+      const double length = std::sqrt(right * right + up * up + 1.0);
+      const std::array<double, 3> normal{-right, greenPointsDown ? up : -up, 1.0};
+      for (std::size_t c = 0; c < 3; ++c)
+        normals.pixel(x, y)[c] = float(0.5 + 0.5 * normal[c] / length);
+    }
+  return normals;
+}
 
 } // namespace
 
@@ -283,4 +310,32 @@ TEST_CASE("the names of those who publish materials say which map each file is")
     CHECK(fileRole(changed(name, std::tolower)) == role);
     CHECK(fileRole(changed(name, std::toupper)) == role);
   }
+}
+
+TEST_CASE("normals are turned with the pixels, so that they stay those of the height") {
+  SrgbImage height(12, 7, 1);
+  for (std::size_t i = 0; i < height.values.size(); ++i)
+    height.values[i] = float(transport::randomUniform(4, i));
+  // A code is rounded by 2^-25, a component by twice that, and a slope s of it, below 1/2, by
+  // (1 + s) / nz times that, where nz is above 1 / 1.3: 4 of 2^-25. Twice that for the quotient.
+  constexpr double kRounding = 8.0 * 0x1p-25;
+  for (const bool greenPointsDown : {false, true})
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+      INFO("orientation " << orientation << ", green points down " << greenPointsDown);
+      const ImageFile turned = upright({height, 8, orientation, {}});
+      const NamedImage normals{upright({normalsOf(height, greenPointsDown), 8, orientation, {}}),
+                               "normals", "normals"};
+      std::vector<std::string> notes;
+      const MapExemplar map = normalMap(normals, greenPointsDown, notes).value();
+      const auto& seen = std::get<SrgbImage>(turned.pixels);
+      REQUIRE(map.width == seen.width);
+      double worst = 0.0;
+      for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+          for (std::size_t c = 0; c < 2; ++c)
+            worst = std::max(
+                worst, std::abs(double(map.values[std::size_t(2 * (y * map.width + x) + int(c))]) -
+                                slopesAt(seen, x, y)[c]));
+      CHECK(worst < kRounding);
+    }
 }

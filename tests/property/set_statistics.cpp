@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether the maps of a set belong together in the noise as they do in the exemplar.
+#include "set_covariances.h"
+
 #include <lichen/image.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
@@ -13,6 +15,8 @@
 #include <vector>
 
 using namespace lichen;
+using lichen::test::decodedMaps;
+using lichen::test::norm;
 
 namespace {
 
@@ -129,47 +133,12 @@ std::vector<MapExemplar> coarseSet(bool related) {
 
 /// Covariances between every two channels of different maps; all images of one size.
 std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
-  std::vector<std::vector<double>> channels; // values less their mean
-  std::vector<std::size_t> mapOf;
-  for (std::size_t m = 0; m < maps.size(); ++m)
-    for (int c = 0; c < maps[m].channels; ++c) {
-      std::vector<double> values;
-      double mean = 0.0;
-      for (std::size_t i = 0; i < maps[m].pixelCount(); ++i) {
-        values.push_back(
-            double(maps[m].values[i * std::size_t(maps[m].channels) + std::size_t(c)]));
-        mean += values.back() / double(maps[m].pixelCount());
-      }
-      for (double& value : values)
-        value -= mean;
-      channels.push_back(std::move(values));
-      mapOf.push_back(m);
-    }
   std::vector<double> covariances;
-  for (std::size_t a = 0; a < channels.size(); ++a)
-    for (std::size_t b = a + 1; b < channels.size(); ++b) {
-      if (mapOf[a] == mapOf[b])
-        continue;
-      double sum = 0.0;
-      for (std::size_t i = 0; i < channels[a].size(); ++i)
-        sum += channels[a][i] * channels[b][i];
-      covariances.push_back(sum / double(channels[a].size()));
-    }
+  for (std::size_t a = 0; a < maps.size(); ++a)
+    for (std::size_t b = a + 1; b < maps.size(); ++b)
+      for (const double covariance : test::crossCovariances(maps[a], maps[b]))
+        covariances.push_back(covariance);
   return covariances;
-}
-
-/// The exemplar's maps as `synthesize` gives maps: light, slopes, data.
-std::vector<LinearImage> decodedMaps(const std::vector<MapExemplar>& maps) {
-  std::vector<LinearImage> images;
-  for (const MapExemplar& map : maps) {
-    LinearImage image(map.width, map.height, int(map.channels.size()));
-    image.values = map.values;
-    if (map.encoding == ValueEncoding::srgb)
-      for (float& value : image.values)
-        value = srgbToLinear(value);
-    images.push_back(std::move(image));
-  }
-  return images;
 }
 
 /// Map m of a result in the pattern of `seed`, or of seed + m where patterns are to differ.
@@ -186,13 +155,6 @@ std::vector<LinearImage> resultMaps(const Bundle& bundle, std::uint32_t seed, bo
     images.push_back(std::move(image).value());
   }
   return images;
-}
-
-double norm(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += value * value;
-  return std::sqrt(sum);
 }
 
 /// How far the mean over seeds is from what is wanted, and how far chance alone takes it: the norm

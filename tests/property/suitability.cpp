@@ -358,6 +358,35 @@ TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of i
   CHECK(named(risksOf(data), "low-frequency").level != Risk::Level::none);
 }
 
+TEST_CASE("The slopes of heights above 1 are those of the heights, not of their logarithms") {
+  constexpr int kSide = 32;
+  constexpr float kHighest = 63.0f; // 6 as log2(1 + height)
+  MapExemplar height = grey(kSide, kSide, {});
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  MapExemplar logarithm = height;
+  logarithm.encoding = ValueEncoding::log2;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const float value = uniform(i % kSide, i / kSide, 3);
+    height.values.push_back(value);
+    logarithm.values.push_back(std::log2(1.0f + kHighest * value));
+  }
+  // Codes below 8 are rounded by 2^-22, 1 + height by that times ln 2 and 2^-23 of its own; the two
+  // heights of a slope, halved, by no more than one. A share as large is left to the scales.
+  const double rounding = (kHighest + 1.0) * (std::numbers::ln2 * 0x1p-22 + 0x1p-23);
+  for (const bool periodic : {true, false}) {
+    const MapExemplar wanted = slopesOfHeight(height, periodic);
+    const MapExemplar found = slopesOfHeight(logarithm, periodic);
+    double worst = 0.0, steepest = 0.0;
+    for (std::size_t i = 0; i < wanted.values.size(); ++i) {
+      worst = std::max(worst, std::abs(double(found.values[i]) - double(wanted.values[i])));
+      steepest = std::max(steepest, std::abs(double(wanted.values[i])));
+    }
+    // A slope of 1/2 the range, or all of it at a border, is the steepest at most.
+    CHECK(worst < 4.0 * steepest * rounding / kHighest);
+  }
+}
+
 TEST_CASE("A height that rises evenly has no risk, for its slope is the same everywhere") {
   MapExemplar ramp = grey(64, 64, {});
   ramp.target = MapTarget::height;

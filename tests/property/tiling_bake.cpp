@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tiling/prefilter.h>
@@ -88,6 +89,53 @@ TEST_CASE("a bake does not depend on the number of threads") {
   for (std::size_t t = 0; t < one.tables.size(); ++t)
     CHECK(one.tables[t].texels == many.tables[t].texels);
   CHECK(one.noise.maps[0].mipLoss == many.noise.maps[0].mipLoss);
+}
+
+TEST_CASE("the bake of a set does not depend on the number of threads") {
+  // Maps of three dimensions, two, two and one, the last of another size: in two, points are moved
+  // to go with the maps before; on a line, ties are exchanged.
+  const MapExemplar color = test::threeMaterials(64, 64, 22);
+  MapExemplar normal = color;
+  normal.target = MapTarget::normal;
+  normal.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  normal.encoding = ValueEncoding::slope;
+  normal.values.clear();
+  for (std::size_t i = 0; i < color.values.size(); ++i)
+    if (i % 3 != 0)
+      normal.values.push_back(color.values[i] * color.values[i - i % 3]);
+  MapExemplar orm = normal;
+  orm.target = MapTarget::occlusionRoughnessMetallic;
+  orm.channels = {MapChannel::occlusion, MapChannel::roughness};
+  orm.encoding = ValueEncoding::linear;
+  std::reverse(orm.values.begin(), orm.values.end());
+  const MapExemplar small = test::cropped(color, 0, 0, 40, 48);
+  MapExemplar height = small;
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  height.quantum = 0.05; // ties
+  height.values.clear();
+  for (std::size_t i = 0; i < small.values.size(); i += 3)
+    height.values.push_back(
+        float(height.quantum * std::round(double(small.values[i]) / height.quantum)));
+  const std::array maps{color, normal, orm, height};
+  const auto bakeWith = [&](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    TilingOptions options;
+    options.periodic = Periodic::yes;
+    Result<TilingBake> result = bakeTiling("set", maps, options);
+    REQUIRE(result);
+    return std::move(result).value();
+  };
+  const TilingBake one = bakeWith(1), many = bakeWith(4);
+  REQUIRE(one.tables.size() == 2 * maps.size());
+  REQUIRE(one.tables.size() == many.tables.size());
+  for (std::size_t t = 0; t < one.tables.size(); ++t) {
+    INFO(one.tables[t].name);
+    CHECK(one.tables[t].texels == many.tables[t].texels);
+  }
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    CHECK(one.noise.maps[m].mipLoss == many.noise.maps[m].mipLoss);
 }
 
 TEST_CASE("one map that does not tile makes the whole set be blended") {

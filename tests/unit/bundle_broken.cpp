@@ -2,12 +2,9 @@
 // A table of broken bundles. Each is a valid file with one fault, made by surgery on its JSON or
 // its bytes: the checker must name the fault by its code, and reading must refuse the file.
 #include "bundle_example.h"
-#include "bundle_surgery.h"
+#include "bundle_faults.h"
 
 #include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <functional>
 
 using namespace lichen;
 using example::GlbParts;
@@ -16,37 +13,13 @@ namespace {
 
 // In example::everyMap(), noise 0 is "felt" with a height map on tables 0 and 1; noise 1 is "moss"
 // with base colour (tables 2, 3), normal (4, 5), occlusion-roughness-metallic (6, 7), opacity (8).
-struct Fault {
-  const char* what;
-  const char* code;
-  std::function<void(GlbParts&)> make;
-};
-
 const std::vector<std::byte>& soundFile() {
   static const std::vector<std::byte> file = encodeGlb(example::everyMap()).value();
   return file;
 }
 
-void checkFaults(const std::vector<Fault>& faults) {
-  for (const Fault& fault : faults) {
-    INFO(fault.what);
-    GlbParts parts(soundFile());
-    fault.make(parts);
-    const std::vector<std::byte> file = parts.join();
-    const std::vector<Finding> findings = checkBundle(file);
-    std::string found;
-    for (const Finding& finding : findings)
-      found += finding.code + " " + finding.pointer + ": " + finding.message + "\n";
-    INFO(found);
-    CHECK(std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
-      return finding.severity == Finding::Severity::error && finding.code == fault.code;
-    }));
-    const auto bundle = parseBundle(file, "broken.glb");
-    REQUIRE_FALSE(bundle.ok());
-    CHECK(bundle.error().kind == ErrorKind::badInput);
-    CHECK(bundle.error().message.rfind("broken.glb: ", 0) == 0);
-    CHECK(bundle.error().message.find('\n') == std::string::npos);
-  }
+void checkFaults(const std::vector<example::Fault>& faults) {
+  example::checkFaults(soundFile(), faults);
 }
 
 } // namespace

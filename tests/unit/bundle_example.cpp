@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace lichen::example {
 namespace {
@@ -28,6 +29,57 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   for (std::uint32_t level = 0; level < mipLevels; ++level)
     map.mipLoss.push_back(double(level) / double(mipLevels));
   return map;
+}
+
+/// A texton of pattern texels, those outside the coefficients 0.
+Table patternTexton(const TextonShape& shape, TexelFormat format) {
+  Table table{"",
+              format,
+              shape.frameWidth(),
+              shape.frameHeight() * std::uint32_t(shape.steps),
+              0,
+              std::uint32_t(shape.mipLevels),
+              {}};
+  const auto channels = std::size_t(channelCount(format));
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+    const std::uint32_t width = table.width >> level, height = table.height >> level;
+    std::vector<float> values(channels * width * height);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t x = i / channels % width;
+      const std::size_t y = i / channels / width % (shape.frameHeight() >> level);
+      if (x << level < std::size_t(shape.coefficientsX) &&
+          y << level < std::size_t(shape.coefficientsY))
+        values[i] = float(i * 37 % 256) / 512.0f - 0.25f;
+    }
+    appendTexels(table.texels, format, values);
+  }
+  return table;
+}
+
+/// Averages of 2 x 2 texels of a square image.
+std::vector<double> halved(const std::vector<double>& image, std::size_t side) {
+  std::vector<double> half;
+  for (std::size_t y = 0; y < side; y += 2)
+    for (std::size_t x = 0; x < side; x += 2)
+      half.push_back((image[y * side + x] + image[y * side + x + 1] + image[(y + 1) * side + x] +
+                      image[(y + 1) * side + x + 1]) /
+                     4.0);
+  return half;
+}
+
+/// The integral of the square of what bilinear interpolation makes of texels of one unit.
+double bilinearEnergy(const std::vector<double>& image, std::size_t side) {
+  // Of two tents, by their distance: [GLM17] section 5.
+  constexpr std::array<double, 2> kTents = {2.0 / 3.0, 1.0 / 6.0};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.size(); ++i)
+    for (std::size_t j = 0; j < image.size(); ++j) {
+      const auto apart = [](std::size_t a, std::size_t b) { return a < b ? b - a : a - b; };
+      const std::size_t dx = apart(i % side, j % side), dy = apart(i / side, j / side);
+      if (dx <= 1 && dy <= 1)
+        sum += kTents[dx] * kTents[dy] * image[i] * image[j];
+    }
+  return sum;
 }
 
 MaterialNoise useOf(std::size_t noise) {
@@ -81,6 +133,84 @@ BundleFile smallest() {
   file.previews.emplace_back();
   file.shape = PreviewShape::none;
   file.generator = "lichen tests";
+  return file;
+}
+
+BundleFile smallestTexton() {
+  BundleFile file;
+  Noise noise;
+  noise.name = "dune";
+  noise.method = Method::texton;
+  TextonShape& shape = noise.texton;
+  shape.coefficientsX = shape.coefficientsY = 8;
+  shape.texelsPerTileX = shape.texelsPerTileY = 32;
+  shape.mipLevels = shape.mostMipLevels();
+  const std::size_t side = shape.frameWidth();
+  std::vector<double> texels(side * side);
+  for (std::size_t y = 0; y < std::size_t(shape.coefficientsY); ++y)
+    for (std::size_t x = 0; x < std::size_t(shape.coefficientsX); ++x) {
+      const auto arch = [](std::size_t k) {
+        return std::sin(std::numbers::pi * (double(k) + 0.5) / 8.0);
+      };
+      texels[y * side + x] = arch(x) * arch(y);
+    }
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 1);
+  const double energy = bilinearEnergy(texels, side);
+  map.scale = {6.0 * std::sqrt(map.covariance[0])};
+  for (double& texel : texels)
+    texel /= 6.0 * std::sqrt(energy); // so that the variance is the map's
+  Table table{"dune.height.texton",
+              TexelFormat::r16Sfloat,
+              std::uint32_t(side),
+              std::uint32_t(side),
+              0,
+              std::uint32_t(shape.mipLevels),
+              {}};
+  const std::vector<double> coarse = halved(texels, side);
+  for (const std::vector<double>& level : {texels, coarse}) {
+    const std::vector<float> values(level.begin(), level.end());
+    appendTexels(table.texels, table.format, values);
+  }
+  constexpr double kCoarseTexelArea = 4.0;
+  map.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
+  map.image = addTable(file.bundle, std::move(table));
+  noise.maps.push_back(std::move(map));
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.push_back(useOf(0));
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
+  return file;
+}
+
+BundleFile textonMix() {
+  using enum MapChannel;
+  BundleFile file = smallest();
+  Bundle& bundle = file.bundle;
+  Noise noise;
+  noise.name = "sand to moss";
+  noise.method = Method::texton;
+  noise.texton = {9, 17, 3, 2, 100, 50, 3};
+  const auto addMap = [&](NoiseMap map, TexelFormat format) {
+    map.image = addTable(bundle, patternTexton(noise.texton, format));
+    map.endMean.assign(map.channels.size(), 0.25);
+    map.scale.assign(map.channels.size(), 0.6);
+    map.mipLoss = {0.0, 0.25, 0.5, 1.0};
+    noise.maps.push_back(std::move(map));
+  };
+  addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 1),
+         TexelFormat::rgba16Sfloat);
+  addMap(makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 1),
+         TexelFormat::rgba32Sfloat);
+  addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 1),
+         TexelFormat::r32Sfloat);
+  bundle.noises.push_back(std::move(noise));
+  MaterialNoise use = useOf(1);
+  use.mapping = Mapping::surface;
+  use.impacts = 12.5;
+  use.pointProcess = PointProcess::poisson;
+  bundle.materials.push_back(use);
+  file.previews.emplace_back();
   return file;
 }
 

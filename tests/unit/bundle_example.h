@@ -26,6 +26,14 @@ namespace lichen::example {
 /// scene.
 [[nodiscard]] BundleFile everyMap();
 
+/// One height map as a texton: 8 x 8 coefficients, one arch of a sine each way, in 10 x 10 texels
+/// with two mips, and the variance that they make. About 2 KB as a GLB.
+[[nodiscard]] BundleFile smallestTexton();
+
+/// Two noises: the smallest, and textons of two exemplars in three steps, 9 x 17 coefficients for
+/// base colour, normal (whose texton has a channel too many) and height.
+[[nodiscard]] BundleFile textonMix();
+
 /// A valid PNG of 2 x 2 texels in one colour.
 [[nodiscard]] std::vector<std::byte> tinyPng();
 

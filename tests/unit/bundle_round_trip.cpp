@@ -38,6 +38,18 @@ void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
   CHECK(a.tableOffset == b.tableOffset);
   CHECK(a.levels == b.levels);
   CHECK(a.mipLoss == b.mipLoss);
+  CHECK(a.scale == b.scale);
+  CHECK(a.endMean == b.endMean);
+}
+
+void checkSameShape(const TextonShape& a, const TextonShape& b) {
+  CHECK(a.coefficientsX == b.coefficientsX);
+  CHECK(a.coefficientsY == b.coefficientsY);
+  CHECK(a.order == b.order);
+  CHECK(a.mipLevels == b.mipLevels);
+  CHECK(a.texelsPerTileX == b.texelsPerTileX);
+  CHECK(a.texelsPerTileY == b.texelsPerTileY);
+  CHECK(a.steps == b.steps);
 }
 
 void checkSameBundle(const Bundle& a, const Bundle& b) {
@@ -50,6 +62,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(a.noises[i].method == b.noises[i].method);
     CHECK(a.noises[i].revision == b.noises[i].revision);
     CHECK(a.noises[i].tileSizeMetres == b.noises[i].tileSizeMetres);
+    checkSameShape(a.noises[i].texton, b.noises[i].texton);
     REQUIRE(a.noises[i].maps.size() == b.noises[i].maps.size());
     for (std::size_t m = 0; m < a.noises[i].maps.size(); ++m)
       checkSameMap(a.noises[i].maps[m], b.noises[i].maps[m]);
@@ -69,6 +82,8 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(x.seed == y.seed);
     CHECK(x.blendSharpness == y.blendSharpness);
     CHECK(x.contrast == y.contrast);
+    CHECK(x.impacts == y.impacts);
+    CHECK(x.pointProcess == y.pointProcess);
   }
 }
 
@@ -93,7 +108,8 @@ TEST_CASE("a table of every format comes back from KTX2 as it went in") {
 }
 
 TEST_CASE("a GLB gives back the bundle it was made of") {
-  for (BundleFile file : {example::smallest(), example::everyMap()}) {
+  for (BundleFile file : {example::smallest(), example::everyMap(), example::smallestTexton(),
+                          example::textonMix()}) {
     const auto glb = encodeGlb(file);
     if (!glb.ok())
       FAIL(glb.error().message);

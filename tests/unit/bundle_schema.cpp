@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The checker and the JSON schemas agree: tests/cli/gltf_validator/schema_cases.json holds patches
-// (RFC 6902) of the extension's example with the verdict that both must reach. The script beside
+// (RFC 6902) of the extension's examples with the verdict that both must reach. The script beside
 // that file puts the same cases to the schemas.
 #include "temporary_folder.h"
 
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 using namespace lichen;
 using nlohmann::json;
@@ -26,16 +27,20 @@ json readJson(const std::string& path) {
 
 TEST_CASE("the checker accepts and refuses what the JSON schemas do") {
   const std::string examples = "docs/gltf_extension/examples/";
-  const json example = readJson(examples + "felt.gltf");
   const TemporaryFolder folder;
-  const std::string binary = example["buffers"][0]["uri"];
-  std::filesystem::copy_file(LICHEN_SOURCE_DIR "/" + examples + binary, folder.path() / binary);
+  std::map<std::string, json> documents;
+  for (const char* name : {"felt.gltf", "dune.gltf"}) {
+    const json& document = documents[name] = readJson(examples + name);
+    const std::string binary = document["buffers"][0]["uri"];
+    std::filesystem::copy_file(LICHEN_SOURCE_DIR "/" + examples + binary, folder.path() / binary);
+  }
   const json cases = readJson("tests/cli/gltf_validator/schema_cases.json");
   CHECK(cases.size() >= 30);
   for (const json& entry : cases) {
     INFO(entry["what"].get<std::string>());
     const std::filesystem::path path = folder.path() / "case.gltf";
-    std::ofstream(path) << example.patch(entry["patch"]).dump();
+    std::ofstream(path)
+        << documents.at(entry.value("example", "felt.gltf")).patch(entry["patch"]).dump();
     const auto findings = checkBundle(path);
     REQUIRE(findings.ok());
     const bool sound =

@@ -45,7 +45,7 @@ TEST_CASE("the specification's page describes every property of the schemas") {
   std::ifstream pageStream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
   const std::string page((std::istreambuf_iterator<char>(pageStream)), {});
   const std::string folder = LICHEN_SOURCE_DIR "/docs/gltf_extension/schema/";
-  for (const char* kind : {"glTF", "table", "noise", "map", "material"}) {
+  for (const char* kind : {"glTF", "table", "noise", "texton", "map", "material"}) {
     std::ifstream stream(folder + kind + ".LICHEN_materials_exemplar_noise.schema.json");
     const nlohmann::json properties = nlohmann::json::parse(stream).at("properties");
     for (const auto& [name, property] : properties.items())

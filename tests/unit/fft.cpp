@@ -160,6 +160,18 @@ TEST_CASE("multiplicities make the energy of the half spectrum that of the plane
   }
 }
 
+TEST_CASE("the sizes that transform fast are those of the factors 2, 3 and 5") {
+  for (int size = 1; size <= 200; ++size) {
+    int least = 0;
+    for (int two = 1; two <= 256; two *= 2)
+      for (int three = two; three <= 256; three *= 3)
+        for (int five = three; five <= 256; five *= 5)
+          if (five >= size && (least == 0 || five < least))
+            least = five;
+    CHECK(fastTransformSize(size) == least);
+  }
+}
+
 TEST_CASE("transforms made at the same time on several threads give the same bytes") {
   constexpr int kThreads = 4, kSide = 60;
   std::array<std::vector<std::complex<float>>, kThreads> results;

@@ -101,6 +101,47 @@ TEST_CASE("autocovariance agrees with the sum over pairs") {
   }
 }
 
+TEST_CASE("the cross-spectrum is that of the covariances of two planes, around the borders") {
+  for (const auto& [width, height] : {std::pair{12, 7}, std::pair{5, 8}, std::pair{1, 3}}) {
+    const std::vector<float> a = whiteNoise(width, height, 5);
+    const std::vector<float> b = whiteNoise(width, height, 6);
+    const HalfSpectrum spectrumA = forwardFft(a, width, height);
+    const std::vector<float> covariance =
+        inverseFft(crossSpectrum(spectrumA, forwardFft(b, width, height)));
+    for (int dy = 0; dy < height; ++dy) {
+      for (int dx = 0; dx < width; ++dx) {
+        double sum = 0.0;
+        for (int y = 0; y < height; ++y)
+          for (int x = 0; x < width; ++x)
+            sum += double(a[std::size_t(y * width + x)]) *
+                   double(b[std::size_t((y + dy) % height * width + (x + dx) % width)]);
+        CHECK(covariance[std::size_t(dy * width + dx)] ==
+              Approx(sum / (width * height)).margin(1e-6));
+      }
+    }
+    const HalfSpectrum self = crossSpectrum(spectrumA, spectrumA);
+    const std::vector<float> power = powerSpectrum(spectrumA);
+    REQUIRE(power.size() == self.values.size());
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      CHECK(self.values[i].real() == Approx(power[i]));
+      CHECK(self.values[i].imag() == Approx(0.0f).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("the power of white noise is its variance on average") {
+  constexpr int kSide = 128;
+  const std::vector<float> power =
+      powerSpectrum(forwardFft(whiteNoise(kSide, kSide, 7), kSide, kSide));
+  double mean = 0.0; // without the columns that are their own mirror: each value counts once
+  constexpr int kColumns = kSide / 2 - 1;
+  for (int v = 0; v < kSide; ++v)
+    for (int u = 1; u <= kColumns; ++u)
+      mean += double(power[std::size_t(v * (kSide / 2 + 1) + u)]) / (kSide * kColumns);
+  // Exponential variates: 4.5 deviations of their mean, one false alarm in 150,000.
+  CHECK(mean == Approx(1.0 / 12.0).epsilon(4.5 / std::sqrt(double(kSide * kColumns))));
+}
+
 TEST_CASE("the smooth component has the jumps across the borders for its Laplacian, and no mean") {
   // [M11] eq. 9, which determines it.
   for (const auto& [width, height] :

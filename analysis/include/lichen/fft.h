@@ -43,6 +43,9 @@ struct HalfSpectrum {
 /// parts of coefficients that are their own mirror are ignored.
 [[nodiscard]] std::vector<float> inverseFft(const HalfSpectrum& spectrum);
 
+/// The least size, at least `size` >= 1, without a prime factor above 5: those transform fast.
+[[nodiscard]] int fastTransformSize(int size);
+
 /// Many transforms between half spectra of width x height and the same patch of the plane, of which
 /// all the rest is zero (forward) or not asked for (inverse): plans and buffers are made once, and
 /// the rows outside the patch cost nothing. Not thread-safe: one object a thread.

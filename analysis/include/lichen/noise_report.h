@@ -29,7 +29,7 @@ struct BakeRecord {
   /// What assessSuitability() says of each exemplar, in their order.
   std::span<const std::vector<Risk>> risks;
   std::span<const ExemplarOrigin> origins; ///< of each exemplar
-  std::string command; ///< the line that made it
+  std::string command;                     ///< the line that made it
   /// Name and value, such as {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
   /// What took how many seconds; the report adds its own making and the sum.

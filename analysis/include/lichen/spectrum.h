@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second-order statistics of one image plane: power spectrum and autocovariance.
+// Second-order statistics of image planes: power and cross-spectra, covariances.
 //
 // A plane is width * height floats, row-major, row 0 at the top. Building blocks of the analysis:
 // std::bad_alloc passes through them. Same bytes for any number of threads.
@@ -8,11 +8,15 @@
 #include <lichen/fft.h>
 #include <lichen/image.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace lichen {
+
+/// Of red, green and blue: Rec. ITU-R BT.709, item 3.2.
+inline constexpr std::array<float, 3> kLuminanceWeights{0.2126f, 0.7152f, 0.0722f};
 
 /// The luminance of the stored code values, as an eye sees them: Rec. 709 weights for 3 or 4
 /// channels, the grey channel for 1 or 2. Alpha is ignored.
@@ -23,6 +27,16 @@ namespace lichen {
 /// Source: [M11].
 [[nodiscard]] std::vector<float> periodicComponent(std::span<const float> plane, int width,
                                                    int height);
+
+/// The cross-spectrum of two planes of one size from their transforms: conj(a^) b^ over the number
+/// of pixels. Its inverse transform is, at each lag v, the mean over the pixels x of a(x) b(x + v),
+/// borders joined.
+[[nodiscard]] HalfSpectrum crossSpectrum(const HalfSpectrum& a, const HalfSpectrum& b);
+
+/// The power spectrum of a plane from its transform, |a^|^2 over the number of pixels, in the order
+/// of HalfSpectrum::values. White noise of variance s has power s throughout; each value scatters
+/// by as much as its mean.
+[[nodiscard]] std::vector<float> powerSpectrum(const HalfSpectrum& plane);
 
 /// Radially averaged power spectrum, averaged over square, Hann-windowed, half-overlapping crops
 /// of `cropSide` pixels [W67]. Element r, r in [0, cropSide / 2], is the mean power of the

@@ -16,8 +16,9 @@ namespace lichen {
 struct Risk {
   enum class Level { none, mild, severe };
 
-  std::string_view name; ///< "cloudiness", "structure", "low-frequency" or "clipping"
-  double score = 0.0;    ///< [0, 1], calibrated: below 1/3 is none, below 2/3 mild, else severe
+  std::string_view
+      name;           ///< "cloudiness", "structure", "low-frequency", "clipping"; of textons below
+  double score = 0.0; ///< [0, 1], calibrated: below 1/3 is none, below 2/3 mild, else severe
   Level level = Level::none;
   std::string sentence; ///< what will be seen, with the measured number; no full stop
   std::string remedy;   ///< the option, or the photograph, that helps; empty where level is none
@@ -29,10 +30,19 @@ struct Risk {
 /// Every risk of one map, in the order of the names above, those of no concern included.
 /// `periodic`: whether the exemplar's opposite borders fit together. A map without variance has
 /// none. Of a height map cloudiness and low frequency are those of its slopes, which light shows.
+/// `firstPixels`, above 0: how many pixels of the first map of the set one pixel of this map is as
+/// long as; a remedy that is a period for flatten() counts those.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources for memory, environment when
 /// `progress` stops it. Thread-safe; the same result for any number of threads. O(N log N) in the
 /// number of pixels. Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
-                                                          const Progress& progress = {});
+                                                          const Progress& progress = {},
+                                                          double firstPixels = 1.0);
+
+/// The risks of a texton noise of one map, "histogram", "outlines" and "low-frequency": whether the
+/// material is a Gaussian texture at all, and whether `support` texels hold it. Errors and threads
+/// as above. O(N log N). Source: docs/decisions/017-texton-risks.md.
+[[nodiscard]] Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
+                                                                const Progress& progress = {});
 
 } // namespace lichen

@@ -7,6 +7,7 @@
 #include <lichen/result.h>
 #include <lichen/transport.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -70,6 +71,16 @@ struct MapTransportBound {
   TransportBound bound;
   /// Values of one dimension, whose sorted matching is the optimum: nothing is left to prove.
   bool isSorted = false;
+  /// Where the values were moved to go with those of other maps before they were matched
+  /// (docs/decisions/014-correlations-between-maps.md): what matching them as they are costs, in
+  /// the units of `bound`. Those moved are nearly Gaussian, and a share of their own cost would say
+  /// nothing.
+  std::optional<double> costOfUnmoved;
+
+  /// What a better matching might save at most, as a share of what matching the values costs.
+  [[nodiscard]] double excess() const {
+    return costOfUnmoved ? (bound.cost - bound.lowerBound) / *costOfUnmoved : bound.excess();
+  }
 };
 
 /// What a bake made: tables numbered from 0 in the maps of `noise`.

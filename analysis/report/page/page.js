@@ -355,7 +355,11 @@ async function addMap(map) {
   }
   for (const canvas of article.querySelectorAll('.panes canvas'))
     canvas.setAttribute('aria-label', `${map.target}: ${canvas.dataset.pane}`);
-  find('.gaussian img').src = map.gaussian.png;
+  const image = find('.image img');
+  image.src = map.image.png;
+  image.alt = map.method === 'texton' ? 'The texton' : 'The Gaussianized exemplar';
+  for (const method of ['tiling', 'texton'])
+    find('.image .' + method).hidden = method !== map.method;
   document.getElementById('maps').append(fragment);
   if (map.table)
     await showTable(find('.table'), map.table);
@@ -365,7 +369,7 @@ async function addMap(map) {
   const [original, exemplar, result] = await Promise.all(
     [map.original, map.exemplar, map.result].map((picture) => picture && loaded(picture)));
   new Viewer(find('.viewer'), original, exemplar, result);
-  await find('.gaussian img').decode();
+  await image.decode();
 }
 
 async function show() {

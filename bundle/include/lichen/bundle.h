@@ -39,6 +39,9 @@ enum class TexelFormat {
 /// The largest value of a 16-bit texel; larger ones are stored as it.
 inline constexpr float kHalfMax = 65504.0f;
 
+/// Texels of a table's longest side.
+inline constexpr std::uint32_t kMaxTableSide = 16384;
+
 /// Bytes of one texel, and how many channels it has.
 [[nodiscard]] std::size_t texelBytes(TexelFormat format);
 [[nodiscard]] int channelCount(TexelFormat format);
@@ -112,8 +115,9 @@ enum class PointProcess { stratified, poisson };
 
 /// One map of a noise.
 ///
-/// Of a texton noise: `image` is the texton's (TextonShape says where its coefficients lie), with
-/// as many colour channels as the map, and the stored value is mean + scale x the sum over impacts.
+/// Of a texton noise: `image` is the texton's (TextonShape says where its coefficients lie), of a
+/// float format with a colour channel for each of the map's, and the stored value is mean + scale x
+/// the sum over impacts.
 ///
 /// Of a tiling noise: `image` is the Gaussian image. It has D = 1, 2 or 3 colour channels
 /// (R8/R16F/R32F, RG.., RGBA.. with alpha unused), D being the dimension of the affine space that
@@ -158,21 +162,27 @@ enum class TableKind { joint, separable, none };
 ///
 /// Their coefficients are the top left part of a frame of frameWidth() x frameHeight() texels,
 /// which is zero elsewhere: half a texel of the last mip on all sides, as the image repeats. An
-/// image is `steps` frames, one above the other.
+/// image is `steps` frames, one above the other, together at most kMaxTableSide high.
 struct TextonShape {
-  int coefficientsX = 0;  ///< [1, kMaxTextonSide]
+  int coefficientsX = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
   int coefficientsY = 0;  ///< likewise
   int order = 1;          ///< of the B-spline between coefficients: 0, 1 or 3
-  int mipLevels = 1;      ///< of the images; the last mip's texels are 2^(mipLevels - 1) wide
-  int texelsPerTileX = 0; ///< size of the exemplar, [1, 16384]
+  int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
+  int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int texelsPerTileY = 0; ///< likewise
   int steps = 1;          ///< textons from one exemplar to another; 1 of a single exemplar
+
+  /// As many as keep four texels of the last mip, 2^(mipLevels - 1) coefficients wide, inside the
+  /// texton: wider ones would reach far beyond it and make a pixel pay for impacts that it hardly
+  /// sees.
+  [[nodiscard]] int mostMipLevels() const;
 
   /// Texels of a frame: whole texels of the last mip, and one more.
   [[nodiscard]] std::uint32_t frameWidth() const;
   [[nodiscard]] std::uint32_t frameHeight() const;
 };
 inline constexpr int kMaxTextonSide = 1024;
+inline constexpr int kMaxTextonMips = 9; ///< mostMipLevels() of the largest texton
 inline constexpr int kMaxTextonSteps = 64;
 
 /// One noise: maps that share lattice, hash, seed and weights, or impacts.
@@ -185,8 +195,15 @@ struct Noise {
   std::vector<NoiseMap> maps;
 };
 
+struct Bundle;
+
 /// The place of the noise's map of this target, where it has one.
 [[nodiscard]] std::optional<std::size_t> findMap(const Noise& noise, MapTarget target);
+
+/// Width and height in texels of the exemplar that a map was baked of. The maps of a texton noise
+/// all had the size of the largest. `map` is one of the noise's, and its image is in the bundle.
+[[nodiscard]] std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
+                                                        const NoiseMap& map);
 
 /// Whether noises of a method can be put on a surface in this way: uv and triplanar always, surface
 /// for textons; none has a solid form.

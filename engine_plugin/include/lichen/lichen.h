@@ -181,8 +181,8 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
-/* How a map's Gaussian values become its own: LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of
- * the shader library may be 0 where no map has that kind. */
+/* How a map's Gaussian values become its own: LICHEN_JOINT_TABLES, LICHEN_SEPARABLE_TABLES and
+ * LICHEN_GAUSSIAN_ONLY of the shader library may be 0 where no map has that kind. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
   LICHEN_TABLE_SEPARABLE = 1,

@@ -5,6 +5,7 @@
 #include <lichen/image.h>
 #include <lichen/result.h>
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -26,6 +27,9 @@ struct ImageFile {
   /// What was done to make the file usable (palette expanded, CMYK converted, negative values
   /// clamped, missing channels filled), one short sentence each, for the user.
   std::vector<std::string> notes;
+  /// The orientation from which upright() turned the pixels. It leaves what they say of directions,
+  /// as normals do, to uprightDirection().
+  int turnedFrom = 1;
 };
 
 /// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
@@ -44,6 +48,10 @@ struct ImageFile {
 /// The image turned as its orientation says, which is 1 then, with a note. May throw
 /// std::bad_alloc.
 [[nodiscard]] ImageFile upright(ImageFile file);
+
+/// A direction, right and down, of pixels that are stored with `orientation`, 1 to 8: as it points
+/// once they are upright.
+[[nodiscard]] std::array<float, 2> uprightDirection(std::array<float, 2> stored, int orientation);
 
 /// As decodeImage(), and upright: what photographs show.
 [[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);

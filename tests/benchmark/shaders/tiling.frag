@@ -1,13 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Tiling and blending with the joint table, as a material's base colour uses it.
+// Tiling and blending, as a material's base colour uses it. The build says which kinds of table
+// there are.
 
-// The usual material: an infinite lattice, plain weights and a joint table, known at compile time.
+// The usual material: an infinite lattice and plain weights, known at compile time.
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
-#define LICHEN_SEPARABLE_TABLES 0
-#define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "lichen.glsl"

@@ -108,12 +108,13 @@ function applyPatch(document, patch) {
 }
 
 function checkSchemaCases() {
-  const example = readAsset(path.join(extensionFolder, 'examples/felt.gltf')).json;
   const cases = JSON.parse(
     fs.readFileSync(path.join(sourceFolder, 'tests/cli/gltf_validator/schema_cases.json')));
-  for (const { what, patch, valid } of cases)
-    check(schemasAccept(applyPatch(example, patch)) === valid,
+  for (const { what, example = 'felt.gltf', patch, valid } of cases) {
+    const { json } = readAsset(path.join(extensionFolder, 'examples', example));
+    check(schemasAccept(applyPatch(json, patch)) === valid,
       `schemas ${valid ? 'accept' : 'refuse'}: ${what}`);
+  }
 }
 
 /** Bytes of a texel and of a component for each VkFormat that a table may have. */

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// One map -> the risks of a Gaussian texture of it. Thresholds: docs/decisions/017-texton-risks.md.
+//
+// Whatever the support, a texton's noise has Gaussian values and random phases: it has neither the
+// exemplar's histogram nor its outlines. What is slower than the support is not in it either.
+#include "calibration.h"
+#include "progress_part.h"
+#include "tiling/map_ranges.h"
+#include "tiling/normality.h"
+
+#include <lichen/spectrum.h>
+#include <lichen/suitability.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lichen {
+namespace {
+
+using namespace suitability;
+
+constexpr int kOctaves = 4; // from 2 pixels a half wave on: details that an eye takes for outlines
+
+// Of the progress, by processor time.
+constexpr double kHistogramOfProgress = 0.2;
+
+/// One channel as a periodic plane without its mean.
+HalfSpectrum channelSpectrum(const MapExemplar& map, std::size_t channel) {
+  const std::size_t stride = map.channels.size();
+  std::vector<float> plane(map.values.size() / stride);
+  for (std::size_t i = 0; i < plane.size(); ++i)
+    plane[i] = map.values[i * stride + channel];
+  HalfSpectrum spectrum =
+      forwardFft(periodicComponent(plane, map.width, map.height), map.width, map.height);
+  spectrum.values[0] = 0.0f;
+  return spectrum;
+}
+
+/// Frequencies of a plane in cycles per pixel.
+double radius(const HalfSpectrum& spectrum, int u, int v) {
+  return std::hypot(double(u) / spectrum.width, double(spectrum.signedRow(v)) / spectrum.height);
+}
+
+/// The plane's waves an octave to either side of `frequency`, sampled on as many points as they
+/// need.
+std::vector<float> octave(const HalfSpectrum& spectrum, double frequency) {
+  const auto samples = [&](int side) { return std::min(side, int(4.0 * frequency * side) + 2); };
+  HalfSpectrum band{samples(spectrum.width), samples(spectrum.height), {}};
+  band.values.resize(std::size_t(band.columns()) * std::size_t(band.height));
+  for (int v = 0; v < band.height; ++v)
+    for (int u = 0; u < band.columns(); ++u) {
+      const int signedV = band.signedRow(v);
+      const int row = signedV >= 0 ? signedV : signedV + spectrum.height;
+      const double octaves = std::log2(std::max(radius(spectrum, u, row), 1e-9) / frequency);
+      if (std::abs(octaves) < 1.0)
+        band.at(u, v) = spectrum.at(u, row) * float(std::cos(0.5 * std::numbers::pi * octaves));
+    }
+  return inverseFft(band);
+}
+
+/// Fourth moment over the squared second, less 3; 0 for Gaussian values and for none.
+double excessKurtosis(const std::vector<float>& plane) {
+  double second = 0.0, fourth = 0.0;
+  for (const float value : plane) {
+    const double square = double(value) * double(value);
+    second += square;
+    fourth += square * square;
+  }
+  return second > 0.0 ? double(plane.size()) * fourth / (second * second) - 3.0 : 0.0;
+}
+
+constexpr std::size_t kSupports = 5; // the support, twice as large, and so on
+
+struct Waves {
+  double outlines = 0.0; ///< mean excess kurtosis of the finest octaves
+  /// Share of the variance in waves longer than 2^k supports.
+  std::array<double, kSupports> slow{};
+};
+
+/// Both over the channels, weighted by their variance.
+Waves wavesOf(const MapExemplar& map, int support, ProgressPart progress) {
+  Waves sum;
+  double variance = 0.0;
+  const std::size_t channels = map.channels.size();
+  for (std::size_t c = 0; c < channels; ++c) {
+    const HalfSpectrum spectrum = channelSpectrum(map, c);
+    double power = 0.0;
+    for (int v = 0; v < spectrum.height; ++v)
+      for (int u = 0; u < spectrum.columns(); ++u) {
+        const double here = spectrum.multiplicity(u) * double(std::norm(spectrum.at(u, v)));
+        power += here;
+        const double supports = radius(spectrum, u, v) * support; // a wave's part of one
+        for (std::size_t k = 0; k < kSupports && std::ldexp(supports, int(k)) < 1.0; ++k)
+          sum.slow[k] += here;
+      }
+    double kurtosis = 0.0;
+    int octaves = 0;
+    constexpr int kFewestWaves = 8; // along the shorter side, for a moment of fourth order
+    for (int k = 0; k < kOctaves; ++k) {
+      const double frequency = std::exp2(-2 - k);
+      if (frequency * std::min(map.width, map.height) < kFewestWaves)
+        break;
+      kurtosis += excessKurtosis(octave(spectrum, frequency));
+      ++octaves;
+    }
+    sum.outlines += octaves > 0 ? power * kurtosis / octaves : 0.0;
+    variance += power;
+    progress.reach(double(c + 1) / double(channels));
+  }
+  sum.outlines = variance > 0.0 ? std::max(0.0, sum.outlines / variance) : 0.0;
+  for (double& slow : sum.slow)
+    slow = variance > 0.0 ? slow / variance : 0.0;
+  return sum;
+}
+
+double deviationOf(const MapExemplar& map) {
+  const std::size_t channels = map.channels.size();
+  double sum = 0.0;
+  for (std::size_t c = 0; c < channels; ++c) {
+    double mean = 0.0, square = 0.0;
+    for (std::size_t i = c; i < map.values.size(); i += channels) {
+      mean += map.values[i];
+      square += double(map.values[i]) * double(map.values[i]);
+    }
+    const double count = double(map.values.size() / channels);
+    sum += std::max(0.0, square / count - (mean / count) * (mean / count));
+  }
+  return std::sqrt(sum / double(channels));
+}
+
+Risk risk(std::string_view name, double measure, const Calibration& at, std::string measured,
+          const std::string& consequence, std::string remedy) {
+  const double score = scoreOf(measure, at);
+  if (score < kMildScore)
+    return {name, score, Risk::Level::none, std::move(measured), {}};
+  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
+          measured + ", " + consequence, std::move(remedy)};
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+std::string oneDecimal(double value) {
+  const long tenths = std::lround(10.0 * value);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+/// The option with the smallest support that holds the variation, and ", "; nothing where none
+/// does.
+std::string supportFor(const MapExemplar& map, int support, const Waves& waves) {
+  for (std::size_t k = 1; k < kSupports; ++k) {
+    const int larger = support << k;
+    if (larger > std::min({map.width, map.height, kMaxTextonSide}))
+      break;
+    if (waves.slow[k] < kTextonSlow.mild)
+      return "--support " + std::to_string(larger) + ", ";
+  }
+  return {};
+}
+
+std::vector<Risk> risksOf(const MapExemplar& map, int support, ProgressPart progress) {
+  const double deviation = deviationOf(map);
+  // Rounding to the steps of the file is no histogram.
+  const bool varies = deviation > 0.5 * map.quantum;
+  const double histogram = varies ? tiling::distanceToGaussian(map) / deviation : 0.0;
+  progress.reach(kHistogramOfProgress);
+  const Waves waves =
+      varies ? wavesOf(map, support, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
+  return {risk("histogram", histogram, kTextonHistogram,
+               "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
+               "so that other colours than the exemplar's will appear",
+               "--method tiling, which keeps them"),
+          risk("outlines", waves.outlines, kTextonOutlines,
+               "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
+                   ", where Gaussian noise has 3",
+               "so that what stands out will be lost", "--method tiling, which keeps more of it"),
+          risk("low-frequency", waves.slow[0], kTextonSlow,
+               percent(waves.slow[0]) + " of the variation is slower than the texton's " +
+                   std::to_string(support) + " texels",
+               "and will be missing",
+               supportFor(map, support, waves) + "--flatten auto, or --method tiling")};
+}
+
+} // namespace
+
+Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
+                                                  const Progress& progress) {
+  const auto exhausted = [&] {
+    return "not enough memory to assess " + std::to_string(map.width) + " x " +
+           std::to_string(map.height) + " pixels";
+  };
+  return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
+    if (Result<void> checked = tiling::checkRanges(map); !checked)
+      return checked.error();
+    return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
+      return risksOf(map, support, ProgressPart(progress));
+    });
+  });
+}
+
+} // namespace lichen

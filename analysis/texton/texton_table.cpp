@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Coefficients (channels, height, width) -> frames of texels (height, width, channels) with mips.
+//
+// A mip's texel is the average of the texels below it, so that the noise of level l is that of
+// level 0 averaged over squares of 2^l texels, interpolated bilinearly. A frame has room for that
+// level's interpolation: nothing of a texton leaves it. Source: [GLM17] section 5.2.
+#include "texton_table.h"
+
+#include "color_correction.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+
+namespace lichen::texton {
+namespace {
+
+/// Texels of the last mip along the shorter side of the coefficients.
+constexpr int kFewestTexels = 4;
+
+/// Texels of one channel, row by row; zero beyond.
+struct Plane {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+
+  [[nodiscard]] float at(int x, int y) const {
+    const bool isInside = x >= 0 && y >= 0 && x < width && y < height;
+    return isInside ? values[std::size_t(y) * std::size_t(width) + std::size_t(x)] : 0.0f;
+  }
+};
+
+/// Averages of 2 x 2 texels, those beyond the borders 0.
+Plane halved(const Plane& plane) {
+  Plane half{(plane.width + 1) / 2, (plane.height + 1) / 2, {}};
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      half.values.push_back(0.25f * (plane.at(2 * x, 2 * y) + plane.at(2 * x + 1, 2 * y) +
+                                     plane.at(2 * x, 2 * y + 1) + plane.at(2 * x + 1, 2 * y + 1)));
+  return half;
+}
+
+/// The variance of one channel's noise where texels are `side` texels of level 0 wide.
+double variance(const Plane& plane, int order, double side) {
+  const TextonCoefficients alone{plane.width, plane.height, 1, plane.values};
+  return side * side * noiseCovariance(alone, order)(0, 0);
+}
+
+TexelFormat formatOf(std::size_t channels, int bits) {
+  if (bits == 32)
+    return channels == 1 ? TexelFormat::r32Sfloat : TexelFormat::rgba32Sfloat;
+  constexpr std::array<TexelFormat, 3> kHalf = {TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
+                                                TexelFormat::rgba16Sfloat};
+  return kHalf[channels - 1];
+}
+
+/// Frames of one channel, one above the other.
+Plane stacked(std::span<const TextonCoefficients> steps, const TextonShape& shape,
+              std::size_t channel, double scale) {
+  Plane plane{int(shape.frameWidth()), int(shape.frameHeight()) * shape.steps, {}};
+  plane.values.resize(std::size_t(plane.width) * std::size_t(plane.height));
+  for (std::size_t step = 0; step < steps.size() && scale > 0.0; ++step)
+    for (int y = 0; y < shape.coefficientsY; ++y)
+      for (int x = 0; x < shape.coefficientsX; ++x) {
+        const std::size_t row = step * shape.frameHeight() + std::size_t(y);
+        const std::size_t from = (channel * std::size_t(shape.coefficientsY) + std::size_t(y)) *
+                                     std::size_t(shape.coefficientsX) +
+                                 std::size_t(x);
+        plane.values[row * std::size_t(plane.width) + std::size_t(x)] =
+            float(double(steps[step].values[from]) / scale);
+      }
+  return plane;
+}
+
+/// What each level of averaging keeps of the variance of one channel of one step. Empty where the
+/// channel does not vary.
+std::vector<double> keptShares(std::vector<Plane> mips, int order) {
+  const double whole = variance(mips[0], order, 1.0);
+  std::vector<double> kept;
+  if (whole <= 0.0)
+    return kept;
+  double side = 1.0;
+  for (std::size_t level = 0; level < kMaxTextonLosses; ++level, side *= 2.0) {
+    if (level == mips.size())
+      mips.push_back(halved(mips.back()));
+    // Minified textons are interpolated bilinearly, whatever the order.
+    kept.push_back(variance(mips[level], level == 0 ? order : 1, side) / whole);
+  }
+  return kept;
+}
+
+} // namespace
+
+int mipLevelsOf(int coefficientsX, int coefficientsY) {
+  const int shorter = std::min(coefficientsX, coefficientsY);
+  return int(std::bit_width(unsigned(std::max(1, shorter / kFewestTexels))));
+}
+
+Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& shape,
+                  std::size_t firstChannel, std::span<const double> scale, int bits) {
+  assert(int(steps.size()) == shape.steps);
+  const std::size_t channels = scale.size();
+  Table table;
+  table.format = formatOf(channels, bits);
+  table.width = shape.frameWidth();
+  table.height = shape.frameHeight() * std::uint32_t(shape.steps);
+  table.mipLevels = std::uint32_t(shape.mipLevels);
+  std::vector<Plane> planes;
+  for (std::size_t c = 0; c < channels; ++c)
+    planes.push_back(stacked(steps, shape, firstChannel + c, scale[c]));
+  const auto stride = std::size_t(channelCount(table.format));
+  for (int level = 0; level < shape.mipLevels; ++level) {
+    std::vector<float> texels(planes[0].values.size() * stride, 0.0f);
+    for (std::size_t c = 0; c < channels; ++c) {
+      for (std::size_t i = 0; i < planes[c].values.size(); ++i)
+        texels[i * stride + c] = planes[c].values[i];
+      planes[c] = halved(planes[c]);
+    }
+    appendTexels(table.texels, table.format, texels);
+  }
+  return table;
+}
+
+std::vector<double> mipLosses(const Table& table, const TextonShape& shape, std::size_t channels) {
+  const auto stride = std::size_t(channelCount(table.format));
+  std::vector<std::vector<float>> levels;
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level)
+    levels.push_back(decodeLevel(table, level));
+  std::vector<double> kept(kMaxTextonLosses, 0.0);
+  std::size_t count = 0;
+  for (int step = 0; step < shape.steps; ++step)
+    for (std::size_t c = 0; c < channels; ++c) {
+      std::vector<Plane> mips;
+      for (std::size_t level = 0; level < levels.size(); ++level) {
+        Plane mip{int(table.width >> level), int(shape.frameHeight() >> level), {}};
+        const std::size_t texels = std::size_t(mip.width) * std::size_t(mip.height);
+        for (std::size_t i = 0; i < texels; ++i)
+          mip.values.push_back(levels[level][(std::size_t(step) * texels + i) * stride + c]);
+        mips.push_back(std::move(mip));
+      }
+      const std::vector<double> shares = keptShares(std::move(mips), shape.order);
+      count += shares.empty() ? 0u : 1u;
+      for (std::size_t level = 0; level < shares.size(); ++level)
+        kept[level] += shares[level];
+    }
+  std::vector<double> losses;
+  double loss = 0.0;
+  for (std::size_t level = 0; level < kept.size(); ++level) {
+    // Without variation nothing is lost; rounding may make the losses of small ones decrease.
+    const double here = count > 0 && level > 0 ? 1.0 - kept[level] / double(count) : 0.0;
+    losses.push_back(loss = std::clamp(here, loss, 1.0));
+  }
+  return losses;
+}
+
+} // namespace lichen::texton

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+// The experiments of [GLM14] on generated materials, and the distance that they are judged by.
+#include "example_exemplar.h"
+
+#include <lichen/spectrum.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <materials.h>
+#include <numbers>
+#include <texton/comparison.h>
+#include <texton/comparison_kernels.h>
+#include <texton/model_distance.h>
+#include <texton/spot_noise.h>
+#include <vector>
+
+using namespace lichen;
+using namespace lichen::test;
+using namespace lichen::texton;
+
+namespace {
+
+GaussianModel modelOf(const MapExemplar& map) {
+  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+}
+
+GaussianModel modelOf(const SrgbImage& image) {
+  return gaussianModel(image.values, image.width, image.height, image.channels);
+}
+
+FitOptions spotOptions(int side, std::uint32_t seed = 1) {
+  FitOptions options;
+  options.width = options.height = side;
+  options.order = 0;
+  options.seed = seed;
+  return options;
+}
+
+/// The covariance matrix of all pixels and channels of a model's texture: kernels correlated,
+/// borders joined, pixel by pixel.
+Eigen::MatrixXd covarianceMatrix(const GaussianModel& model) {
+  const int width = model.width(), height = model.height(), pixels = width * height;
+  const int size = pixels * int(model.channels.size());
+  // Column i: the kernel of channel i / pixels moved to pixel i % pixels; the noise is its
+  // transpose times white noise.
+  Eigen::MatrixXd kernels(pixels, size);
+  for (int i = 0; i < size; ++i) {
+    const std::vector<float> kernel = inverseFft(model.channels[std::size_t(i / pixels)]);
+    const int x = i % pixels % width, y = i % pixels / width;
+    for (int p = 0; p < pixels; ++p)
+      kernels(p, i) = double(kernel[std::size_t((y - p / width + height) % height * width +
+                                                (x - p % width + width) % width)]);
+  }
+  return kernels.transpose() * kernels;
+}
+
+Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         solver.eigenvectors().transpose();
+}
+
+using Plane = std::vector<std::complex<double>>;
+
+/// The discrete Fourier transform by its sum; `sign` -1 forward, +1 back and divided by the size.
+Plane transformed(const Plane& plane, int width, int height, double sign) {
+  Plane result;
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      std::complex<double> sum = 0.0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          sum += plane[std::size_t(y * width + x)] *
+                 std::polar(1.0, sign * 2.0 * std::numbers::pi *
+                                     (double(u * x) / width + double(v * y) / height));
+      result.push_back(sign > 0.0 ? sum / double(width * height) : sum);
+    }
+  }
+  return result;
+}
+
+Plane planeOf(const std::vector<float>& values) { return {values.begin(), values.end()}; }
+
+/// [GLM14] algorithm 2 word for word, in double: the same starting phases as fitCoefficients.
+std::vector<float> algorithmTwo(const GaussianModel& model, const FitOptions& options) {
+  const int width = model.width(), height = model.height();
+  const std::size_t channels = model.channels.size();
+  std::vector<Plane> target, texton;
+  for (const HalfSpectrum& channel : model.channels) {
+    target.push_back(transformed(planeOf(inverseFft(channel)), width, height, -1.0));
+    texton.push_back(planeOf(phaseRandomizedPlane(channel, options.seed)));
+  }
+  for (int step = 0; step < options.projections; ++step) {
+    for (Plane& plane : texton)
+      plane = transformed(plane, width, height, -1.0);
+    for (std::size_t i = 0; i < target[0].size(); ++i) {
+      std::complex<double> product = 0.0;
+      for (std::size_t c = 0; c < channels; ++c)
+        product += std::conj(target[c][i]) * texton[c][i];
+      for (std::size_t c = 0; c < channels; ++c)
+        texton[c][i] = i == 0 ? 0.0 : product / std::abs(product) * target[c][i];
+    }
+    for (Plane& plane : texton) {
+      plane = transformed(plane, width, height, 1.0);
+      for (int p = 0; p < width * height; ++p)
+        if (p % width >= options.width || p / width >= options.height)
+          plane[std::size_t(p)] = 0.0;
+    }
+  }
+  std::vector<float> coefficients;
+  for (const Plane& plane : texton)
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x)
+        coefficients.push_back(float(plane[std::size_t(y * width + x)].real()));
+  return coefficients;
+}
+
+/// The textures of a model are those of a kernel: no error but rounding, 1e-4 in the root.
+constexpr double kNoError = 1e-3;
+
+/// The spot of the luminance of a spot's noise.
+TextonCoefficients luminanceOf(const TextonCoefficients& spot) {
+  SrgbImage image(spot.width, spot.height, 3);
+  const std::size_t pixels = image.pixelCount();
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = spot.values[i % 3 * pixels + i / 3];
+  return {spot.width, spot.height, 1, luminancePlane(image)};
+}
+
+/// The variance of its noise, summed over the channels.
+double energy(const TextonCoefficients& spot) {
+  double sum = 0.0;
+  for (const float value : spot.values)
+    sum += double(value) * double(value);
+  return sum;
+}
+
+/// Kolmogorov's distance of a sample to the normal law of mean 0 and this variance.
+double distanceToNormal(std::vector<double> sample, double variance) {
+  std::sort(sample.begin(), sample.end());
+  const double count = double(sample.size());
+  double distance = 0.0;
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const double share = 0.5 * std::erfc(-sample[i] / std::sqrt(2.0 * variance));
+    distance = std::max({distance, double(i + 1) / count - share, share - double(i) / count});
+  }
+  return distance;
+}
+
+} // namespace
+
+TEST_CASE("the transport distance is Gelbrich's formula on the covariance matrices of all pixels") {
+  // tr A + tr B - 2 tr (A^1/2 B A^1/2)^1/2 [PC19], for odd and even sides.
+  const MapExemplar map = threeMaterials(32, 32, 5);
+  for (const auto& [width, height] : {std::pair{5, 4}, std::pair{6, 3}}) {
+    const GaussianModel a = modelOf(cropped(map, 1, 2, width, height));
+    const GaussianModel b = modelOf(cropped(map, 17, 11, width, height));
+    const Eigen::MatrixXd covarianceA = covarianceMatrix(a);
+    const Eigen::MatrixXd covarianceB = covarianceMatrix(b);
+    const Eigen::MatrixXd root = squareRoot(covarianceA);
+    const double expected = covarianceA.trace() + covarianceB.trace() -
+                            2.0 * squareRoot(root * covarianceB * root).trace();
+    const double pixels = width * height;
+    CHECK(modelVariance(a) == Approx(covarianceA.trace() / pixels).epsilon(1e-5));
+    CHECK(squaredTransportDistance(a, b) == Approx(expected / pixels).epsilon(1e-4));
+    CHECK(squaredTransportDistance(b, a) == Approx(expected / pixels).epsilon(1e-4));
+    CHECK(squaredTransportDistance(a, a) < 1e-6 * modelVariance(a));
+  }
+}
+
+TEST_CASE("the alternating projections of order 0 are algorithm 2") {
+  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
+  FitOptions options = spotOptions(5, 3);
+  options.height = 4;
+  for (const int projections : {1, 2, 50}) {
+    options.projections = projections;
+    const std::vector<float> expected = algorithmTwo(model, options);
+    const TextonCoefficients texton =
+        fitCoefficients(model, options, FitMethod::alternatingProjections);
+    REQUIRE(texton.values.size() == expected.size());
+    double difference = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      difference += std::pow(double(texton.values[i]) - double(expected[i]), 2.0);
+      size += std::pow(double(expected[i]), 2.0);
+    }
+    // Projections do not make rounding grow much: 1e-5 after 50.
+    CHECK(std::sqrt(difference / size) < 1e-4);
+  }
+}
+
+TEST_CASE("whole, every comparison kernel has the model's texture") {
+  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
+  CHECK(relativeModelError(model, exemplarKernel(model, 21, 18), 0) < kNoError);
+  const KernelComparison comparison = compareKernels(model, kLuminanceWeights, {21, 18, 30.0, 1});
+  CHECK(comparison.synthesisOriented.relativeError < kNoError);
+  CHECK(comparison.luminance.relativeError < kNoError);
+  CHECK(comparison.randomPhase.relativeError < kNoError);
+}
+
+TEST_CASE("parts of random-phase textures have noises as strong as the model's, on average") {
+  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
+  constexpr int kParts = 400;
+  double mean = 0.0, squares = 0.0;
+  for (std::uint32_t seed = 0; seed < kParts; ++seed) {
+    const double variance = energy(randomPhaseKernel(model, 4, 5, seed)) / modelVariance(model);
+    mean += variance / kParts;
+    squares += variance * variance / kParts;
+  }
+  // 4.5 standard errors: one false alarm in 150,000.
+  CHECK(mean == Approx(1.0).margin(4.5 * std::sqrt((squares - mean * mean) / kParts)));
+}
+
+TEST_CASE(
+    "the luminance texton of one channel has a positive spectrum, with its peak in the middle") {
+  const MapExemplar map = cropped(threeMaterials(32, 32, 5), 3, 4, 15, 12);
+  SrgbImage image(15, 12, 3);
+  image.values = map.values;
+  const std::vector<float> grey = luminancePlane(image);
+  const GaussianModel model = gaussianModel(grey, 15, 12, 1);
+  const TextonCoefficients texton = luminanceTexton(model, 15, 12);
+  const auto peak = std::max_element(texton.values.begin(), texton.values.end());
+  CHECK(peak - texton.values.begin() == 12 / 2 * 15 + 15 / 2);
+  const HalfSpectrum spectrum = forwardFft(texton.values, 15, 12);
+  for (int v = 0; v < 12; ++v) {
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      const std::complex<double> centred =
+          std::complex<double>(spectrum.at(u, v)) *
+          std::polar(1.0, 2.0 * std::numbers::pi * (7.0 * u / 15 + 6.0 * v / 12));
+      const double power = std::abs(std::complex<double>(model.channels[0].at(u, v)));
+      CHECK(std::abs(centred - power) < 1e-5);
+    }
+  }
+  // A smaller support is the middle of a larger one.
+  const TextonCoefficients middle = luminanceTexton(model, 5, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x)
+      CHECK(middle.values[std::size_t(y * 5 + x)] ==
+            texton.values[std::size_t((y + 6 - 2) * 15 + x + 7 - 2)]);
+}
+
+TEST_CASE("colours keep their cross-spectra in the luminance texton, whose luminance is in phase") {
+  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 15, 12));
+  const GaussianModel kernel = noiseModel(luminanceTexton(model, 15, 12), 0, 15, 12);
+  for (std::size_t i = 1; i < model.channels[0].values.size(); ++i) {
+    std::complex<double> sum = 0.0, kernelSum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += std::complex<double>(model.channels[c].values[i]);
+      kernelSum += std::complex<double>(kernel.channels[c].values[i]);
+      const auto cross = model.channels[c].values[i] * std::conj(model.channels[0].values[i]);
+      const auto kept = kernel.channels[c].values[i] * std::conj(kernel.channels[0].values[i]);
+      CHECK(std::abs(cross - kept) < 1e-5f);
+    }
+    CHECK(std::abs(kernelSum) == Approx(std::abs(sum)).margin(1e-5));
+  }
+}
+
+TEST_CASE("flatness is 1 for one magnitude, r^2 for one pixel, and of the weighted channels") {
+  TextonCoefficients spot{4, 4, 2, std::vector<float>(32, 0.0f)};
+  const std::vector<float> first{1.0f, 0.0f}, both{1.0f, 2.0f};
+  CHECK(flatness(spot, first) == 0.0);
+  spot.values[5] = -3.0f;
+  CHECK(flatness(spot, first) == Approx(16.0));
+  CHECK(flatness(spot, both) == Approx(16.0));
+  for (std::size_t i = 16; i < 32; ++i)
+    spot.values[i] = i % 2 == 0 ? 0.5f : -0.5f;
+  CHECK(flatness(spot, std::vector<float>{0.0f, 1.0f}) == Approx(1.0));
+  // Fifteen of magnitude 1, and -3 - 1 at an odd pixel.
+  CHECK(flatness(spot, both) == Approx(16.0 * (15.0 + 256.0) / (31.0 * 31.0)));
+}
+
+TEST_CASE("restarts gain less than 1 % over one run that takes as long", "[large]") {
+  // [GLM14] section 3.2. Best of 8 runs of 50 projections, and one of 400, the mean of two: on the
+  // six generated materials the gain is -0.7 % to 0.2 %.
+  for (const auto& generate : {exemplars::granite, exemplars::rust}) {
+    const GaussianModel model = modelOf(generate(128));
+    const auto error = [&](std::uint32_t seed, int projections) {
+      FitOptions options = spotOptions(31, seed);
+      options.projections = projections;
+      return relativeModelError(
+          model, fitCoefficients(model, options, FitMethod::alternatingProjections), 0);
+    };
+    double best = 1.0;
+    for (std::uint32_t seed = 1; seed <= 8; ++seed)
+      best = std::min(best, error(seed, 50));
+    CHECK(best > 0.99 * 0.5 * (error(9, 400) + error(10, 400)));
+  }
+}
+
+TEST_CASE("starts scatter by less than 1 % of the error") {
+  const GaussianModel model = modelOf(exemplars::rust(64));
+  double sum = 0.0, squares = 0.0;
+  constexpr int kStarts = 8;
+  for (std::uint32_t seed = 1; seed <= kStarts; ++seed) {
+    const double error = relativeModelError(
+        model, fitCoefficients(model, spotOptions(16, seed), FitMethod::transportDistance), 0);
+    sum += error / kStarts;
+    squares += error * error / kStarts;
+  }
+  CHECK(std::sqrt(squares - sum * sum) < 0.01 * sum);
+}
+
+TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
+          "[large]") {
+  // [GLM14] figure 4; their support of 31 pixels.
+  for (const auto& material : exemplars::kMaterials) {
+    INFO(material.name);
+    const GaussianModel model = modelOf(material.generate(128));
+    const KernelComparison comparison = compareKernels(model, kLuminanceWeights, {31, 31, 30.0, 1});
+    CHECK(comparison.synthesisOriented.relativeError < comparison.luminance.relativeError);
+    CHECK(comparison.luminance.relativeError < comparison.randomPhase.relativeError);
+    // Normally distributed values have 3; energy gathered in a few pixels has hundreds.
+    CHECK(comparison.synthesisOriented.flatness < 4.5);
+    CHECK(comparison.randomPhase.flatness < 4.5);
+    CHECK(comparison.luminance.flatness > 50.0);
+    CHECK(comparison.luminance.excessKurtosis == Approx(comparison.luminance.flatness / 30.0));
+  }
+}
+
+TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminance texton not",
+          "[large]") {
+  constexpr int kSupport = 31, kSamples = 4096;
+  constexpr double kIntensity = 30.0 / (kSupport * kSupport);
+  // Kolmogorov's law: a normal sample is farther with the probability 2 exp(-2 * 2.47^2) = 1e-5.
+  const double chance = 2.47 / std::sqrt(double(kSamples));
+  for (const auto& generate : {exemplars::granite, exemplars::rust}) {
+    const GaussianModel model = modelOf(generate(128));
+    const auto distance = [&](const TextonCoefficients& spot) {
+      const TextonCoefficients luminance = luminanceOf(spot);
+      std::vector<double> sample;
+      for (int i = 0; i < kSamples; ++i) {
+        // Pixels a support apart are independent.
+        const PixelDomain pixel{i * kSupport, 0, 1, 1, false};
+        const NoisePlanes noise =
+            discreteSpotNoise(luminance, kIntensity, pixel, 1, Summation::direct);
+        sample.push_back(double(noise.values[0]));
+      }
+      return distanceToNormal(std::move(sample), energy(luminance));
+    };
+    CHECK(distance(fitCoefficients(model, spotOptions(kSupport), FitMethod::transportDistance)) <
+          chance);
+    CHECK(distance(luminanceTexton(model, kSupport, kSupport)) > 2.0 * chance);
+  }
+}

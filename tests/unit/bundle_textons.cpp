@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Texton noises in a file: the room that their frames have, and every fault that the checker must
+// name by its code and reading must refuse.
+#include "bundle_example.h"
+#include "bundle_faults.h"
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using example::GlbParts;
+using nlohmann::json;
+
+namespace {
+
+// In example::textonMix(), noise 0 is "felt" of tiling with tables 0 and 1; noise 1 has the textons
+// of base colour (table 2, RGBA16F), normal (3, RGBA32F) and height (4, R32F) in three steps.
+const std::vector<std::byte>& soundFile() {
+  static const std::vector<std::byte> file = encodeGlb(example::textonMix()).value();
+  return file;
+}
+
+json& shapeOf(GlbParts& parts) { return parts.extension()["noises"][1]["texton"]; }
+
+} // namespace
+
+TEST_CASE("the file of textons that the faults are made in has none") {
+  CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
+}
+
+TEST_CASE("a frame has whole texels of the last mip and one more of zeros on each axis") {
+  for (const int coefficients : {1, 2, 3, 4, 7, 8, 15, 16, 17, 63, 64, 1023, 1024}) {
+    TextonShape shape;
+    shape.coefficientsX = shape.coefficientsY = coefficients;
+    const int most = shape.mostMipLevels();
+    CHECK(most <= kMaxTextonMips);
+    CHECK((most == 1 || 4 << (most - 1) <= coefficients)); // four texels of the last mip
+    CHECK(4 << most > coefficients);                       // and no more could be had
+    for (shape.mipLevels = 1; shape.mipLevels <= most; ++shape.mipLevels) {
+      const int coarse = 1 << (shape.mipLevels - 1);
+      const int frame = int(shape.frameWidth());
+      CHECK(frame % coarse == 0);
+      CHECK(frame - coefficients >= coarse);
+      CHECK(frame - coefficients < 2 * coarse);
+      CHECK(shape.frameHeight() == shape.frameWidth());
+    }
+  }
+  TextonShape flat;
+  flat.coefficientsX = 1024;
+  flat.coefficientsY = 5;
+  CHECK(flat.mostMipLevels() == 1);
+}
+
+TEST_CASE("every fault of the shape of textons is found") {
+  example::checkFaults(
+      soundFile(),
+      {
+          {"no shape", "required", [](GlbParts& p) { p.extension()["noises"][1].erase("texton"); }},
+          {"the shape is a number", "type", [](GlbParts& p) { shapeOf(p) = 7; }},
+          {"no coefficients", "required", [](GlbParts& p) { shapeOf(p).erase("coefficients"); }},
+          {"one side", "count", [](GlbParts& p) { shapeOf(p)["coefficients"] = {9}; }},
+          {"three sides", "count",
+           [](GlbParts& p) {
+             shapeOf(p)["coefficients"] = {9, 17, 1};
+           }},
+          {"half a coefficient", "type", [](GlbParts& p) { shapeOf(p)["coefficients"][0] = 9.5; }},
+          {"no side", "range", [](GlbParts& p) { shapeOf(p)["coefficients"][1] = 0; }},
+          {"a huge side", "range", [](GlbParts& p) { shapeOf(p)["coefficients"][1] = 1025; }},
+          {"a side that no integer holds", "range",
+           [](GlbParts& p) { shapeOf(p)["coefficients"][1] = 1e300; }},
+          {"a side in text", "type", [](GlbParts& p) { shapeOf(p)["coefficients"][1] = "17"; }},
+          {"no order", "required", [](GlbParts& p) { shapeOf(p).erase("order"); }},
+          {"order 2", "range", [](GlbParts& p) { shapeOf(p)["order"] = 2; }},
+          {"order 4", "range", [](GlbParts& p) { shapeOf(p)["order"] = 4; }},
+          {"order 1.5", "type", [](GlbParts& p) { shapeOf(p)["order"] = 1.5; }},
+          {"no mips", "range", [](GlbParts& p) { shapeOf(p)["mipLevels"] = 0; }},
+          {"ten mips", "range", [](GlbParts& p) { shapeOf(p)["mipLevels"] = 10; }},
+          {"mips coarser than the texton", "texton-mip-levels",
+           [](GlbParts& p) { shapeOf(p)["mipLevels"] = 3; }},
+          {"no size of the exemplar", "required",
+           [](GlbParts& p) { shapeOf(p).erase("texelsPerTile"); }},
+          {"an empty exemplar", "range", [](GlbParts& p) { shapeOf(p)["texelsPerTile"][0] = 0; }},
+          {"a huge exemplar", "range", [](GlbParts& p) { shapeOf(p)["texelsPerTile"][0] = 16385; }},
+          {"more coefficients than texels", "texton-coefficients",
+           [](GlbParts& p) { shapeOf(p)["texelsPerTile"][1] = 16; }},
+          {"no steps", "range", [](GlbParts& p) { shapeOf(p)["steps"] = 0; }},
+          {"too many steps", "range", [](GlbParts& p) { shapeOf(p)["steps"] = 65; }},
+          {"steps in text", "type", [](GlbParts& p) { shapeOf(p)["steps"] = "3"; }},
+          {"frames higher than an image", "texton-steps",
+           [](GlbParts& p) {
+             shapeOf(p)["coefficients"] = {9, 1024};
+             shapeOf(p)["texelsPerTile"] = {9, 1024};
+             shapeOf(p)["steps"] = 64;
+           }},
+      });
+}
+
+TEST_CASE("every disagreement of a map with its texton is found") {
+  example::checkFaults(
+      soundFile(),
+      {
+          {"texton out of range", "map-texton-index",
+           [](GlbParts& p) { p.map(1, 0)["texton"] = 99; }},
+          {"negative texton", "map-texton-index", [](GlbParts& p) { p.map(1, 0)["texton"] = -1; }},
+          {"no texton", "required", [](GlbParts& p) { p.map(1, 0).erase("texton"); }},
+          {"a texton of one channel", "map-texton", [](GlbParts& p) { p.map(1, 0)["texton"] = 4; }},
+          {"an image of another size", "map-texton",
+           [](GlbParts& p) { p.map(1, 2)["texton"] = 0; }},
+          {"more coefficients than the frame holds", "map-texton",
+           [](GlbParts& p) { shapeOf(p)["coefficients"][0] = 11; }},
+          {"fewer steps than frames", "map-texton", [](GlbParts& p) { shapeOf(p)["steps"] = 2; }},
+          {"fewer mips than the image has", "map-texton",
+           [](GlbParts& p) {
+             shapeOf(p)["coefficients"] = {11, 19}; // whose frames of one mip are as large
+             shapeOf(p)["mipLevels"] = 1;
+           }},
+          {"no scale", "required", [](GlbParts& p) { p.map(1, 0).erase("scale"); }},
+          {"a short scale", "map-scale", [](GlbParts& p) { p.map(1, 0)["scale"].erase(2); }},
+          {"a negative scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = -0.5; }},
+          {"a huge scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = 1e7; }},
+          {"a scale in text", "type", [](GlbParts& p) { p.map(1, 0)["scale"] = "0.6"; }},
+          {"steps without an end", "map-end-mean",
+           [](GlbParts& p) { p.map(1, 0).erase("endMean"); }},
+          {"an end without steps", "map-end-mean", [](GlbParts& p) { shapeOf(p)["steps"] = 1; }},
+          {"a short end", "map-end-mean", [](GlbParts& p) { p.map(1, 0)["endMean"].erase(2); }},
+          {"an end out of range", "range", [](GlbParts& p) { p.map(1, 0)["endMean"][1] = 2.0; }},
+          {"an end in text", "type", [](GlbParts& p) { p.map(1, 0)["endMean"] = "white"; }},
+          {"no losses", "required", [](GlbParts& p) { p.map(1, 0).erase("mipLoss"); }},
+          {"fewer losses than mips", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = {0.0}; }},
+          {"more losses than are known", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = std::vector<double>(17, 0.0); }},
+          {"a loss at level 0", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"][0] = 0.1; }},
+          {"a texton where tiling has a Gaussian image", "required",
+           [](GlbParts& p) { p.extension()["noises"][1]["method"] = "tiling"; }},
+      });
+}
+
+TEST_CASE("every fault of a material's use of textons is found") {
+  example::checkFaults(
+      soundFile(),
+      {
+          {"too few impacts", "range", [](GlbParts& p) { p.use(1)["impacts"] = 0.5; }},
+          {"too many impacts", "range", [](GlbParts& p) { p.use(1)["impacts"] = 1001; }},
+          {"impacts in text", "type", [](GlbParts& p) { p.use(1)["impacts"] = "30"; }},
+          {"an unknown process", "material-point-process",
+           [](GlbParts& p) { p.use(1)["pointProcess"] = "blue"; }},
+          {"a process that is a number", "type", [](GlbParts& p) { p.use(1)["pointProcess"] = 1; }},
+          {"a mapping that no method has yet", "material-mapping",
+           [](GlbParts& p) { p.use(1)["mapping"] = "solid"; }},
+          {"a surface of tiling", "material-mapping",
+           [](GlbParts& p) { p.use(0)["mapping"] = "surface"; }},
+      });
+}
+
+TEST_CASE("a shape at fault is named once, and its maps are not blamed for it") {
+  GlbParts parts(soundFile());
+  SECTION("absent") { parts.extension()["noises"][1].erase("texton"); }
+  SECTION("not an object") { shapeOf(parts) = nullptr; }
+  SECTION("of no size") { shapeOf(parts)["coefficients"][0] = 0; }
+  SECTION("of too many mips") { shapeOf(parts)["mipLevels"] = 3; }
+  const std::vector<Finding> findings = checkBundle(parts.join());
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].pointer.starts_with(
+      "/extensions/LICHEN_materials_exemplar_noise/noises/1/texton"));
+}
+
+TEST_CASE("members of the other method are odd, but no fault") {
+  GlbParts parts(soundFile());
+  SECTION("a shape of tiling") { parts.extension()["noises"][0]["texton"] = shapeOf(parts); }
+  SECTION("a scale of tiling") { parts.map(0, 0)["scale"] = {0.6}; }
+  SECTION("an inverse table of textons") { parts.map(1, 2)["inverseTable"] = 1; }
+  const std::vector<std::byte> file = parts.join();
+  CHECK(parseBundle(file, "odd.glb").ok());
+  const std::vector<Finding> findings = checkBundle(file);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == "unknown-property");
+}
+
+TEST_CASE("textons are read beside an ignored noise, whose tables are not") {
+  GlbParts parts(soundFile());
+  parts.extension()["noises"][0] = {{"name", "felt"}, {"revision", 2}, {"spell", 7}};
+  parts.setTableWord(0, 12, 131); // vkFormat: VK_FORMAT_BC1_RGB_UNORM_BLOCK
+  const auto parsed = parseBundle(parts.join(), "later.glb");
+  if (!parsed)
+    FAIL(parsed.error().message);
+  const Bundle& bundle = parsed.value();
+  REQUIRE(bundle.noises.size() == 1);
+  CHECK(bundle.noises[0].method == Method::texton);
+  const Bundle all = example::textonMix().bundle;
+  REQUIRE(bundle.tables.size() == 3);
+  for (std::size_t m = 0; m < 3; ++m)
+    CHECK(bundle.tables[bundle.noises[0].maps[m].image].texels ==
+          all.tables[all.noises[1].maps[m].image].texels);
+}
+
+TEST_CASE("the exemplar's size is that of the Gaussian image, or what textons tell") {
+  const Bundle bundle = example::textonMix().bundle;
+  const auto sizeOf = [&](std::size_t noise) {
+    return exemplarSize(bundle, bundle.noises[noise], bundle.noises[noise].maps[0]);
+  };
+  CHECK(sizeOf(0) == std::array<std::uint32_t, 2>{4, 2});
+  CHECK(sizeOf(1) == std::array<std::uint32_t, 2>{100, 50});
+}
