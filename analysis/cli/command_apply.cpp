@@ -3,6 +3,7 @@
 #include "command.h"
 #include "noise_choice.h"
 #include "options.h"
+#include "progress_line.h"
 
 #include <lichen/surface_frames.h>
 
@@ -265,7 +266,9 @@ Result<Outcome> apply(const Arguments& arguments) {
     if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
       return there.error();
   if (use.mapping == Mapping::surface) {
-    Result<std::vector<MeshFrames>> frames = addSurfaceFrames(scene, materials.value());
+    ProgressLine progress("apply", arguments.shared);
+    Result<std::vector<MeshFrames>> frames =
+        addSurfaceFrames(scene, materials.value(), progress.asProgress());
     if (!frames)
       return frames.error();
     outcome.frames = std::move(frames).value();

@@ -144,12 +144,14 @@ std::vector<FieldComponent> countComponents(const Surface& surface) {
 
 Result<DirectionField> computeField(std::span<const Vector3> positions,
                                     std::span<const std::uint32_t> triangles,
-                                    std::span<const Vector3> normals) {
+                                    std::span<const Vector3> normals, const Progress& progress) {
+  constexpr double kSurfaceShare = 0.05; // of the time, on a million triangles
   if (Result<void> checked = checkMesh(positions, triangles, normals); !checked)
     return checked.error();
   const Surface surface = makeSurface(positions, triangles);
   const Connection connection = makeConnection(surface);
-  const Result<std::vector<Complex>> directions = smoothestField(surface, connection);
+  const Result<std::vector<Complex>> directions =
+      smoothestField(surface, connection, ProgressPart(progress).part(kSurfaceShare, 1.0));
   if (!directions)
     return directions.error();
   DirectionField field;
@@ -173,9 +175,13 @@ Result<DirectionField> computeField(std::span<const Vector3> positions,
 
 Result<DirectionField> directionField(std::span<const Vector3> positions,
                                       std::span<const std::uint32_t> triangles,
-                                      std::span<const Vector3> normals) {
+                                      std::span<const Vector3> normals, const Progress& progress) {
   return withinMemory([] { return "not enough memory for the directions on a mesh"; },
-                      [&] { return computeField(positions, triangles, normals); });
+                      [&] {
+                        return unlessInterrupted("direction field", [&] {
+                          return computeField(positions, triangles, normals, progress);
+                        });
+                      });
 }
 
 } // namespace lichen

@@ -168,53 +168,72 @@ private:
   std::vector<std::uint32_t> partOf_;
 };
 
-using Ordering = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int64_t>;
+/// A triangular factor of a matrix in an order that keeps it small.
+class OrderedFactor {
+public:
+  /// `upper` is half of a positive matrix. False where it takes more than any surface's would.
+  [[nodiscard]] bool compute(const Matrix& upper, const ProgressPart& progress) {
+    // A million triangles of a surface take 3.4e7 entries and 1.4e10 products, kMostFieldTriangles
+    // 7.4e7 and 4.2e10, measured. The limits are 4.8 GB and some minutes.
+    constexpr std::int64_t kMostEntries = 200'000'000;
+    constexpr double kMostProducts = 1e11;
+    constexpr double kOrderingShare = 0.08; // of the time, on a million triangles
+    Eigen::AMDOrdering<std::int64_t>()(upper.selfadjointView<Eigen::Upper>(), ordering_);
+    Matrix ordered(upper.rows(), upper.cols());
+    ordered.selfadjointView<Eigen::Upper>() =
+        upper.selfadjointView<Eigen::Upper>().twistedBy(ordering_.inverse());
+    if (!factorFits(ordered, kMostEntries, kMostProducts))
+      return false;
+    progress.reach(kOrderingShare);
+    factor_.compute(ordered);
+    progress.reach(1.0);
+    return factor_.info() == Eigen::Success;
+  }
+  [[nodiscard]] Vector solve(const Vector& right) const {
+    const Vector ordered = ordering_.inverse() * right;
+    return ordering_ * Vector(factor_.solve(ordered));
+  }
 
-} // namespace
+private:
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int64_t> ordering_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<std::int64_t>> factor_;
+};
 
-Result<std::vector<Complex>> smoothestField(const Surface& surface, const Connection& connection) {
-  // A million triangles of a surface take 3.4e7 entries and 1.4e10 products, kMostFieldTriangles
-  // 7.4e7 and 4.2e10, measured. The limits are 4.8 GB and some minutes.
-  constexpr std::int64_t kMostEntries = 200'000'000;
-  constexpr double kMostProducts = 1e11;
+/// Inverse power iteration, until a step moves the field by next to nothing.
+void iterate(const OrderedFactor& factor, const PartNorms& parts, const std::vector<double>& areas,
+             Vector& field, const ProgressPart& progress) {
   constexpr int kMostSteps = 30;
   constexpr double kConverged = 1e-10; // squared distance of one step; what is left is smaller
-
-  Assembly assembly(surface, connection);
-  const Matrix matrix = assembly.finish(connection.areaOf);
-  const PartNorms parts(assembly.takeParts(), connection.areaOf);
-  Vector field = startingField(surface, connection);
-  if (field.size() == 0)
-    return std::vector<Complex>();
-  parts.normalize(field);
-
-  Ordering ordering;
-  Eigen::AMDOrdering<std::int64_t>()(matrix.selfadjointView<Eigen::Upper>(), ordering);
-  Matrix ordered(matrix.rows(), matrix.cols());
-  ordered.selfadjointView<Eigen::Upper>() =
-      matrix.selfadjointView<Eigen::Upper>().twistedBy(ordering.inverse());
-  const Error tangled{ErrorKind::badInput,
-                      "its triangles hang together as those of no surface do: the directions on "
-                      "them cannot be found"};
-  if (!factorFits(ordered, kMostEntries, kMostProducts))
-    return tangled;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<std::int64_t>> factor;
-  factor.compute(ordered);
-  if (factor.info() != Eigen::Success)
-    return tangled;
+  const Eigen::Map<const Eigen::VectorXd> weights(areas.data(), Eigen::Index(areas.size()));
   for (int step = 0; step < kMostSteps; ++step) {
-    Vector right = field;
-    for (std::size_t v = 0; v < connection.areaOf.size(); ++v)
-      right[Eigen::Index(v)] *= connection.areaOf[v];
-    const Vector permuted = ordering.inverse() * right;
-    Vector next = ordering * Vector(factor.solve(permuted));
+    Vector next = factor.solve(weights.asDiagonal() * field);
     parts.normalize(next);
     const double moved = parts.distance(next, field);
     field.swap(next);
     if (moved < kConverged)
       break;
+    progress.reach(double(step + 1) / kMostSteps);
   }
+}
+
+} // namespace
+
+Result<std::vector<Complex>> smoothestField(const Surface& surface, const Connection& connection,
+                                            const ProgressPart& progress) {
+  constexpr double kFactorShare = 0.8; // of the time, on a million triangles
   std::vector<Complex> directions(surface.vertexCount());
+  if (directions.empty())
+    return directions;
+  Assembly assembly(surface, connection);
+  OrderedFactor factor;
+  if (!factor.compute(assembly.finish(connection.areaOf), progress.part(0.0, kFactorShare)))
+    return Error{ErrorKind::badInput,
+                 "its triangles hang together as those of no surface do: the directions on them "
+                 "cannot be found"};
+  const PartNorms parts(assembly.takeParts(), connection.areaOf);
+  Vector field = startingField(surface, connection);
+  parts.normalize(field);
+  iterate(factor, parts, connection.areaOf, field, progress.part(kFactorShare, 1.0));
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const Complex value = field[Eigen::Index(v)];
     directions[v] = std::abs(value) > 0.0 ? value / std::abs(value) : Complex(1.0);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "connection.h"
+#include "progress_part.h"
 
 #include <lichen/result.h>
 
@@ -11,7 +12,7 @@ namespace lichen::direction_field {
 
 /// A direction of absolute value 1 for each vertex of the surface. Errors: badInput where the
 /// system cannot be solved with the memory and time that a surface's takes. Throws std::bad_alloc.
-[[nodiscard]] Result<std::vector<Complex>> smoothestField(const Surface& surface,
-                                                          const Connection& connection);
+[[nodiscard]] Result<std::vector<Complex>>
+smoothestField(const Surface& surface, const Connection& connection, const ProgressPart& progress);
 
 } // namespace lichen::direction_field

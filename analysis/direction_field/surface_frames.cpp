@@ -122,13 +122,15 @@ std::vector<FrameSingularity> singularitiesOf(const JoinedMesh& mesh, const Dire
   return singularities;
 }
 
-Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>& places) {
+Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>& places,
+                             const Progress& progress) {
   const std::string title = scene.meshTitle(places.front().mesh);
   const Result<JoinedMesh> joined = join(scene, places);
   if (!joined)
     return joined.error();
   const JoinedMesh& mesh = joined.value();
-  const Result<DirectionField> field = directionField(mesh.positions, mesh.triangles, mesh.normals);
+  const Result<DirectionField> field =
+      directionField(mesh.positions, mesh.triangles, mesh.normals, progress);
   if (!field)
     return Error{field.error().kind,
                  scene.path().string() + ": " + title + ": " + field.error().message};
@@ -143,14 +145,18 @@ Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>
 } // namespace
 
 Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
-                                                 std::span<const std::size_t> materials) {
+                                                 std::span<const std::size_t> materials,
+                                                 const Progress& progress) {
   const auto add = [&]() -> Result<std::vector<MeshFrames>> {
     const auto places = placesWithoutFrame(scene, materials);
     if (!places)
       return places.error();
     std::vector<MeshFrames> all;
+    const auto meshes = double(places.value().size());
     for (const auto& [mesh, ofMesh] : places.value()) {
-      Result<MeshFrames> added = addToMesh(scene, ofMesh);
+      const auto done = double(all.size());
+      Result<MeshFrames> added =
+          addToMesh(scene, ofMesh, partOf(progress, done / meshes, (done + 1.0) / meshes));
       if (!added)
         return added.error();
       all.push_back(std::move(added).value());

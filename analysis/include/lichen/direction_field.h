@@ -3,6 +3,7 @@
 // coordinates. docs/theory.md, "Directions on a surface", has the method.
 #pragma once
 
+#include <lichen/progress.h>
 #include <lichen/result.h>
 
 #include <array>
@@ -52,6 +53,7 @@ inline constexpr std::size_t kMostFieldTriangles = std::size_t(1) << 21;
 /// triangles that hang together as no surface does; resources for memory or too many triangles.
 [[nodiscard]] Result<DirectionField> directionField(std::span<const Vector3> positions,
                                                     std::span<const std::uint32_t> triangles,
-                                                    std::span<const Vector3> normals = {});
+                                                    std::span<const Vector3> normals = {},
+                                                    const Progress& progress = {});
 
 } // namespace lichen

@@ -31,6 +31,7 @@ struct MeshFrames {
 /// refuses, and for a material that needs tangents of its texture coordinates, which would be lost;
 /// resources.
 [[nodiscard]] Result<std::vector<MeshFrames>>
-addSurfaceFrames(GltfScene& scene, std::span<const std::size_t> materials);
+addSurfaceFrames(GltfScene& scene, std::span<const std::size_t> materials,
+                 const Progress& progress = {});
 
 } // namespace lichen
