@@ -61,6 +61,23 @@ std::vector<double> quadraticForm(const Plane& a, int order, int lagX, int lagY)
   return sum;
 }
 
+/// Weights of 1, 2, 1 along each axis.
+Plane smoothed(const Plane& rough) {
+  Plane smooth = rough;
+  for (int y = 0; y < rough.height; ++y)
+    for (int x = 0; x < rough.width; ++x)
+      for (std::size_t c = 0; c < rough.channels; ++c) {
+        double sum = 0.0;
+        for (int k = 0; k < 9; ++k)
+          sum += (2 - std::abs(k % 3 - 1)) * (2 - std::abs(k / 3 - 1)) *
+                 rough.at(x + k % 3 - 1, y + k / 3 - 1, c) / 16.0;
+        smooth
+            .values[(std::size_t(y) * std::size_t(rough.width) + std::size_t(x)) * rough.channels +
+                    c] = sum;
+      }
+  return smooth;
+}
+
 double trace(const std::vector<double>& matrix, std::size_t n) {
   double sum = 0.0;
   for (std::size_t i = 0; i < n; ++i)
@@ -152,6 +169,8 @@ std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int ste
         plane.values.push_back((shared + 0.5 * gaussian(generator)) * bell(x, plane.width) *
                                bell(y, plane.height));
     }
+  for (int pass = 0; pass < texton.smoothings; ++pass)
+    plane = smoothed(plane);
   const double variance =
       trace(quadraticForm(plane, texton.order, 0, 0), plane.channels) / texton.channels;
   for (double& value : plane.values)

@@ -130,7 +130,7 @@ struct Twins {
 /// Orders, formats and numbers of channels; no side is a multiple of a coarse texel.
 const std::vector<SyntheticTexton> kTextons = {
     {},
-    {.coefficientsX = 8, .coefficientsY = 30, .order = 1, .channels = 2},
+    {.coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
     {.order = 3},
     {.order = 3, .mipLevels = 1, .channels = 1},
     {.order = 1, .steps = 3, .channels = 1}};
