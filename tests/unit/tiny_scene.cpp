@@ -53,6 +53,10 @@ TinyScene tableScene() {
   scene.json["accessors"][pyramid]["max"] = {1, 1, 1};
   const std::size_t faces = scene.addAccessor(
       std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}, "SCALAR", kUnsignedShort, 1);
+  constexpr int kVertices = 34962, kIndices = 34963;
+  for (const std::size_t accessor : {square, normals, texCoords, indices, pyramid, faces})
+    scene.json["bufferViews"][accessor]["target"] =
+        accessor == indices || accessor == faces ? kIndices : kVertices;
   scene.json["materials"] = {
       {{"name", "wood"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 0.125, 1.0}}}}},
       {{"name", "glass"}, {"doubleSided", true}}};
