@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Bundles -> one bundle: tables renumbered, names made unique.
+#include "extension_writer.h"
+
 #include <lichen/bundle_merge.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,32 @@ bool isSameImage(const Table& a, const Table& b) {
          a.mipLevels == b.mipLevels && a.texels == b.texels;
 }
 
+/// The index of the table among others, to which it is added if none is like it.
+std::size_t placeTable(std::vector<Table>& all, const Table& table, const std::string& name) {
+  const auto same = std::find_if(all.begin(), all.end(),
+                                 [&](const Table& other) { return isSameImage(other, table); });
+  if (same != all.end())
+    return std::size_t(same - all.begin());
+  all.push_back(table);
+  all.back().name = name;
+  return all.size() - 1;
+}
+
+/// Puts the tables of a noise of `from` among those of `into`, for a noise called `name`.
+void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::string& name) {
+  const auto placed = [&](std::size_t index) {
+    const Table& table = from.tables[index];
+    const bool isNamedAfterNoise = table.name.starts_with(noise.name + ".");
+    return placeTable(into.tables, table,
+                      isNamedAfterNoise ? name + table.name.substr(noise.name.size()) : table.name);
+  };
+  for (NoiseMap& map : noise.maps) {
+    map.image = placed(map.image);
+    if (map.inverseTable)
+      map.inverseTable = placed(*map.inverseTable);
+  }
+}
+
 /// Gathers bundles one after the other.
 class Merger {
 public:
@@ -30,25 +57,11 @@ public:
   [[nodiscard]] MergedBundle finish() && { return std::move(merged_); }
 
 private:
-  std::size_t place(Table table);
   void addNoise(const NamedBundle& input, std::size_t index);
 
   MergedBundle merged_;
   std::set<std::string> noiseNames_, materialNames_;
-  /// Of the bundle being added: where its tables were placed, filled as maps need them.
-  std::map<std::size_t, std::size_t> places_;
 };
-
-/// The index of the table among those gathered.
-std::size_t Merger::place(Table table) {
-  std::vector<Table>& all = merged_.bundle.tables;
-  const auto same = std::find_if(all.begin(), all.end(),
-                                 [&](const Table& other) { return isSameImage(other, table); });
-  if (same != all.end())
-    return std::size_t(same - all.begin());
-  all.push_back(std::move(table));
-  return all.size() - 1;
-}
 
 void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   Bundle& bundle = merged_.bundle;
@@ -57,21 +70,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   if (name != noise.name)
     merged_.notes.push_back(input.file + ": noise '" + noise.name + "' is named '" + name +
                             "', since another has that name");
-  const auto placed = [&](std::size_t table) {
-    const auto [entry, isNew] = places_.try_emplace(table, 0);
-    if (isNew) {
-      Table copy = input.bundle.tables[table];
-      if (copy.name.starts_with(noise.name + "."))
-        copy.name.replace(0, noise.name.size(), name);
-      entry->second = place(std::move(copy));
-    }
-    return entry->second;
-  };
-  for (NoiseMap& map : noise.maps) {
-    map.image = placed(map.image);
-    if (map.inverseTable)
-      map.inverseTable = placed(*map.inverseTable);
-  }
+  placeTables(bundle, input.bundle, noise, name);
 
   MaterialNoise use;
   std::string materialName = name;
@@ -105,13 +104,36 @@ Result<void> Merger::add(const NamedBundle& input) {
   }
   if (input.bundle.noises.empty())
     return Error{ErrorKind::badInput, input.file + ": has no noise; a bundle with one is accepted"};
-  places_.clear();
   for (std::size_t n = 0; n < input.bundle.noises.size(); ++n)
     addNoise(input, n);
   return {};
 }
 
+/// All of a noise but its name.
+JsonTree contentOf(Noise noise) {
+  noise.name.clear();
+  return describeNoise(noise);
+}
+
 } // namespace
+
+std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
+                       std::set<std::string> taken) {
+  Noise noise = from.noises[index];
+  const std::size_t tablesBefore = into.tables.size();
+  const std::string name = uniqueName(noise.name, taken);
+  placeTables(into, from, noise, name);
+  if (into.tables.size() == tablesBefore) { // else it cannot be there
+    const JsonTree content = contentOf(noise);
+    const auto same = std::find_if(into.noises.begin(), into.noises.end(),
+                                   [&](const Noise& other) { return contentOf(other) == content; });
+    if (same != into.noises.end())
+      return std::size_t(same - into.noises.begin());
+  }
+  noise.name = name;
+  into.noises.push_back(std::move(noise));
+  return into.noises.size() - 1;
+}
 
 Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs) {
   return withinMemory([] { return "not enough memory to merge the bundles"; },

@@ -2,6 +2,7 @@
 // A bundle and its preview -> GLB, or .gltf and .bin. Source: glTF 2.0 specification, section 4.
 #include "extension_writer.h"
 #include "findings.h"
+#include "gltf_output.h"
 #include "preview_material.h"
 #include "preview_scene.h"
 
@@ -108,24 +109,6 @@ Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   return glb;
 }
 
-/// A file name as a relative URI: everything but unreserved characters (RFC 3986) as %XX.
-std::string uriOf(const std::string& fileName) {
-  constexpr std::string_view kHex = "0123456789ABCDEF";
-  std::string uri;
-  for (const char c : fileName) {
-    const bool unreserved = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                            (c >= '0' && c <= '9') ||
-                            std::string_view("-._~").find(c) != std::string_view::npos;
-    if (unreserved) {
-      uri += c;
-    } else {
-      const auto code = static_cast<unsigned char>(c);
-      uri += {'%', kHex[code >> 4u], kHex[code & 15u]};
-    }
-  }
-  return uri;
-}
-
 /// Runs `operation`, which returns a Result, with its exceptions turned into errors.
 template <class Operation>
 auto guarded(const Operation& operation) -> decltype(operation()) {
@@ -139,69 +122,11 @@ auto guarded(const Operation& operation) -> decltype(operation()) {
                       });
 }
 
-constexpr std::size_t kHashDigits = 8;
-
-/// FNV-1a of 32 bits in hexadecimal (Fowler, Noll, Vo; draft-eastlake-fnv): enough to tell apart
-/// the few binaries that one stem ever has.
-std::string hashOf(std::span<const std::byte> bytes) {
-  std::uint32_t hash = 0x811c9dc5u;
-  for (const std::byte b : bytes)
-    hash = (hash ^ std::to_integer<std::uint32_t>(b)) * 0x01000193u;
-  std::string digits(kHashDigits, '0');
-  for (std::size_t i = kHashDigits; i-- > 0; hash >>= 4u)
-    digits[i] = "0123456789abcdef"[hash & 15u];
-  return digits;
-}
-
-/// STEM.HASH.bin beside `path`.
-std::filesystem::path binaryBeside(const std::filesystem::path& path, const std::string& hash) {
-  return std::filesystem::path(path).replace_extension("." + hash + ".bin");
-}
-
-/// The binary that the .gltf at `path`, if there is one, names, if this writer named it.
-std::optional<std::filesystem::path> writtenBinary(const std::filesystem::path& path) {
-  const Result<std::vector<std::byte>> file = readFile(path);
-  if (!file)
-    return std::nullopt;
-  const std::variant<GltfContainer, Finding> opened = openGltf(file.value());
-  const auto* container = std::get_if<GltfContainer>(&opened);
-  if (container == nullptr)
-    return std::nullopt;
-  static const nlohmann::json::json_pointer uriPlace("/buffers/0/uri");
-  const nlohmann::json& document = container->document;
-  if (!document.contains(uriPlace) || !document[uriPlace].is_string())
-    return std::nullopt;
-  const auto& uri = document[uriPlace].get_ref<const std::string&>();
-  const std::string before = uriOf(path.stem().string()) + ".";
-  if (uri.size() < before.size() + kHashDigits)
-    return std::nullopt;
-  const std::string hash = uri.substr(before.size(), kHashDigits);
-  if (uri != before + hash + ".bin" ||
-      hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-    return std::nullopt;
-  return binaryBeside(path, hash);
-}
-
-/// The binary is named by its content and comes first: at every moment the .gltf, old or new, names
-/// a whole binary of its own.
 Result<void> writeGltf(const std::filesystem::path& path, Encoded encoded) {
   const std::vector<std::byte>& binary = encoded.binary;
-  const std::filesystem::path binaryPath = binaryBeside(path, hashOf(binary));
   encoded.root["buffers"].push_back(
-      {{"byteLength", binary.size()}, {"uri", uriOf(binaryPath.filename().string())}});
-  const std::string pretty = encoded.root.indented() + "\n";
-  const std::optional<std::filesystem::path> superseded = writtenBinary(path);
-
-  std::error_code ignored; // what cannot be removed is an unused file, no fault of the bundle
-  const bool existed = std::filesystem::exists(binaryPath, ignored);
-  if (Result<void> written = replaceFile(binaryPath, binary); !written)
-    return written;
-  Result<void> written = replaceFile(path, std::as_bytes(std::span(pretty)));
-  if (!written && !existed)
-    std::filesystem::remove(binaryPath, ignored);
-  if (written && superseded && *superseded != binaryPath)
-    std::filesystem::remove(*superseded, ignored);
-  return written;
+      {{"byteLength", binary.size()}, {"uri", binaryUri(path, binary)}});
+  return writeGltfPair(path, encoded.root.indented() + "\n", binary);
 }
 
 } // namespace

@@ -38,6 +38,8 @@ JsonTree describeShape(const TextonShape& shape) {
           {"steps", shape.steps}};
 }
 
+} // namespace
+
 JsonTree describeNoise(const Noise& noise) {
   JsonTree json = {{"name", noise.name},
                    {"method", nameOf(noise.method)},
@@ -51,20 +53,20 @@ JsonTree describeNoise(const Noise& noise) {
   return json;
 }
 
-} // namespace
+JsonTree describeTable(const Table& table, std::size_t bufferView) {
+  JsonTree json = JsonTree::object();
+  if (!table.name.empty())
+    json["name"] = table.name;
+  json["bufferView"] = bufferView;
+  json["mimeType"] = "image/ktx2";
+  return json;
+}
 
 JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder) {
-  // Texels then lie aligned in the buffer as they do in the KTX2 file: RGBA32F takes 16 bytes.
-  constexpr std::size_t kTableAlignment = 16;
   JsonTree json = {{"tables", JsonTree::array()}, {"noises", JsonTree::array()}};
-  for (const Table& table : bundle.tables) {
-    JsonTree entry = JsonTree::object();
-    if (!table.name.empty())
-      entry["name"] = table.name;
-    entry["bufferView"] = builder.addView(encodeKtx2(table), kTableAlignment);
-    entry["mimeType"] = "image/ktx2";
-    json["tables"].push_back(std::move(entry));
-  }
+  for (const Table& table : bundle.tables)
+    json["tables"].push_back(
+        describeTable(table, builder.addView(encodeKtx2(table), kTableAlignment)));
   for (const Noise& noise : bundle.noises)
     json["noises"].push_back(describeNoise(noise));
   return json;

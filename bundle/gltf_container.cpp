@@ -103,6 +103,8 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
       container.text = file.subspan(offset, length);
     else if (chunk == 1 && type == kGlbChunkBin)
       container.binaryChunk = file.subspan(offset, length);
+    else if (container.otherChunks.empty())
+      container.otherChunks = file.subspan(offset - kGlbChunkHeaderBytes);
     offset += length;
   }
   if (offset == kGlbHeaderBytes)
@@ -163,7 +165,8 @@ std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file) {
   }
 }
 
-std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary) {
+std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary,
+                                std::span<const std::byte> otherChunks) {
   const auto padded = [](std::size_t size) {
     return (size + kGlbAlignment - 1) / kGlbAlignment * kGlbAlignment;
   };
@@ -173,7 +176,8 @@ std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> bin
   std::vector<std::byte> glb;
   appendWord(glb, kGlbMagic);
   appendWord(glb, kGlbVersion);
-  appendWord(glb, kGlbHeaderBytes + kGlbChunkHeaderBytes + text.size() + binaryChunkSize);
+  appendWord(glb, kGlbHeaderBytes + kGlbChunkHeaderBytes + text.size() + binaryChunkSize +
+                      otherChunks.size());
   appendWord(glb, text.size());
   appendWord(glb, kGlbChunkJson);
   const auto textBytes = std::as_bytes(std::span(text));
@@ -184,6 +188,7 @@ std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> bin
     glb.insert(glb.end(), binary.begin(), binary.end());
     glb.resize(glb.size() + binarySize - binary.size());
   }
+  glb.insert(glb.end(), otherChunks.begin(), otherChunks.end());
   return glb;
 }
 

@@ -16,6 +16,9 @@ constexpr std::size_t kMaxBuffers = 4096;
 /// may name one big file in every buffer.
 constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
+/// [glTF 2.0, section 5.11.4]
+constexpr std::uint64_t kMaxStride = 252;
+
 /// Value of a base64 digit, or -1.
 int base64Digit(char c) {
   if (c >= 'A' && c <= 'Z')
@@ -138,13 +141,24 @@ Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::si
       return fault("data URI that is not sound base64");
     return bytes;
   }
+  const Result<std::filesystem::path> path = pathOf(uri);
+  return path ? readFileStart(path.value(), length) : path.error();
+}
+
+Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   const auto relative = decodePercent(uri);
   if (uri.find(':') != std::string::npos || !relative)
-    return fault("URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted");
+    return Error{ErrorKind::badInput,
+                 "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted"};
   const auto path = fileInside(folder_, *relative);
   if (!path)
-    return fault("URI " + quoted(uri) + " leads out of the file's folder");
-  return readFileStart(*path, length);
+    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " leads out of the file's folder"};
+  return *path;
+}
+
+Result<std::vector<std::byte>> GltfFile::readFileUri(const std::string& uri) const {
+  const Result<std::filesystem::path> path = pathOf(uri);
+  return path ? readFile(path.value()) : path.error();
 }
 
 bool GltfFile::loadBuffer(std::size_t index, Buffer& target, FindingList& findings) {
@@ -209,6 +223,18 @@ const GltfFile::Buffer& GltfFile::buffer(std::size_t index, FindingList& finding
 
 std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index,
                                                                FindingList& findings) {
+  if (const json* view = element(document(), "bufferViews", index);
+      view != nullptr && view->contains("byteStride")) {
+    findings.error("buffer-view", "/bufferViews/" + std::to_string(index) + "/byteStride",
+                   "not accepted on a table's bytes");
+    return std::nullopt;
+  }
+  const std::optional<StridedView> view = stridedView(index, findings);
+  return view ? std::optional(view->bytes) : std::nullopt;
+}
+
+std::optional<GltfFile::StridedView> GltfFile::stridedView(std::size_t index,
+                                                           FindingList& findings) {
   const std::string pointer = "/bufferViews/" + std::to_string(index);
   const json* view = element(document(), "bufferViews", index);
   if (view == nullptr) {
@@ -218,29 +244,36 @@ std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index
   const auto bufferIndex = countMember(*view, "buffer", std::nullopt);
   const auto offset = countMember(*view, "byteOffset", 0);
   const auto length = countMember(*view, "byteLength", std::nullopt);
+  const auto stride = countMember(*view, "byteStride", 0);
   if (!bufferIndex || *bufferIndex >= buffers_.size()) {
     findings.error("buffer-view", pointer + "/buffer", "not the index of a buffer");
     return std::nullopt;
   }
-  if (!offset || !length || *length == 0) {
+  if (!offset || !length || *length == 0 || !stride || *stride > kMaxStride) {
     findings.error("buffer-view", pointer,
-                   "byteOffset and byteLength must be integers, the length positive");
+                   "byteOffset, byteLength and byteStride must be integers, the length positive, "
+                   "the stride at most " +
+                       std::to_string(kMaxStride));
     return std::nullopt;
   }
-  if (view->contains("byteStride")) {
-    findings.error("buffer-view", pointer + "/byteStride", "not accepted on a table's bytes");
+  const std::optional<std::span<const std::byte>> source =
+      wholeBuffer(std::size_t(*bufferIndex), findings);
+  if (!source)
     return std::nullopt;
-  }
-  const Buffer& source = buffer(std::size_t(*bufferIndex), findings);
-  if (!source.usable)
-    return std::nullopt;
-  if (*offset > source.bytes.size() || *length > source.bytes.size() - *offset) {
+  if (*offset > source->size() || *length > source->size() - *offset) {
     findings.error("buffer-view", pointer,
                    std::to_string(*length) + " bytes at " + std::to_string(*offset) +
-                       " pass the end of a buffer of " + std::to_string(source.bytes.size()));
+                       " pass the end of a buffer of " + std::to_string(source->size()));
     return std::nullopt;
   }
-  return source.bytes.subspan(std::size_t(*offset), std::size_t(*length));
+  return StridedView{source->subspan(std::size_t(*offset), std::size_t(*length)),
+                     std::size_t(*stride)};
+}
+
+std::optional<std::span<const std::byte>> GltfFile::wholeBuffer(std::size_t index,
+                                                                FindingList& findings) {
+  const Buffer& source = buffer(index, findings);
+  return source.usable ? std::optional(source.bytes) : std::nullopt;
 }
 
 std::size_t GltfFile::loadedBytes() const {

@@ -18,10 +18,24 @@ public:
   open(std::span<const std::byte> file, std::filesystem::path folder, FindingList& findings);
 
   [[nodiscard]] const nlohmann::json& document() const { return container_.document; }
+  [[nodiscard]] const GltfContainer& container() const { return container_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// The bytes of a buffer view, in bounds. Faults are recorded once for each view or buffer.
+  /// The bytes of a buffer view of a table, in bounds. Faults are recorded once for each view or
+  /// buffer.
   [[nodiscard]] std::optional<std::span<const std::byte>> bufferView(std::size_t index,
                                                                      FindingList& findings);
+  /// As above of a view with vertices, whose elements may lie apart.
+  struct StridedView {
+    std::span<const std::byte> bytes;
+    std::size_t stride = 0; ///< from element to element; 0 where they follow one another
+  };
+  [[nodiscard]] std::optional<StridedView> stridedView(std::size_t index, FindingList& findings);
+  /// The bytes of a buffer.
+  [[nodiscard]] std::optional<std::span<const std::byte>> wholeBuffer(std::size_t index,
+                                                                      FindingList& findings);
+  /// The whole of a file that a relative URI names.
+  [[nodiscard]] Result<std::vector<std::byte>> readFileUri(const std::string& uri) const;
   /// Bytes of the buffers loaded so far.
   [[nodiscard]] std::size_t loadedBytes() const;
 
@@ -35,6 +49,8 @@ private:
 
   const Buffer& buffer(std::size_t index, FindingList& findings);
   [[nodiscard]] bool loadBuffer(std::size_t index, Buffer& target, FindingList& findings);
+  /// The file that a URI names inside the folder, or what is wrong.
+  [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
   /// The first `length` bytes of what a URI names, or what is wrong. A file must have them, a data
   /// URI may be shorter.
   [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,

@@ -30,6 +30,7 @@ struct SharedOptions {
 /// Declares the options of a verb. When the verb was given, the returned function runs it: the exit
 /// code, or the error that ended it. `shared`, whose options main.cpp declares, outlives both.
 using Runner = std::function<Result<int>()>;
+[[nodiscard]] Runner addApply(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCheck(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);

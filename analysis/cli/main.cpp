@@ -29,6 +29,7 @@ constexpr Verb kVerbs[] = {
     {"check", "Look for faults in a bundle", addCheck},
     {"compare", "Measure a result against its exemplar", addCompare},
     {"merge", "Put several noises in one bundle", addMerge},
+    {"apply", "Put a noise on materials of a scene", addApply},
 };
 
 std::string verbNames() {

@@ -6,6 +6,7 @@
 #include "comparison.h"
 #include "exemplar/resample.h"
 #include "fit.h"
+#include "model_covariance.h"
 #include "progress_part.h"
 #include "texton_table.h"
 #include "tiling/map_ranges.h"
@@ -87,21 +88,6 @@ JointExemplar joined(std::span<const MapExemplar> maps) {
   joint.covariance =
       gains.asDiagonal() * covarianceOf(joint.values, joint.channels, ignored) * gains.asDiagonal();
   return joint;
-}
-
-/// The covariance of the Gaussian texture itself.
-MatrixXd modelCovariance(const GaussianModel& model) {
-  const auto n = Eigen::Index(model.channels.size());
-  MatrixXd sum = MatrixXd::Zero(n, n);
-  for (int v = 0; v < model.height(); ++v)
-    for (int u = 0; u < model.channels[0].columns(); ++u)
-      for (Eigen::Index a = 0; a < n; ++a)
-        for (Eigen::Index b = 0; b <= a; ++b)
-          sum(a, b) += model.channels[0].multiplicity(u) *
-                       double(std::real(model.channels[std::size_t(a)].at(u, v) *
-                                        std::conj(model.channels[std::size_t(b)].at(u, v))));
-  sum /= double(model.width()) * double(model.height());
-  return sum.selfadjointView<Eigen::Lower>();
 }
 
 /// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
@@ -225,6 +211,14 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   const JointExemplar joint = joined(maps);
   const GaussianModel model =
       gaussianModel(joint.values, joint.width, joint.height, int(joint.channels));
+  const MatrixXd modelled = modelCovariance(model);
+  const MatrixXd wanted =
+      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
+  const Error unmodelled{ErrorKind::badInput, "the exemplar varies only from one border to the "
+                                              "other, and no texton does; a photograph with "
+                                              "detail, or another method, is accepted"};
+  if (!isModelled(modelled, wanted))
+    return unmodelled;
   TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
 
   TextonBake bake;
@@ -236,12 +230,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);
 
-  const MatrixXd wanted =
-      options.variance == TextonVariance::exemplar ? joint.covariance : modelCovariance(model);
   if (!correctCovariance(coefficients, options.order, wanted))
-    return Error{ErrorKind::badInput,
-                 "the exemplar varies only from one border to the other, and no texton does; a "
-                 "photograph with detail, or another method, is accepted"};
+    return unmodelled;
   bake.quality.covarianceError = (noiseCovariance(coefficients, options.order) - wanted).norm() /
                                  std::max(wanted.norm(), 1e-30);
 

@@ -94,10 +94,12 @@ nlohmann::json& anyValue(nlohmann::json& root, Random& random) {
 }
 
 void mutateJson(nlohmann::json& root, Random& random) {
-  const std::array<nlohmann::json, 14> replacements = {nullptr,
+  const std::array<nlohmann::json, 17> replacements = {nullptr,
                                                        true,
                                                        0,
                                                        1,
+                                                       2,
+                                                       3,
                                                        -1,
                                                        0.5,
                                                        1e300,
@@ -105,6 +107,7 @@ void mutateJson(nlohmann::json& root, Random& random) {
                                                        18446744073709551615u,
                                                        "",
                                                        "uv",
+                                                       "texton",
                                                        nlohmann::json::array(),
                                                        nlohmann::json::object(),
                                                        std::string(100, 'x')};

@@ -125,6 +125,19 @@ TEST_CASE("one exemplar spans the same area everywhere on the ball and on the gr
   }
 }
 
+TEST_CASE("an exemplar keeps the shape on the ground that its textons tell") {
+  BundleFile file = example::smallestTexton();
+  file.bundle.noises[0].texton.texelsPerTileX *= 3; // of an image as wide as high
+  file.shape = PreviewShape::plane;
+  GlbParts parts(encodeGlb(file).value());
+  const Geometry ground(parts, parts.json["meshes"][0]["primitives"][0]);
+  REQUIRE_FALSE(ground.indices.empty());
+  for (std::size_t i = 0; i < ground.indices.size(); i += 3) {
+    const Triangle triangle(ground, i);
+    CHECK(triangle.uvArea / triangle.area == Approx(1.5 * (3.0 * 1.5)).epsilon(0.02));
+  }
+}
+
 TEST_CASE("tangents are unit vectors in the surface along u, and are there exactly with a normal "
           "texture") {
   for (const PreviewShape shape : {PreviewShape::sphere, PreviewShape::plane}) {

@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,5 +28,11 @@ struct MergedBundle {
 /// Errors: badInput, naming the file, for a bundle without noises or with one of a revision that
 /// this version cannot carry over; resources when memory does not suffice.
 [[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);
+
+/// The place in `into` of a noise of `from`: that of one which is the same but for its name, else
+/// behind the others, with its tables, of which those that are there already are shared, and a
+/// number behind a name in `taken`. Throws std::bad_alloc.
+[[nodiscard]] std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
+                                     std::set<std::string> taken);
 
 } // namespace lichen

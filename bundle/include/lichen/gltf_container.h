@@ -23,6 +23,8 @@ struct GltfContainer {
   std::span<const std::byte> text; ///< of the document, borrowed from the file's bytes
   /// Of a GLB that has one; borrowed too.
   std::optional<std::span<const std::byte>> binaryChunk;
+  /// The chunks of a GLB behind those two, with their headers: nobody knows what they hold.
+  std::span<const std::byte> otherChunks;
 };
 
 /// The code of the fault of a file that is no glTF at all.
@@ -33,8 +35,10 @@ inline constexpr const char* kNotGltf = "not-gltf";
 /// suffice.
 [[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);
 
-/// A GLB of a JSON text and a binary chunk, which may be empty. Below 4 GiB. Throws std::bad_alloc.
-[[nodiscard]] std::vector<std::byte> frameGlb(std::string json, std::span<const std::byte> binary);
+/// A GLB of a JSON text, a binary chunk, which may be empty, and whole chunks behind it. Below
+/// 4 GiB. Throws std::bad_alloc.
+[[nodiscard]] std::vector<std::byte> frameGlb(std::string json, std::span<const std::byte> binary,
+                                              std::span<const std::byte> otherChunks = {});
 
 /// The file that a relative path names, or nothing when it lies outside the folder, by its words or
 /// through a link. `folder` empty: nothing lies inside it.

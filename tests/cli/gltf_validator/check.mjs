@@ -24,27 +24,37 @@ function check(ok, what) {
   console.log(`${ok ? 'ok  ' : 'FAIL'} ${what}`);
 }
 
-/** JSON and buffer of a GLB or of a .gltf with one file beside it. */
+/** JSON and buffers of a GLB or of a .gltf with files beside it. */
 function readAsset(file) {
   const bytes = fs.readFileSync(file);
   if (file.endsWith('.gltf')) {
     const json = JSON.parse(bytes);
-    const uri = decodeURIComponent(json.buffers[0].uri);
-    return { json, binary: fs.readFileSync(path.join(path.dirname(file), uri)) };
+    const binaries = json.buffers.map(({ uri }) =>
+      fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri))));
+    return { json, binaries };
   }
   const textBytes = bytes.readUInt32LE(12);
   return {
     json: JSON.parse(bytes.subarray(20, 20 + textBytes)),
-    binary: bytes.subarray(20 + textBytes + 8),
+    binaries: [bytes.subarray(20 + textBytes + 8)],
   };
 }
 
-/** The infos that a bundle must have: the unknown extension, the views that only it uses, and
- * materials that nothing shows when there is no scene. */
+/** The infos that a bundle must have: the unknown extension, the views that only it uses,
+ * attributes that only noise uses, and materials that nothing shows when there is no scene. */
 function expectedInfos(json) {
   const infos = [`UNSUPPORTED_EXTENSION /extensionsUsed/${json.extensionsUsed.indexOf(EXTENSION)}`];
   for (const table of json.extensions[EXTENSION].tables)
     infos.push(`UNUSED_OBJECT /bufferViews/${table.bufferView}`);
+  const hasTexture = (material) => JSON.stringify(material).includes('Texture"');
+  json.meshes?.forEach(({ primitives }, mesh) => primitives.forEach((primitive, index) => {
+    const material = json.materials[primitive.material];
+    const pointer = `/meshes/${mesh}/primitives/${index}/attributes`;
+    if (primitive.attributes.TANGENT !== undefined && !material.normalTexture)
+      infos.push(`UNUSED_MESH_TANGENT ${pointer}/TANGENT`);
+    if (primitive.attributes.TEXCOORD_0 !== undefined && !hasTexture(material))
+      infos.push(`UNUSED_OBJECT ${pointer}/TEXCOORD_0`);
+  }));
   if (!json.meshes) json.materials.forEach((_, i) => infos.push(`UNUSED_OBJECT /materials/${i}`));
   return infos.sort();
 }
@@ -122,11 +132,11 @@ const FORMATS = new Map([[9, [1, 1]], [16, [2, 1]], [37, [4, 1]], [43, [4, 1]], 
   [83, [4, 2]], [97, [8, 2]], [100, [4, 4]], [109, [16, 4]]]);
 
 function checkTables(file) {
-  const { json, binary } = readAsset(file);
+  const { json, binaries } = readAsset(file);
   let sound = true;
   for (const table of json.extensions[EXTENSION].tables) {
-    const { byteOffset, byteLength } = json.bufferViews[table.bufferView];
-    const ktx = readKtx(new Uint8Array(binary.subarray(byteOffset, byteOffset + byteLength)));
+    const { buffer, byteOffset, byteLength } = json.bufferViews[table.bufferView];
+    const ktx = readKtx(new Uint8Array(binaries[buffer].subarray(byteOffset, byteOffset + byteLength)));
     const [texelBytes, typeSize] = FORMATS.get(ktx.vkFormat);
     const descriptor = ktx.dataFormatDescriptor[0];
     sound &&= ktx.typeSize === typeSize && ktx.supercompressionScheme === 0 && ktx.faceCount === 1;

@@ -2,7 +2,9 @@
 // write_validator_samples FOLDER: bundles of every kind of map, in every preview shape and both
 // file forms, and images of material sets to bake.
 #include "bundle_example.h"
+#include "tiny_scene.h"
 
+#include <lichen/files.h>
 #include <lichen/image_io.h>
 
 #include <cstdio>
@@ -35,6 +37,20 @@ Result<void> writeSets(const std::filesystem::path& folder) {
   return {};
 }
 
+/// A scene of another's, as one file and as two, and a noise for its surfaces.
+Result<void> writeScenes(const std::filesystem::path& folder) {
+  const example::TinyScene scene = example::tableScene();
+  const std::string text = scene.gltf("table.bin");
+  for (const Result<void>& written :
+       {replaceFile(folder / "table.glb", scene.glb()),
+        replaceFile(folder / "table.bin", scene.binary),
+        replaceFile(folder / "table.gltf", std::as_bytes(std::span(text))),
+        writeBundle(folder / "wool.glb", example::smallTexton())})
+    if (!written)
+      return written;
+  return {};
+}
+
 } // namespace
 
 int main(int argumentCount, char** arguments) {
@@ -60,9 +76,10 @@ int main(int argumentCount, char** arguments) {
       return 1;
     }
   }
-  if (const Result<void> written = writeSets(arguments[1]); !written) {
-    std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return 1;
-  }
+  for (const Result<void>& written : {writeSets(arguments[1]), writeScenes(arguments[1])})
+    if (!written) {
+      std::fprintf(stderr, "%s\n", written.error().message.c_str());
+      return 1;
+    }
   return 0;
 }

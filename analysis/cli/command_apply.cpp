@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// lichen apply: a noise on the materials of an existing scene.
+#include "command.h"
+#include "noise_choice.h"
+#include "options.h"
+#include "progress_line.h"
+
+#include <lichen/surface_frames.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <memory>
+
+namespace lichen::cli {
+namespace {
+
+struct Arguments {
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
+  std::string scene;
+  std::string noise;
+  std::string material;
+  Mapping mapping{};
+  std::optional<double> scale;
+  std::string output;
+};
+
+/// What was done, for the report.
+struct Outcome {
+  AppliedNoise noise;
+  std::vector<std::string> materials;
+  std::vector<MeshFrames> frames;
+  std::vector<std::string> notes;
+};
+
+/// BUNDLE:NAME, split at the last colon where a file is in front of it and none is the whole.
+std::pair<std::string, std::string> splitNoise(const std::string& text) {
+  std::error_code ignored;
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || std::filesystem::exists(text, ignored) ||
+      !std::filesystem::exists(text.substr(0, colon), ignored))
+    return {text, ""};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+/// The parameters of the first material of the bundle that uses the noise, which the user has seen
+/// it with.
+MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Arguments& arguments) {
+  MaterialNoise use;
+  for (const std::optional<MaterialNoise>& material : bundle.materials)
+    if (material && material->noise == noise) {
+      use = *material;
+      break;
+    }
+  use.mapping = arguments.mapping;
+  use.texCoord = 0;
+  use.scale = arguments.scale.value_or(use.scale);
+  return use;
+}
+
+/// The materials that were named: all, those of one name, or one by its index.
+Result<std::vector<std::size_t>> findMaterials(const GltfScene& scene, const std::string& wanted) {
+  const std::size_t count = scene.materialCount();
+  const auto refuse = [&](const std::string& what) {
+    return Error{ErrorKind::usage,
+                 fmt::format("--material {}: {} {}", wanted, scene.path().string(), what)};
+  };
+  if (count == 0)
+    return Error{ErrorKind::badInput,
+                 scene.path().string() + ": has no materials; a scene with one is accepted"};
+  std::vector<std::size_t> found;
+  std::vector<std::string> titles;
+  for (std::size_t m = 0; m < count; ++m) {
+    const nlohmann::json& material = scene.document()["materials"][m];
+    const auto name = material.find("name");
+    titles.push_back(std::to_string(m));
+    if (name != material.end() && name->is_string()) {
+      titles.back() += fmt::format(" '{}'", name->get<std::string>());
+      if (*name == wanted && wanted != "all")
+        found.push_back(m);
+    }
+    if (wanted == "all")
+      found.push_back(m);
+  }
+  if (found.size() > 1 && wanted != "all")
+    return refuse(
+        fmt::format("has that name for {}; an index is accepted", fmt::join(found, ", ")));
+  std::size_t index = 0;
+  const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (found.empty() && code == std::errc{} && end == wanted.data() + wanted.size() && index < count)
+    found.push_back(index);
+  if (!found.empty())
+    return found;
+  constexpr std::size_t kMostNamed = 12;
+  const bool isMore = titles.size() > kMostNamed;
+  titles.resize(std::min(titles.size(), kMostNamed));
+  return refuse(fmt::format("has {}{}", fmt::join(titles, ", "), isMore ? " and others" : ""));
+}
+
+/// Whether the noise's method has the mapping at all.
+Result<void> checkMapping(const Noise& noise, Mapping mapping) {
+  if (mappingFits(noise.method, mapping))
+    return {};
+  std::vector<std::string> accepted;
+  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+    if (mappingFits(noise.method, each))
+      accepted.emplace_back(nameOf(each));
+  return Error{ErrorKind::usage,
+               fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
+                           "{} is accepted",
+                           nameOf(mapping), noise.name, nameOf(noise.method),
+                           alternatives(accepted))};
+}
+
+/// Whether all that has one of the materials has the texture coordinates.
+Result<void> checkTexCoords(const GltfScene& scene, const std::vector<std::size_t>& materials,
+                            int texCoord) {
+  const std::string name = fmt::format("TEXCOORD_{}", texCoord);
+  for (const std::size_t material : materials)
+    for (const PrimitivePlace place : scene.primitivesOf(material))
+      if (!scene.attribute(place, name))
+        return Error{ErrorKind::badInput,
+                     fmt::format("{}: {} with {} has no {}, which --mapping uv needs; another "
+                                 "mapping is accepted",
+                                 scene.path().string(), scene.primitiveTitle(place),
+                                 scene.materialTitle(material), name)};
+  return {};
+}
+
+/// Whether all components of a factor, but for alpha, are 1.
+bool isOne(const nlohmann::json& factor) {
+  constexpr std::size_t kColors = 3;
+  if (!factor.is_array())
+    return factor == 1.0;
+  return std::all_of(factor.begin(),
+                     factor.begin() + std::ptrdiff_t(std::min(factor.size(), kColors)),
+                     [](const nlohmann::json& component) { return component == 1.0; });
+}
+
+/// Says what of the material changes the look of the noise.
+void noteMaterial(const GltfScene& scene, std::size_t material, const Noise& noise,
+                  std::vector<std::string>& notes) {
+  using nlohmann::json;
+  struct Factor {
+    const char* pointer;
+    MapTarget target;
+    MapChannel channel;
+    double preset; // where the material has no such factor
+  };
+  constexpr std::array<Factor, 4> kFactors{
+      {{"/pbrMetallicRoughness/baseColorFactor", MapTarget::baseColor, MapChannel::red, 1.0},
+       {"/pbrMetallicRoughness/metallicFactor", MapTarget::occlusionRoughnessMetallic,
+        MapChannel::metallic, 1.0},
+       {"/pbrMetallicRoughness/roughnessFactor", MapTarget::occlusionRoughnessMetallic,
+        MapChannel::roughness, 1.0},
+       {"/emissiveFactor", MapTarget::emissive, MapChannel::red, 0.0}}};
+  const json& core = scene.document()["materials"][material];
+  std::vector<std::string> names;
+  for (const Factor& factor : kFactors) {
+    const std::optional<std::size_t> map = findMap(noise, factor.target);
+    if (!map)
+      continue;
+    const std::vector<MapChannel>& channels = noise.maps[*map].channels;
+    const json::json_pointer place(factor.pointer);
+    const json value = core.contains(place) ? core[place] : json(factor.preset);
+    if (std::find(channels.begin(), channels.end(), factor.channel) != channels.end() &&
+        !isOne(value))
+      names.push_back(fmt::format("{} {}", place.back(), value.dump()));
+  }
+  const std::string title =
+      fmt::format("{}: {}", scene.path().string(), scene.materialTitle(material));
+  if (!names.empty())
+    notes.push_back(fmt::format("{}: {} multiplies the noise; 1 shows it as it was baked", title,
+                                fmt::join(names, ", ")));
+  if (core.contains(json::json_pointer("/extensions/KHR_materials_unlit")))
+    notes.push_back(title + ": is unlit, so that the noise is not shown");
+}
+
+/// That the noise has another name in the scene than in its bundle.
+void noteName(const std::string& scene, const std::string& name, const AppliedNoise& applied,
+              std::vector<std::string>& notes) {
+  if (applied.name == name)
+    return;
+  notes.push_back(fmt::format(
+      "{}: noise '{}' is {} '{}'", scene, name,
+      applied.isNew ? "given a name that no other has," : "there already, as", applied.name));
+}
+
+void noteFrames(const Outcome& outcome, const GltfScene& scene, std::vector<std::string>& notes) {
+  for (const MeshFrames& frames : outcome.frames) {
+    const std::string title = scene.path().string() + ": " + frames.mesh;
+    if (frames.hasNewNormals)
+      notes.push_back(title + ": had no normals and is given smooth ones");
+    if (!frames.singularities.empty())
+      notes.push_back(fmt::format("{}: the frame has {} singular {}, around which the noise turns",
+                                  title, frames.singularities.size(),
+                                  frames.singularities.size() == 1 ? "triangle" : "triangles"));
+  }
+}
+
+nlohmann::ordered_json describe(const MeshFrames& frames) {
+  nlohmann::ordered_json singularities = nlohmann::ordered_json::array();
+  for (const FrameSingularity& singularity : frames.singularities)
+    singularities.push_back({{"position", singularity.position}, {"index", singularity.index}});
+  nlohmann::ordered_json components = nlohmann::ordered_json::array();
+  for (const FieldComponent& component : frames.components)
+    components.push_back({{"triangles", component.triangles},
+                          {"closed", component.isClosed},
+                          {"eulerCharacteristic", component.eulerCharacteristic},
+                          {"singularities", component.singularities}});
+  return {{"mesh", frames.mesh},
+          {"triangles", frames.triangles},
+          {"newNormals", frames.hasNewNormals},
+          {"components", components},
+          {"singularities", singularities}};
+}
+
+void report(const Arguments& arguments, const Outcome& outcome, double seconds) {
+  if (arguments.shared.json) {
+    nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+    for (const MeshFrames& each : outcome.frames)
+      frames.push_back(describe(each));
+    const nlohmann::ordered_json json{{"output", arguments.output},
+                                      {"noise", outcome.noise.name},
+                                      {"newTables", outcome.noise.newTables},
+                                      {"materials", outcome.materials},
+                                      {"frames", frames},
+                                      {"notes", outcome.notes},
+                                      {"seconds", seconds}};
+    printLine(toText(json));
+    return;
+  }
+  for (const std::string& text : outcome.notes)
+    note(arguments.shared, text);
+  say(arguments.shared,
+      fmt::format("{}: {} on {}; {} new tables, {:.2f} s", arguments.output, outcome.noise.name,
+                  fmt::join(outcome.materials, ", "), outcome.noise.newTables, seconds));
+}
+
+Result<Outcome> apply(const Arguments& arguments) {
+  const auto [file, name] = splitNoise(arguments.noise);
+  const Result<Bundle> bundle = readBundle(file);
+  if (!bundle)
+    return bundle.error();
+  const Result<std::size_t> index = findNoise(bundle.value(), file, name);
+  if (!index)
+    return index.error();
+  const Noise& noise = bundle.value().noises[index.value()];
+  if (Result<void> fits = checkMapping(noise, arguments.mapping); !fits)
+    return fits.error();
+  Result<GltfScene> opened = GltfScene::open(arguments.scene);
+  if (!opened)
+    return opened.error();
+  GltfScene& scene = opened.value();
+  const Result<std::vector<std::size_t>> materials = findMaterials(scene, arguments.material);
+  if (!materials)
+    return materials.error();
+  const MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
+  Outcome outcome;
+  if (use.mapping == Mapping::uv)
+    if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
+      return there.error();
+  if (use.mapping == Mapping::surface) {
+    ProgressLine progress("apply", arguments.shared);
+    Result<std::vector<MeshFrames>> frames =
+        addSurfaceFrames(scene, materials.value(), progress.asProgress());
+    if (!frames)
+      return frames.error();
+    outcome.frames = std::move(frames).value();
+  }
+  Result<AppliedNoise> applied =
+      scene.applyNoise(bundle.value(), index.value(), use, materials.value());
+  if (!applied)
+    return applied.error();
+  outcome.noise = std::move(applied).value();
+  if (Result<void> written = scene.write(arguments.output); !written)
+    return written.error();
+  noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
+  for (const std::size_t material : materials.value()) {
+    outcome.materials.push_back(scene.materialTitle(material));
+    noteMaterial(scene, material, noise, outcome.notes);
+  }
+  noteFrames(outcome, scene, outcome.notes);
+  return outcome;
+}
+
+Result<int> run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked.error();
+  const Result<Outcome> outcome = apply(arguments);
+  if (!outcome)
+    return outcome.error();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report(arguments, outcome.value(), seconds.count());
+  return kDone;
+}
+
+} // namespace
+
+Runner addApply(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addText(verb, "SCENE", arguments->scene, "", "A .glb or .gltf of anyone's")->required();
+  addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
+          "A bundle made by 'lichen bake', and which of its noises: the first by default")
+      ->required();
+  addText(verb, "--material", arguments->material, "NAME|INDEX|all",
+          "The material of the scene that gets the noise")
+      ->required();
+  const Choices<Mapping> mappings{{"uv", Mapping::uv},
+                                  {"triplanar", Mapping::triplanar},
+                                  {"surface", Mapping::surface},
+                                  {"solid", Mapping::solid}};
+  addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
+           "Where the noise is evaluated");
+  addValue(verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
+           "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
+           "width [default: the bundle's]");
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
+      ->required();
+  return [arguments] { return run(*arguments); };
+}
+
+} // namespace lichen::cli

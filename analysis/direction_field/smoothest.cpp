@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Inverse power iteration [K13] on the connection Laplacian with cotangent weights
+// [SSC19], all parts of a mesh at once: the matrix has a block for each, and each
+// block's vector is normalized for itself.
+// Deviations: weights below kLeastWeight are raised to it, which keeps the matrix positive where
+// angles are obtuse; fans that share a point are tied, so that the field goes on across edges with
+// more than two sides.
+#include "smoothest.h"
+
+#include "disjoint_sets.h"
+
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <numeric>
+
+namespace lichen::direction_field {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<Complex, Eigen::ColMajor, std::int64_t>;
+using Vector = Eigen::VectorXcd;
+
+/// Of an edge; those of a regular mesh are 0.58.
+constexpr double kLeastWeight = 0.01;
+/// Of two fans of one point: what a regular mesh has across a cut.
+constexpr double kTieWeight = 1.0;
+/// Fans whose normals are further apart than 120 degrees are not tied: the least rotation from one
+/// to the other then depends on the last digits.
+constexpr double kLeastTiedCosine = -0.5;
+/// The smallest eigenvalue of a flat part is 0; the next is some 3 over its area. The shift makes
+/// the matrix positive and is so small that a flat field is exact after two steps.
+constexpr double kShift = 1e-6;
+
+/// The sum over edges of w |u_j - r u_i|^2 as a Hermitian matrix, of which the upper half is built.
+class Assembly {
+public:
+  explicit Assembly(const Surface& surface, const Connection& connection)
+      : parts_(surface.vertexCount()) {
+    const std::size_t count = surface.vertexCount();
+    entries_.reserve(surface.faces.size() + 2 * count);
+    diagonal_.assign(count, 0.0);
+    for (std::uint32_t h = 0; h < surface.faces.size(); ++h) {
+      const std::uint32_t other = surface.twin[h];
+      if (other != kNone && other < h)
+        continue;
+      double cotangents = connection.cornerCotangent[previousCorner(h)];
+      if (other != kNone)
+        cotangents += connection.cornerCotangent[previousCorner(other)];
+      couple(surface.vertexOf[h], surface.vertexOf[nextCorner(h)],
+             std::max(cotangents / 2.0, kLeastWeight), std::polar(1.0, connection.turnOf[h]));
+    }
+    tieFans(surface, connection);
+  }
+
+  /// With a shift of each part by its area.
+  [[nodiscard]] Matrix finish(const std::vector<double>& areas) {
+    std::vector<double> partArea(diagonal_.size(), 0.0);
+    for (std::uint32_t v = 0; v < diagonal_.size(); ++v)
+      partArea[parts_.find(v)] += areas[v];
+    for (std::uint32_t v = 0; v < diagonal_.size(); ++v)
+      entries_.emplace_back(v, v, diagonal_[v] + kShift * areas[v] / partArea[parts_.find(v)]);
+    const auto size = Eigen::Index(diagonal_.size());
+    Matrix matrix(size, size);
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    return matrix;
+  }
+  [[nodiscard]] DisjointSets takeParts() { return std::move(parts_); }
+
+private:
+  void couple(std::uint32_t i, std::uint32_t j, double weight, Complex rotation) {
+    diagonal_[i] += weight;
+    diagonal_[j] += weight;
+    parts_.unite(i, j);
+    if (i < j)
+      entries_.emplace_back(i, j, -weight * std::conj(rotation));
+    else
+      entries_.emplace_back(j, i, -weight * rotation);
+  }
+
+  /// Couples each vertex with the next one of the same point.
+  void tieFans(const Surface& surface, const Connection& connection) {
+    std::vector<std::uint32_t> previous(surface.points.size(), kNone);
+    for (std::uint32_t v = 0; v < surface.vertexCount(); ++v) {
+      const std::uint32_t u = std::exchange(previous[surface.pointOfVertex[v]], v);
+      if (u == kNone || connection.normalOf[u].dot(connection.normalOf[v]) < kLeastTiedCosine)
+        continue;
+      const Complex carried =
+          inPlane(connection, v,
+                  turned(connection.axisOf[u], connection.normalOf[u], connection.normalOf[v]));
+      couple(u, v, kTieWeight, carried / std::abs(carried));
+    }
+  }
+
+  std::vector<Eigen::Triplet<Complex, std::int64_t>> entries_;
+  std::vector<double> diagonal_;
+  DisjointSets parts_;
+};
+
+/// Whether the triangular factor of a matrix, its upper half given, has at most `mostEntries` and
+/// takes at most `mostProducts` to compute. Ends as soon as it knows better: the elimination tree
+/// by row subtrees [L90].
+bool factorFits(const Matrix& upper, std::int64_t mostEntries, double mostProducts) {
+  const std::int64_t size = upper.cols();
+  std::vector<std::int64_t> parent(std::size_t(size), -1), seenIn(std::size_t(size), -1);
+  std::vector<std::int64_t> inColumn(std::size_t(size), 0);
+  std::int64_t entries = 0;
+  double products = 0.0;
+  for (std::int64_t k = 0; k < size; ++k) {
+    seenIn[std::size_t(k)] = k;
+    for (Matrix::InnerIterator entry(upper, k); entry; ++entry)
+      for (std::int64_t i = entry.row(); i < k && seenIn[std::size_t(i)] != k;
+           i = parent[std::size_t(i)]) {
+        if (parent[std::size_t(i)] < 0)
+          parent[std::size_t(i)] = k;
+        seenIn[std::size_t(i)] = k;
+        products += double(++inColumn[std::size_t(i)]);
+        if (++entries > mostEntries || products > mostProducts)
+          return false;
+      }
+  }
+  return true;
+}
+
+/// A field that has a part of every smooth one, and turns with the mesh: constant and linear in the
+/// position, with numbers that favour no symmetry.
+Vector startingField(const Surface& surface, const Connection& connection) {
+  const Eigen::Vector3d constant(1.0, 0.55, 0.35);
+  const Eigen::Matrix3d linear{{0.31, -0.83, 0.47}, {0.59, 0.22, -0.41}, {-0.67, 0.53, -0.29}};
+  Vector start(Eigen::Index(surface.vertexCount()));
+  for (std::size_t v = 0; v < surface.vertexCount(); ++v)
+    start[Eigen::Index(v)] =
+        inPlane(connection, v, constant + linear * surface.points[surface.pointOfVertex[v]]);
+  return start;
+}
+
+/// Norms of the parts of a mesh, by area.
+class PartNorms {
+public:
+  PartNorms(DisjointSets parts, const std::vector<double>& areas) : areas_(areas) {
+    for (std::uint32_t v = 0; v < areas.size(); ++v)
+      partOf_.push_back(parts.find(v));
+  }
+
+  /// Scales each part to the norm 1; one that vanishes becomes all alike.
+  void normalize(Vector& field) const {
+    std::vector<double> squares(areas_.size(), 0.0), partArea(areas_.size(), 0.0);
+    for (std::size_t v = 0; v < areas_.size(); ++v) {
+      squares[partOf_[v]] += areas_[v] * std::norm(field[Eigen::Index(v)]);
+      partArea[partOf_[v]] += areas_[v];
+    }
+    for (std::size_t v = 0; v < areas_.size(); ++v) {
+      const double square = squares[partOf_[v]];
+      Complex& value = field[Eigen::Index(v)];
+      value = square > 0.0 ? value / std::sqrt(square) : 1.0 / std::sqrt(partArea[partOf_[v]]);
+    }
+  }
+
+  /// The largest squared distance of a part of one field from that of another.
+  [[nodiscard]] double distance(const Vector& a, const Vector& b) const {
+    std::vector<double> squares(areas_.size(), 0.0);
+    for (std::size_t v = 0; v < areas_.size(); ++v)
+      squares[partOf_[v]] += areas_[v] * std::norm(a[Eigen::Index(v)] - b[Eigen::Index(v)]);
+    return squares.empty() ? 0.0 : *std::max_element(squares.begin(), squares.end());
+  }
+
+private:
+  const std::vector<double>& areas_;
+  std::vector<std::uint32_t> partOf_;
+};
+
+/// A triangular factor of a matrix in an order that keeps it small.
+class OrderedFactor {
+public:
+  /// `upper` is half of a positive matrix. False where it takes more than any surface's would.
+  [[nodiscard]] bool compute(const Matrix& upper, const ProgressPart& progress) {
+    // A million triangles of a surface take 3.4e7 entries and 1.4e10 products, kMostFieldTriangles
+    // 7.4e7 and 4.2e10, measured. The limits are 4.8 GB and some minutes.
+    constexpr std::int64_t kMostEntries = 200'000'000;
+    constexpr double kMostProducts = 1e11;
+    constexpr double kOrderingShare = 0.08; // of the time, on a million triangles
+    Eigen::AMDOrdering<std::int64_t>()(upper.selfadjointView<Eigen::Upper>(), ordering_);
+    Matrix ordered(upper.rows(), upper.cols());
+    ordered.selfadjointView<Eigen::Upper>() =
+        upper.selfadjointView<Eigen::Upper>().twistedBy(ordering_.inverse());
+    if (!factorFits(ordered, kMostEntries, kMostProducts))
+      return false;
+    progress.reach(kOrderingShare);
+    factor_.compute(ordered);
+    progress.reach(1.0);
+    return factor_.info() == Eigen::Success;
+  }
+  [[nodiscard]] Vector solve(const Vector& right) const {
+    const Vector ordered = ordering_.inverse() * right;
+    return ordering_ * Vector(factor_.solve(ordered));
+  }
+
+private:
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int64_t> ordering_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<std::int64_t>> factor_;
+};
+
+/// Inverse power iteration, until a step moves the field by next to nothing.
+void iterate(const OrderedFactor& factor, const PartNorms& parts, const std::vector<double>& areas,
+             Vector& field, const ProgressPart& progress) {
+  constexpr int kMostSteps = 30;
+  constexpr double kConverged = 1e-10; // squared distance of one step; what is left is smaller
+  const Eigen::Map<const Eigen::VectorXd> weights(areas.data(), Eigen::Index(areas.size()));
+  for (int step = 0; step < kMostSteps; ++step) {
+    Vector next = factor.solve(weights.asDiagonal() * field);
+    parts.normalize(next);
+    const double moved = parts.distance(next, field);
+    field.swap(next);
+    if (moved < kConverged)
+      break;
+    progress.reach(double(step + 1) / kMostSteps);
+  }
+}
+
+} // namespace
+
+Result<std::vector<Complex>> smoothestField(const Surface& surface, const Connection& connection,
+                                            const ProgressPart& progress) {
+  constexpr double kFactorShare = 0.8; // of the time, on a million triangles
+  std::vector<Complex> directions(surface.vertexCount());
+  if (directions.empty())
+    return directions;
+  Assembly assembly(surface, connection);
+  OrderedFactor factor;
+  if (!factor.compute(assembly.finish(connection.areaOf), progress.part(0.0, kFactorShare)))
+    return Error{ErrorKind::badInput,
+                 "its triangles hang together as those of no surface do: the directions on them "
+                 "cannot be found"};
+  const PartNorms parts(assembly.takeParts(), connection.areaOf);
+  Vector field = startingField(surface, connection);
+  parts.normalize(field);
+  iterate(factor, parts, connection.areaOf, field, progress.part(kFactorShare, 1.0));
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    const Complex value = field[Eigen::Index(v)];
+    directions[v] = std::abs(value) > 0.0 ? value / std::abs(value) : Complex(1.0);
+  }
+  return directions;
+}
+
+} // namespace lichen::direction_field

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Primitives without a frame -> one mesh -> directions -> accessors; see surface_frames.h.
+#include <lichen/surface_frames.h>
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace lichen {
+namespace {
+
+/// The first texture or effect of a material that reads tangents, or nothing.
+std::optional<std::string> tangentReader(const nlohmann::json& material) {
+  using nlohmann::json;
+  for (const char* place : {"/normalTexture", "/extensions/KHR_materials_anisotropy",
+                            "/extensions/KHR_materials_clearcoat/clearcoatNormalTexture"})
+    if (material.contains(json::json_pointer(place)))
+      return json::json_pointer(place).back();
+  return std::nullopt;
+}
+
+bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
+  return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
+}
+
+/// The primitives of each mesh that are without a frame.
+Result<std::map<std::size_t, std::vector<PrimitivePlace>>>
+placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> materials) {
+  std::map<std::size_t, std::vector<PrimitivePlace>> places;
+  for (const std::size_t material : materials)
+    for (const PrimitivePlace place : scene.primitivesOf(material)) {
+      if (hasFrame(scene, place))
+        continue;
+      if (const auto reader = tangentReader(scene.document()["materials"][material]))
+        return Error{ErrorKind::badInput,
+                     scene.path().string() + ": " + scene.primitiveTitle(place) +
+                         ": has no TANGENT, and " + scene.materialTitle(material) + " has " +
+                         *reader +
+                         ", which needs those of its texture coordinates; a mesh exported with "
+                         "tangents, or a material without it, is accepted"};
+      places[place.mesh].push_back(place);
+    }
+  return places;
+}
+
+/// Primitives with the same vertices, and where these begin among all of the mesh.
+struct VertexBlock {
+  std::vector<PrimitivePlace> places;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  bool hasNormals = false;
+};
+
+/// The primitives of a mesh as one.
+struct JoinedMesh {
+  std::vector<VertexBlock> blocks;
+  std::vector<Vector3> positions;
+  std::vector<Vector3> normals; ///< zero where they are absent
+  std::vector<std::uint32_t> triangles;
+};
+
+Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& places) {
+  JoinedMesh mesh;
+  std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::size_t> blockOf;
+  for (const PrimitivePlace place : places) {
+    Result<PrimitiveGeometry> read = scene.geometry(place);
+    if (!read)
+      return read.error();
+    PrimitiveGeometry& geometry = read.value();
+    const auto [entry, isNew] =
+        blockOf.try_emplace({*scene.attribute(place, "POSITION"), scene.attribute(place, "NORMAL")},
+                            mesh.blocks.size());
+    if (isNew) {
+      const std::size_t count = geometry.positions.size();
+      mesh.blocks.push_back({{}, mesh.positions.size(), count, !geometry.normals.empty()});
+      mesh.positions.insert(mesh.positions.end(), geometry.positions.begin(),
+                            geometry.positions.end());
+      geometry.normals.resize(count, Vector3{});
+      mesh.normals.insert(mesh.normals.end(), geometry.normals.begin(), geometry.normals.end());
+    }
+    VertexBlock& block = mesh.blocks[entry->second];
+    block.places.push_back(place);
+    if (mesh.triangles.size() + geometry.triangles.size() > 3 * kMostFieldTriangles ||
+        mesh.positions.size() > 3 * kMostFieldTriangles)
+      return Error{ErrorKind::resources,
+                   scene.path().string() + ": " + scene.meshTitle(place.mesh) + ": more than " +
+                       std::to_string(kMostFieldTriangles) +
+                       " triangles; a mesh of fewer, or one with tangents, is accepted"};
+    for (const std::uint32_t index : geometry.triangles)
+      mesh.triangles.push_back(std::uint32_t(block.first + index));
+  }
+  return mesh;
+}
+
+void addAttributes(GltfScene& scene, const JoinedMesh& mesh, const DirectionField& field) {
+  for (const VertexBlock& block : mesh.blocks) {
+    std::vector<std::array<float, 4>> tangents;
+    for (std::size_t v = block.first; v < block.first + block.count; ++v)
+      tangents.push_back({field.tangents[v][0], field.tangents[v][1], field.tangents[v][2], 1.0f});
+    const std::size_t tangent = scene.addVertices(tangents);
+    std::optional<std::size_t> normal;
+    if (!block.hasNormals)
+      normal = scene.addVertices(std::span(field.normals).subspan(block.first, block.count));
+    for (const PrimitivePlace place : block.places) {
+      if (normal)
+        scene.setAttribute(place, "NORMAL", *normal);
+      scene.setAttribute(place, "TANGENT", tangent);
+    }
+  }
+}
+
+std::vector<FrameSingularity> singularitiesOf(const JoinedMesh& mesh, const DirectionField& field) {
+  std::vector<FrameSingularity> singularities;
+  for (const FieldSingularity& found : field.singularities) {
+    FrameSingularity& singularity = singularities.emplace_back();
+    singularity.index = found.index;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        singularity.position[axis] +=
+            mesh.positions[mesh.triangles[3 * found.triangle + k]][axis] / 3.0f;
+  }
+  return singularities;
+}
+
+Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>& places,
+                             const Progress& progress) {
+  const std::string title = scene.meshTitle(places.front().mesh);
+  const Result<JoinedMesh> joined = join(scene, places);
+  if (!joined)
+    return joined.error();
+  const JoinedMesh& mesh = joined.value();
+  const Result<DirectionField> field =
+      directionField(mesh.positions, mesh.triangles, mesh.normals, progress);
+  if (!field)
+    return Error{field.error().kind,
+                 scene.path().string() + ": " + title + ": " + field.error().message};
+  addAttributes(scene, mesh, field.value());
+  MeshFrames frames{title, mesh.triangles.size() / 3, false, field.value().components,
+                    singularitiesOf(mesh, field.value())};
+  for (const VertexBlock& block : mesh.blocks)
+    frames.hasNewNormals = frames.hasNewNormals || !block.hasNormals;
+  return frames;
+}
+
+} // namespace
+
+Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
+                                                 std::span<const std::size_t> materials,
+                                                 const Progress& progress) {
+  const auto add = [&]() -> Result<std::vector<MeshFrames>> {
+    const auto places = placesWithoutFrame(scene, materials);
+    if (!places)
+      return places.error();
+    std::vector<MeshFrames> all;
+    const auto meshes = double(places.value().size());
+    for (const auto& [mesh, ofMesh] : places.value()) {
+      const auto done = double(all.size());
+      Result<MeshFrames> added =
+          addToMesh(scene, ofMesh, partOf(progress, done / meshes, (done + 1.0) / meshes));
+      if (!added)
+        return added.error();
+      all.push_back(std::move(added).value());
+    }
+    return all;
+  };
+  return withinMemory(
+      [&] { return scene.path().string() + ": not enough memory for the frames of its meshes"; },
+      add);
+}
+
+} // namespace lichen

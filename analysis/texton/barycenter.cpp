@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Spectra of n Gaussian textures (n, channels, height, width / 2 + 1) and weights (n) -> the
+// spectrum of their barycentre (channels, height, width / 2 + 1).
+//
+// At a frequency, texture k is t_k z_k with t_k a vector over the channels and z_k a complex normal
+// variable. A barycentre is the law of sum_k w_k t_k z_k, for the joint law of the z_k that makes
+// its variance greatest [AC11]. Write z_k = v_k^* z with unit vectors v_k and independent z: its
+// covariance is M M^*, M = sum_k w_k t_k v_k^*, and |M| is to be greatest over the v_k.
+// - v_k <- M^* t_k / |M^* t_k| never lowers |M|: its square is convex, and this maximises what is
+//   linear in it [JNRS10].
+// - With numbers e^(-i phi_k) for v_k, which is one kernel, there are local maxima from three
+//   textures on. With vectors of n elements there are none [BVB20]. So vectors are found first, and
+//   the numbers start from M's principal axis; where they lose power, from pairs as well.
+// - Up to three textures numbers are as good as vectors: n unit vectors need not span more than
+//   sqrt(n) dimensions [HZ07].
+// Two textures have a closed form. Source: [GLM17] section 7; [XFPA14].
+#include "barycenter.h"
+
+#include <Eigen/Dense>
+#include <tbb/parallel_for.h>
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace lichen::texton {
+namespace {
+
+using Complex = std::complex<double>;
+/// Column k is w_k t_k.
+using Weighted = Eigen::MatrixXcd;
+
+/// A step that raises |M|^2 by less is the last; spectra are float.
+constexpr double kNoGain = 1e-7;
+constexpr int kMostSteps = 200;
+/// One kernel that lacks less of |M|^2, which the last steps may have left, is a barycentre.
+constexpr double kAsGood = 1e-5;
+
+template <class Real>
+std::complex<Real> phaseOf(std::complex<Real> value) {
+  const Real modulus = std::abs(value);
+  return modulus > Real(0) ? value / modulus : std::complex<Real>(1);
+}
+
+/// Raises |weighted v| from the rows of `v`, v_k^*, to a fixed point.
+void raiseNorm(const Weighted& weighted, Eigen::MatrixXcd& v) {
+  Eigen::MatrixXcd sum = weighted * v;
+  double norm = sum.squaredNorm();
+  for (int step = 0; step < kMostSteps; ++step) {
+    v.noalias() = weighted.adjoint() * sum;
+    for (Eigen::Index k = 0; k < v.rows(); ++k) {
+      const double length = v.row(k).norm();
+      if (length > 0.0)
+        v.row(k) /= length;
+      else
+        v(k, 0) = 1.0; // t_k is zero, and any direction does
+    }
+    sum.noalias() = weighted * v;
+    const double before = norm;
+    norm = sum.squaredNorm();
+    if (norm - before <= kNoGain * norm)
+      return;
+  }
+}
+
+struct FrequencyBarycenter {
+  Eigen::VectorXcd kernel;
+  double distance = 0.0; ///< squared transport distance to the barycentre of any rank
+  double power = 0.0;    ///< of that barycentre
+};
+
+FrequencyBarycenter ofTwo(const Weighted& weighted) {
+  // [GLM17] section 7, the equation of tau_rho
+  const Complex phase = phaseOf(Complex(weighted.col(0).dot(weighted.col(1))));
+  FrequencyBarycenter result;
+  result.kernel = phase * weighted.col(0) + weighted.col(1);
+  result.power = result.kernel.squaredNorm();
+  return result;
+}
+
+/// Raises phases from those that go with `kernel`, and keeps what they make if it is better.
+void startFrom(const Eigen::VectorXcd& kernel, const Weighted& weighted,
+               FrequencyBarycenter& best) {
+  Eigen::MatrixXcd numbers = (weighted.adjoint() * kernel).unaryExpr(&phaseOf<double>);
+  raiseNorm(weighted, numbers);
+  const Eigen::VectorXcd raised = weighted * numbers;
+  if (best.kernel.size() == 0 || raised.squaredNorm() > best.kernel.squaredNorm())
+    best.kernel = raised;
+}
+
+/// At a frequency that is its own mirror all vectors are real, and the kernel has to be.
+FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
+  const Eigen::Index count = weighted.cols();
+  // Independent textures, which prefer no direction.
+  Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Identity(count, count);
+  raiseNorm(weighted, vectors);
+  const Eigen::MatrixXcd sum = weighted * vectors;
+  FrequencyBarycenter result;
+  result.power = sum.squaredNorm();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> axes(sum * sum.adjoint());
+  startFrom(axes.eigenvectors().col(sum.rows() - 1), weighted, result);
+  const auto lacksPower = [&] {
+    return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;
+  };
+  // Starts that are real would stay so where all vectors are, as of symmetric exemplars.
+  const Complex turn = isOwnMirror ? Complex(1.0) : Complex(0.0, 1.0);
+  for (Eigen::Index k = 0; k < count && lacksPower(); ++k)
+    startFrom(weighted.col(k) + turn * weighted.col((k + 1) % count), weighted, result);
+  if (lacksPower())
+    result.distance =
+        result.power + result.kernel.squaredNorm() - 2.0 * (sum.adjoint() * result.kernel).norm();
+  return result;
+}
+
+/// [GLM17] section 7: `model` times t^* . next / |t^* . next|, so that it goes with `next`.
+GaussianModel aligned(GaussianModel model, const GaussianModel& next) {
+  for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {
+    std::complex<float> product = 0.0f;
+    for (std::size_t c = 0; c < model.channels.size(); ++c)
+      product += std::conj(model.channels[c].values[i]) * next.channels[c].values[i];
+    const std::complex<float> phase = phaseOf(product);
+    for (HalfSpectrum& channel : model.channels)
+      channel.values[i] *= phase;
+  }
+  return model;
+}
+
+} // namespace
+
+Barycenter barycenter(std::span<const GaussianModel> models, std::span<const double> weights) {
+  assert(!models.empty() && weights.size() == models.size());
+  std::vector<std::size_t> counted;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    if (weights[k] > 0.0)
+      counted.push_back(k);
+  }
+  assert(!counted.empty());
+  Barycenter result{models[counted[0]], 0.0};
+  if (counted.size() == 1)
+    return result;
+  const HalfSpectrum& shape = models[0].channels[0];
+  const auto columns = std::size_t(shape.columns());
+  std::vector<double> distances(std::size_t(shape.height), 0.0);
+  std::vector<double> powers(std::size_t(shape.height), 0.0);
+  tbb::parallel_for(std::size_t(0), powers.size(), [&](std::size_t v) {
+    Weighted weighted(Eigen::Index(models[0].channels.size()), Eigen::Index(counted.size()));
+    for (std::size_t u = 0; u < columns; ++u) {
+      const std::size_t i = v * columns + u;
+      for (Eigen::Index k = 0; k < weighted.cols(); ++k) {
+        const std::size_t model = counted[std::size_t(k)];
+        for (Eigen::Index c = 0; c < weighted.rows(); ++c)
+          weighted(c, k) =
+              weights[model] * Complex(models[model].channels[std::size_t(c)].values[i]);
+      }
+      const bool isOwnMirror = shape.multiplicity(int(u)) == 1 && 2 * v % powers.size() == 0;
+      const FrequencyBarycenter found =
+          counted.size() == 2 ? ofTwo(weighted) : ofMany(weighted, isOwnMirror);
+      for (Eigen::Index c = 0; c < weighted.rows(); ++c)
+        result.model.channels[std::size_t(c)].values[i] = std::complex<float>(found.kernel(c));
+      distances[v] += shape.multiplicity(int(u)) * found.distance;
+      powers[v] += shape.multiplicity(int(u)) * found.power;
+    }
+  });
+  const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
+  const double distance = std::accumulate(distances.begin(), distances.end(), 0.0);
+  if (power > 0.0)
+    result.rankError = std::sqrt(std::max(distance, 0.0) / power);
+  return result;
+}
+
+std::vector<GaussianModel> alignedModels(std::span<const GaussianModel> models) {
+  std::vector<GaussianModel> result(models.begin(), models.end());
+  for (std::size_t k = result.size() - 1; k-- > 0;)
+    result[k] = aligned(std::move(result[k]), result[k + 1]);
+  return result;
+}
+
+GaussianModel between(const GaussianModel& first, const GaussianModel& second, double rho) {
+  GaussianModel result = first;
+  for (std::size_t c = 0; c < result.channels.size(); ++c)
+    for (std::size_t i = 0; i < result.channels[c].values.size(); ++i)
+      result.channels[c].values[i] = float(1.0 - rho) * first.channels[c].values[i] +
+                                     float(rho) * second.channels[c].values[i];
+  return result;
+}
+
+} // namespace lichen::texton

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Models and covariances of n exemplars -> texton coefficients for each step between them.
+//
+// On a leg from one exemplar to the next the barycentres are straight lines between two spectra,
+// once their phases are aligned. So one texton is fitted for all exemplars together, with the
+// channels of all of them and one phase a frequency: what lies between two of its parts is a texton
+// of the barycentre there. [GLM17] fits each step by itself, from the same noise, and neighbours
+// end in different minima (docs/decisions/016-mixing.md has both errors and both steps).
+// Sources: [GLM17] section 7; [XFPA14].
+#include "mixing.h"
+
+#include "barycenter.h"
+#include "color_correction.h"
+#include "model_covariance.h"
+#include "model_distance.h"
+#include "one_grid.h"
+#include "progress_part.h"
+#include "transport/covariance_barycenter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lichen::texton {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Of the strongest exemplar's variance: a model with less is taken for as strong as this, so that
+/// the rounding of a constant exemplar is not fitted as if it were a texture: 3e-14 of values in
+/// [0, 1], where faint photographs have 1e-3. One step of 8 bits in a tenth of the pixels has 1e-6.
+constexpr double kLeastPower = 1e-8;
+/// Of the progress: the errors of 21 steps take less than a tenth of the time.
+constexpr double kFitOfProgress = 0.9;
+
+Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
+  const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
+  if (options.width < 1 || options.height < 1)
+    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 and more is accepted",
+                             options.width, options.height));
+  if (options.stepsPerLeg < 1)
+    return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
+                             options.stepsPerLeg));
+  for (const MixExemplar& exemplar : exemplars) {
+    if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
+      return usage(
+          fmt::format("{}: {} channels, and {} has {}; a mix takes exemplars with the same "
+                      "channels",
+                      exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
+                      exemplars[0].model.channels.size()));
+    if (!isModelled(modelCovariance(exemplar.model), exemplar.covariance))
+      return Error{ErrorKind::badInput,
+                   fmt::format("{}: varies only from one border to the other, and no texton does; "
+                               "a photograph with detail is accepted",
+                               exemplar.name)};
+  }
+  return {};
+}
+
+FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
+                      const ProgressPart& progress) {
+  FitOptions fit;
+  fit.width = std::min(options.width, model.width());
+  fit.height = std::min(options.height, model.height());
+  fit.order = options.order;
+  fit.seed = options.seed;
+  const int iterations = iterationsOf(fit, FitMethod::transportDistance);
+  fit.goOn = [progress, iterations, done = 0]() mutable {
+    progress.reach(double(++done) / iterations);
+    return true;
+  };
+  return fit;
+}
+
+/// Textons of aligned models with one phase a frequency: a part of one joint texton each. Each
+/// model counts alike, so that none is neglected for its weak contrast.
+std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> aligned,
+                                               const FitOptions& options) {
+  std::vector<double> deviations;
+  for (const GaussianModel& model : aligned)
+    deviations.push_back(std::sqrt(modelVariance(model)));
+  const double strongest = *std::max_element(deviations.begin(), deviations.end());
+  for (double& deviation : deviations)
+    deviation = strongest > 0.0 ? std::max(deviation, std::sqrt(kLeastPower) * strongest) : 1.0;
+  GaussianModel joint;
+  for (std::size_t k = 0; k < aligned.size(); ++k) {
+    for (HalfSpectrum channel : aligned[k].channels) {
+      for (std::complex<float>& value : channel.values)
+        value /= float(deviations[k]);
+      joint.channels.push_back(std::move(channel));
+    }
+  }
+  const TextonCoefficients all = fitCoefficients(joint, options, FitMethod::transportDistance);
+  std::vector<TextonCoefficients> result;
+  const std::size_t size = all.values.size() / aligned.size();
+  for (std::size_t k = 0; k < aligned.size(); ++k) {
+    const auto begin = all.values.begin() + std::ptrdiff_t(k * size);
+    TextonCoefficients part{all.width,
+                            all.height,
+                            int(aligned[k].channels.size()),
+                            {begin, begin + std::ptrdiff_t(size)}};
+    for (float& value : part.values)
+      value *= float(deviations[k]);
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
+TextonCoefficients between(const TextonCoefficients& first, const TextonCoefficients& second,
+                           double rho) {
+  TextonCoefficients result = first;
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = float((1.0 - rho) * first.values[i] + rho * second.values[i]);
+  return result;
+}
+
+/// Measures the fit of step.texton to `model`, as every texton's: with the model's own covariance,
+/// as far as it can have it. Then gives it that of the exemplars' barycentre.
+Result<void> finish(std::span<const MixExemplar> exemplars, const GaussianModel& model, int order,
+                    MixStep& step) {
+  (void)correctCovariance(step.texton, order, modelCovariance(model));
+  step.modelError = relativeModelError(model, step.texton, order);
+  std::vector<MatrixXd> covariances;
+  for (const MixExemplar& exemplar : exemplars)
+    covariances.push_back(exemplar.covariance);
+  const MatrixXd wanted = transport::covarianceBarycenter(covariances, step.weights);
+  if (correctCovariance(step.texton, order, wanted))
+    return {};
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < exemplars.size(); ++k)
+    parts.push_back(fmt::format("{:.3g} {}", step.weights[k], exemplars[k].name));
+  return Error{ErrorKind::badInput,
+               fmt::format("a mix of {}: {} x {} coefficients cannot vary as these colours do; a "
+                           "larger texton, or exemplars with detail, are accepted",
+                           fmt::join(parts, ", "), step.texton.width, step.texton.height)};
+}
+
+std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
+  std::vector<GaussianModel> models;
+  for (const MixExemplar& exemplar : exemplars)
+    models.push_back(exemplar.model);
+  return onOneGrid(models);
+}
+
+Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions& options,
+                       ProgressPart progress) {
+  const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
+  const std::vector<TextonCoefficients> textons =
+      fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
+  TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
+  const std::size_t legs = exemplars.size() - 1;
+  const auto perLeg = std::size_t(options.stepsPerLeg);
+  for (std::size_t index = 0; index <= legs * perLeg; ++index) {
+    const std::size_t leg = std::min(index / perLeg, legs - 1);
+    const double rho = double(index - leg * perLeg) / double(perLeg);
+    MixStep step{std::vector<double>(exemplars.size(), 0.0),
+                 between(textons[leg], textons[leg + 1], rho)};
+    step.weights[leg] = 1.0 - rho;
+    step.weights[leg + 1] = rho;
+    const GaussianModel model = between(aligned[leg], aligned[leg + 1], rho);
+    if (Result<void> finished = finish(exemplars, model, options.order, step); !finished)
+      return finished.error();
+    mix.steps.push_back(std::move(step));
+    progress.part(kFitOfProgress, 1.0).reach(double(index + 1) / double(legs * perLeg + 1));
+  }
+  return mix;
+}
+
+Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<double> weights,
+                         const MixOptions& options, ProgressPart progress) {
+  const Barycenter found = barycenter(modelsOf(exemplars), weights);
+  MixStep step{std::move(weights), {}};
+  step.rankError = found.rankError;
+  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, progress),
+                                FitMethod::transportDistance);
+  if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
+    return finished.error();
+  TextonMix mix{found.model.width(), found.model.height(), {}};
+  mix.steps.push_back(std::move(step));
+  return mix;
+}
+
+/// The weights over their sum.
+Result<std::vector<double>> normalized(std::span<const double> weights, std::size_t exemplars) {
+  const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
+  if (exemplars == 0 || weights.size() != exemplars)
+    return usage(fmt::format("{} weights for {} exemplars; one each is accepted", weights.size(),
+                             exemplars));
+  double sum = 0.0;
+  for (const double weight : weights) {
+    if (!(weight >= 0.0 && std::isfinite(weight)))
+      return usage(fmt::format("a weight of {}; 0 and more is accepted", weight));
+    sum += weight;
+  }
+  if (!(sum > 0.0 && std::isfinite(sum)))
+    return usage(fmt::format("weights of sum {}; a positive one is accepted", sum));
+  std::vector<double> result(weights.begin(), weights.end());
+  for (double& weight : result)
+    weight /= sum;
+  return result;
+}
+
+std::string exhausted() { return "not enough memory to fit the textons of a mix"; }
+
+} // namespace
+
+Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, const MixOptions& options) {
+  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
+    if (exemplars.size() < 2)
+      return Error{ErrorKind::usage,
+                   fmt::format("{} exemplars to mix; at least 2 are accepted", exemplars.size())};
+    if (Result<void> checked = check(exemplars, options); !checked)
+      return checked.error();
+    return unlessInterrupted(
+        "the mix", [&] { return path(exemplars, options, ProgressPart(options.progress)); });
+  });
+}
+
+Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
+                                      std::span<const double> weights, const MixOptions& options) {
+  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
+    Result<std::vector<double>> ofSumOne = normalized(weights, exemplars.size());
+    if (!ofSumOne)
+      return ofSumOne.error();
+    if (Result<void> checked = check(exemplars, options); !checked)
+      return checked.error();
+    return unlessInterrupted("the mix", [&] {
+      return single(exemplars, std::move(ofSumOne).value(), options,
+                    ProgressPart(options.progress));
+    });
+  });
+}
+
+} // namespace lichen::texton

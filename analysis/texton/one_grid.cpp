@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Spectra (channels, h_k, w_k / 2 + 1) of n models -> the same of one height and width.
+//
+// More texels on the same tile are more frequencies, at which there is no power: zero-padding of
+// the spectrum, exact, without the blur of a filter in space. No model loses texels.
+// A taller tile has frequencies between those of the model. They are the transform of the kernel
+// with zeros around it, so that covariances are kept and there is still one kernel a channel; not
+// of the autocovariance with zeros around it, which may be no covariance at all. Of all kernels
+// with the same spectrum it is the compact one that is cut least: that whose strongest colour axis
+// has phase 0, the canonical texton of [DMR12] where there is one channel.
+#include "one_grid.h"
+
+#include "model_covariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace lichen::texton {
+namespace {
+
+/// The model at `width` x `height` texels a tile, none fewer than it has.
+GaussianModel refined(const GaussianModel& model, int width, int height) {
+  if (width == model.width() && height == model.height())
+    return model;
+  const float scale = float(
+      std::sqrt(double(width) * double(height) / (double(model.width()) * double(model.height()))));
+  // The highest frequency of an even size stands for two, each of which takes half of its power.
+  constexpr float kHalfPower = 1.0f / std::numbers::sqrt2_v<float>;
+  GaussianModel result;
+  for (const HalfSpectrum& channel : model.channels) {
+    HalfSpectrum fine{width, height, {}};
+    fine.values.resize(std::size_t(fine.columns()) * std::size_t(height));
+    for (int v = 0; v < channel.height; ++v) {
+      const int row = channel.signedRow(v);
+      const bool splitRow = 2 * v == channel.height && height > channel.height;
+      for (int u = 0; u < channel.columns(); ++u) {
+        const bool splitColumn = 2 * u == channel.width && width > channel.width;
+        const std::complex<float> value = channel.at(u, v) * scale *
+                                          (splitRow ? kHalfPower : 1.0f) *
+                                          (splitColumn ? kHalfPower : 1.0f);
+        fine.at(u, (row + height) % height) = value;
+        if (splitRow)
+          fine.at(u, height - row) = value;
+      }
+    }
+    result.channels.push_back(std::move(fine));
+  }
+  return result;
+}
+
+/// The same texture with the phases that make the strongest colour axis a sum of cosines.
+GaussianModel compact(GaussianModel model) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(modelCovariance(model));
+  const Eigen::VectorXf axis =
+      axes.eigenvectors().col(axes.eigenvectors().cols() - 1).cast<float>();
+  for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {
+    std::complex<float> sum = 0.0f;
+    for (std::size_t c = 0; c < model.channels.size(); ++c)
+      sum += axis[Eigen::Index(c)] * model.channels[c].values[i];
+    const float modulus = std::abs(sum);
+    for (HalfSpectrum& channel : model.channels)
+      channel.values[i] *= modulus > 0.0f ? std::conj(sum) / modulus : 1.0f;
+  }
+  return model;
+}
+
+/// The model on a tile of `height` texels, no fewer than it has.
+GaussianModel extended(const GaussianModel& model, int height) {
+  if (height == model.height())
+    return model;
+  const auto width = std::size_t(model.width());
+  GaussianModel result = compact(model);
+  for (HalfSpectrum& channel : result.channels) {
+    const std::vector<float> kernel = inverseFft(channel);
+    std::vector<float> plane(width * std::size_t(height), 0.0f);
+    for (int y = 0; y < channel.height; ++y) {
+      const int row = (channel.signedRow(y) + height) % height;
+      std::copy_n(kernel.begin() + std::ptrdiff_t(std::size_t(y) * width), width,
+                  plane.begin() + std::ptrdiff_t(std::size_t(row) * width));
+    }
+    channel = forwardFft(plane, model.width(), height);
+    channel.values[0] = 0.0f; // as every model's; the kernel's sum is rounding
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<GaussianModel> onOneGrid(std::span<const GaussianModel> models) {
+  int width = 0;
+  for (const GaussianModel& model : models)
+    width = std::max(width, model.width());
+  std::vector<GaussianModel> result;
+  int height = 0;
+  for (const GaussianModel& model : models) {
+    const double texels = double(model.height()) * double(width) / double(model.width());
+    result.push_back(refined(model, width, int(std::lround(texels))));
+    height = std::max(height, result.back().height());
+  }
+  for (GaussianModel& model : result)
+    model = extended(model, height);
+  return result;
+}
+
+} // namespace lichen::texton

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// Accessors -> numbers; see accessor_reader.h. Input is hostile: counts are checked against the
+// bytes that are there before anything is allocated for them.
+#include "accessor_reader.h"
+
+#include "object_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
+                        kUnsignedInt = 5125, kFloat = 5126;
+constexpr std::uint64_t kMostViews = std::uint64_t(1) << 24;
+constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 32;
+
+std::size_t componentBytes(std::uint64_t type) {
+  switch (type) {
+  case kByte:
+  case kUnsignedByte:
+    return 1;
+  case kShort:
+  case kUnsignedShort:
+    return 2;
+  case kUnsignedInt:
+  case kFloat:
+    return 4;
+  default:
+    return 0;
+  }
+}
+
+template <class Number>
+Number load(const std::byte* bytes) {
+  Number value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+template <class Integer>
+float asFloat(const std::byte* bytes, bool isNormalized) {
+  const auto value = float(load<Integer>(bytes));
+  return isNormalized ? std::max(value / float(std::numeric_limits<Integer>::max()), -1.0f) : value;
+}
+
+float loadFloat(const std::byte* bytes, std::uint64_t type, bool isNormalized) {
+  switch (type) {
+  case kByte:
+    return asFloat<std::int8_t>(bytes, isNormalized);
+  case kUnsignedByte:
+    return asFloat<std::uint8_t>(bytes, isNormalized);
+  case kShort:
+    return asFloat<std::int16_t>(bytes, isNormalized);
+  case kUnsignedShort:
+    return asFloat<std::uint16_t>(bytes, isNormalized);
+  case kUnsignedInt:
+    return asFloat<std::uint32_t>(bytes, isNormalized);
+  default:
+    return load<float>(bytes);
+  }
+}
+
+std::uint32_t loadIndex(const std::byte* bytes, std::uint64_t type) {
+  return type == kUnsignedByte    ? load<std::uint8_t>(bytes)
+         : type == kUnsignedShort ? load<std::uint16_t>(bytes)
+                                  : load<std::uint32_t>(bytes);
+}
+
+/// Elements of equal size, one every `stride` bytes; in bounds.
+struct Elements {
+  const std::byte* first = nullptr;
+  std::size_t stride = 0;
+
+  [[nodiscard]] const std::byte* at(std::size_t i) const { return first + i * stride; }
+};
+
+/// Ends the reading of an accessor; the fault is recorded.
+struct Unreadable {};
+
+class AccessorReader {
+public:
+  AccessorReader(GltfFile& file, std::size_t index, FindingList& findings)
+      : file_(file), findings_(findings), pointer_("/accessors/" + std::to_string(index)),
+        json_(elementOf(index)), reader_(json_, pointer_, findings) {}
+
+  /// `types` are the component types that are accepted.
+  void describe(const char* type, std::size_t components,
+                std::initializer_list<std::uint64_t> types) {
+    count_ = std::size_t(integer(reader_, "count", kMostElements));
+    componentType_ = componentType(reader_, types);
+    elementBytes_ = components * componentBytes(componentType_);
+    const auto name = reader_.text("type");
+    if (!name || *name != type)
+      fail("type", std::string("not ") + type);
+    if (count_ == 0)
+      fail("count", "0; at least 1 is accepted");
+    if (const json* normalized = reader_.optional("normalized"); normalized != nullptr) {
+      if (!normalized->is_boolean())
+        fail("normalized", "not true or false");
+      isNormalized_ = normalized->get<bool>();
+    }
+  }
+
+  /// Calls `store(element, its bytes)` for all elements, those of `sparse` behind the others; never
+  /// for those that are zero for want of bytes.
+  template <class Store>
+  void visit(const Store& store) {
+    if (reader_.has("bufferView")) {
+      const Elements elements = elementsOf(reader_, count_, elementBytes_, true);
+      for (std::size_t i = 0; i < count_; ++i)
+        store(i, elements.at(i));
+    }
+    const json* sparse = reader_.optional("sparse");
+    if (sparse == nullptr)
+      return;
+    ObjectReader place(*sparse, pointer_ + "/sparse", findings_);
+    const auto count = std::size_t(integer(place, "count", count_));
+    ObjectReader indices = inside(place, "indices"), values = inside(place, "values");
+    const std::uint64_t type =
+        componentType(indices, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
+    if (count == 0)
+      fail("sparse/count", "0; at least 1 is accepted");
+    const Elements indexOf = elementsOf(indices, count, componentBytes(type), false);
+    const Elements valueOf = elementsOf(values, count, elementBytes_, false);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t element = loadIndex(indexOf.at(i), type);
+      if (element >= count_)
+        fail("sparse/indices",
+             std::to_string(element) + "; below " + std::to_string(count_) + " is accepted");
+      store(element, valueOf.at(i));
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::uint64_t type() const { return componentType_; }
+  [[nodiscard]] bool isNormalized() const { return isNormalized_; }
+
+  [[noreturn]] void fail(const char* key, const std::string& what) {
+    findings_.error("accessor", pointer_ + "/" + key, what);
+    throw Unreadable{};
+  }
+
+private:
+  [[nodiscard]] const json& elementOf(std::size_t index) {
+    const auto list = file_.document().find("accessors");
+    if (list == file_.document().end() || !list->is_array() || index >= list->size()) {
+      findings_.error("accessor", pointer_, "absent");
+      throw Unreadable{};
+    }
+    return (*list)[index];
+  }
+
+  std::uint64_t integer(ObjectReader& reader, const char* key, std::uint64_t most) {
+    const auto value = reader.integer(key, most);
+    if (!value)
+      throw Unreadable{};
+    return *value;
+  }
+
+  std::uint64_t componentType(ObjectReader& reader, std::initializer_list<std::uint64_t> accepted) {
+    const std::uint64_t type = integer(reader, "componentType", kFloat);
+    if (std::find(accepted.begin(), accepted.end(), type) == accepted.end()) {
+      std::string list;
+      for (const std::uint64_t each : accepted)
+        list += (list.empty() ? "" : ", ") + std::to_string(each);
+      reader.error("accessor", "componentType",
+                   std::to_string(type) + "; one of " + list + " is accepted");
+      throw Unreadable{};
+    }
+    return type;
+  }
+
+  ObjectReader inside(ObjectReader& reader, const char* key) {
+    const json* value = reader.required(key);
+    if (value == nullptr || !value->is_object()) {
+      findings_.error("accessor", reader.pointerTo(key), "absent or not an object");
+      throw Unreadable{};
+    }
+    return {*value, reader.pointerTo(key), findings_};
+  }
+
+  /// `count` elements, not 0, of `size` bytes in the view that an object names.
+  Elements elementsOf(ObjectReader& reader, std::size_t count, std::size_t size, bool mayStride) {
+    const auto view = std::size_t(integer(reader, "bufferView", kMostViews));
+    const auto offset = reader.has("byteOffset")
+                            ? std::size_t(integer(reader, "byteOffset", kMostBytes))
+                            : std::size_t(0);
+    refuseCompressed(view);
+    const auto bytes = file_.stridedView(view, findings_);
+    if (!bytes)
+      throw Unreadable{};
+    const std::size_t stride = mayStride && bytes->stride != 0 ? bytes->stride : size;
+    const std::size_t there = bytes->bytes.size();
+    if (stride < size || offset > there || there - offset < size ||
+        (there - offset - size) / stride < count - 1) {
+      findings_.error("accessor", reader.pointer(),
+                      std::to_string(count) + " elements of " + std::to_string(size) +
+                          " bytes, one every " + std::to_string(stride) + " from " +
+                          std::to_string(offset) + ", pass the end of a view of " +
+                          std::to_string(there));
+      throw Unreadable{};
+    }
+    return {bytes->bytes.data() + offset, stride};
+  }
+
+  void refuseCompressed(std::size_t view) {
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+      if (file_.document().contains(
+              json::json_pointer("/bufferViews/" + std::to_string(view) + "/extensions/" + name))) {
+        findings_.error("compressed", "/bufferViews/" + std::to_string(view),
+                        std::string("is compressed with ") + name +
+                            "; vertices that are not compressed are accepted");
+        throw Unreadable{};
+      }
+  }
+
+  GltfFile& file_;
+  FindingList& findings_;
+  std::string pointer_;
+  const json& json_;
+  ObjectReader reader_;
+  std::size_t count_ = 0;
+  std::uint64_t componentType_ = 0;
+  std::size_t elementBytes_ = 0;
+  bool isNormalized_ = false;
+};
+
+} // namespace
+
+std::optional<std::vector<std::array<float, 3>>> readVectors(GltfFile& file, std::size_t accessor,
+                                                             FindingList& findings) {
+  try {
+    constexpr std::size_t kComponents = 3;
+    AccessorReader reader(file, accessor, findings);
+    reader.describe("VEC3", kComponents, {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
+    const std::size_t bytes = componentBytes(reader.type());
+    std::vector<std::array<float, 3>> values(reader.count());
+    reader.visit([&](std::size_t i, const std::byte* element) {
+      for (std::size_t c = 0; c < kComponents; ++c) {
+        values[i][c] = loadFloat(element + c * bytes, reader.type(), reader.isNormalized());
+        if (!std::isfinite(values[i][c]))
+          reader.fail("bufferView", "holds NaN or infinite values; finite ones are accepted");
+      }
+    });
+    return values;
+  } catch (const Unreadable&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_t accessor,
+                                                      std::size_t limit, FindingList& findings) {
+  try {
+    AccessorReader reader(file, accessor, findings);
+    reader.describe("SCALAR", 1, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
+    std::vector<std::uint32_t> values(reader.count());
+    reader.visit([&](std::size_t i, const std::byte* element) {
+      values[i] = loadIndex(element, reader.type());
+      if (values[i] >= limit)
+        reader.fail("bufferView", "index " + std::to_string(values[i]) + "; below " +
+                                      std::to_string(limit) + " is accepted");
+    });
+    return values;
+  } catch (const Unreadable&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace lichen

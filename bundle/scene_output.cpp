@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// An asset with what was added to it -> .glb or .gltf; see gltf_scene.h.
+#include "gltf_output.h"
+#include "gltf_scene_state.h"
+
+#include <lichen/files.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+/// A member that is a string, or null.
+const std::string* stringMember(const json& object, const char* key) {
+  const auto member = object.find(key);
+  return member == object.end() ? nullptr : member->get_ptr<const std::string*>();
+}
+
+bool namesFile(const json& object) {
+  const std::string* uri = stringMember(object, "uri");
+  return uri != nullptr && !uri->starts_with("data:");
+}
+
+/// The media type of an image file by its first bytes, or nothing for what glTF does not take.
+std::optional<std::string> mediaTypeOf(std::span<const std::byte> image) {
+  const std::string_view text(reinterpret_cast<const char*>(image.data()), image.size());
+  if (text.starts_with("\x89PNG\r\n\x1a\n"))
+    return "image/png";
+  if (text.starts_with("\xff\xd8\xff"))
+    return "image/jpeg";
+  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP"))
+    return "image/webp"; // EXT_texture_webp
+  if (text.starts_with("\xabKTX 20\xbb\r\n\x1a\n"))
+    return "image/ktx2"; // KHR_texture_basisu
+  return std::nullopt;
+}
+
+Error fileError(const std::filesystem::path& path, const std::string& what,
+                ErrorKind kind = ErrorKind::badInput) {
+  return {kind, path.string() + ": " + what};
+}
+
+} // namespace
+
+/// Puts the parts together. Works on the state's own changes: an asset is written once.
+class SceneWriter {
+public:
+  SceneWriter(GltfScene::State& state, const std::filesystem::path& path)
+      : state_(state), path_(path), isGlb_(path.extension() == ".glb") {}
+
+  Result<void> run() {
+    const bool wasGlb = state_.file->container().isGlb;
+    if (isGlb_ && !wasGlb)
+      if (Result<void> taken = takeImages(); !taken)
+        return taken;
+    if (Result<void> taken = chooseBuffer(); !taken)
+      return taken;
+    if (Result<void> stays = checkOtherFiles(); !stays)
+      return stays;
+    describeViews();
+    return isGlb_ ? writeGlb() : writeGltf();
+  }
+
+private:
+  [[nodiscard]] const json& buffers() const {
+    static const json kNone = json::array();
+    const auto list = state_.document().find("buffers");
+    return list == state_.document().end() ? kNone : *list;
+  }
+
+  /// Images in files become views.
+  Result<void> takeImages() {
+    for (std::size_t i = 0; i < state_.countOf("images"); ++i) {
+      const json& image = state_.document()["images"][i];
+      if (!namesFile(image))
+        continue;
+      const Result<std::vector<std::byte>> bytes =
+          state_.file->readFileUri(*stringMember(image, "uri"));
+      if (!bytes)
+        return bytes.error();
+      const auto mediaType = mediaTypeOf(bytes.value());
+      if (!mediaType)
+        return fileError(state_.path, "/images/" + std::to_string(i) +
+                                          "/uri: " + quoted(*stringMember(image, "uri")) +
+                                          " is no PNG, JPEG, WebP or KTX2; a .gltf is accepted "
+                                          "as output");
+      JsonChange& change = state_.changes.member("images").element(i);
+      change.member("uri").remove();
+      change.member("bufferView").set(state_.addView(bytes.value(), sizeof(std::uint32_t), false));
+      if (stringMember(image, "mimeType") == nullptr)
+        change.member("mimeType").set(*mediaType);
+    }
+    return {};
+  }
+
+  /// Which buffer takes what is added, and the bytes it has: of a .glb the first one; of a .gltf a
+  /// new one, or the first one of the .glb that it was.
+  Result<void> chooseBuffer() {
+    const auto& chunk = state_.file->container().binaryChunk;
+    const bool firstIsChunk = chunk && !buffers().empty() && !buffers()[0].contains("uri");
+    if (isGlb_ ? buffers().empty() : !firstIsChunk)
+      return {};
+    if (firstIsChunk) {
+      before_ = *chunk;
+    } else {
+      FindingList findings;
+      const auto bytes = state_.file->wholeBuffer(0, findings);
+      if (!bytes && !findings.all().empty())
+        return fileError(state_.path,
+                         findings.all().front().pointer + ": " + findings.all().front().message);
+      if (!bytes)
+        return fileError(state_.path, "/buffers/0: cannot be read");
+      before_ = *bytes;
+      state_.changes.member("buffers").element(0).member("uri").remove();
+    }
+    takesFirst_ = true;
+    return {};
+  }
+
+  /// Other files that the asset names must be found from where it is written.
+  Result<void> checkOtherFiles() {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(folderOf(path_), folderOf(state_.path), ignored))
+      return {};
+    const bool tookImages = isGlb_ && !state_.file->container().isGlb;
+    for (const char* array : {"buffers", "images"})
+      for (std::size_t i = 0; i < state_.countOf(array); ++i) {
+        const json& element = state_.document()[array][i];
+        const bool isInside =
+            array == std::string_view("images") ? tookImages : takesFirst_ && i == 0;
+        if (namesFile(element) && !isInside)
+          return fileError(path_,
+                           state_.path.string() + " names files beside it, such as " +
+                               quoted(*stringMember(element, "uri")) +
+                               "; an output in the same folder is accepted",
+                           ErrorKind::usage);
+      }
+    return {};
+  }
+
+  [[nodiscard]] std::size_t firstAdded() const {
+    constexpr std::size_t kAlignment = 16; // what any view was added with divides it
+    return (before_.size() + kAlignment - 1) / kAlignment * kAlignment;
+  }
+
+  void describeViews() {
+    constexpr int kArrayBuffer = 34962;
+    const std::size_t buffer = takesFirst_ || isGlb_ ? 0 : buffers().size();
+    for (const AddedView& added : state_.addedViews) {
+      JsonTree view = {{"buffer", buffer},
+                       {"byteOffset", firstAdded() + added.offset},
+                       {"byteLength", added.length}};
+      if (added.isVertices)
+        view["target"] = kArrayBuffer;
+      state_.changes.member("bufferViews").append(std::move(view));
+    }
+  }
+
+  /// The bytes of the buffer, and what the document says of it.
+  std::vector<std::byte> finishBuffer() {
+    std::vector<std::byte> binary(before_.begin(), before_.end());
+    if (!state_.added.empty()) {
+      binary.resize(firstAdded());
+      binary.insert(binary.end(), state_.added.begin(), state_.added.end());
+    }
+    if (binary.empty())
+      return binary;
+    JsonTree description = {{"byteLength", binary.size()}};
+    if (!isGlb_)
+      description["uri"] = binaryUri(path_, binary);
+    JsonChange& change = state_.changes.member("buffers");
+    if (!takesFirst_) {
+      change.append(description);
+      return binary;
+    }
+    // What was not added to keeps its length, which may be less than the chunk's.
+    if (!state_.added.empty())
+      change.element(0).member("byteLength").set(binary.size());
+    if (!isGlb_)
+      change.element(0).member("uri").set(binaryUri(path_, binary));
+    return binary;
+  }
+
+  Result<std::string> changedText() {
+    const std::span<const std::byte> text = state_.file->container().text;
+    Result<std::string> changed = changedJson(
+        std::string_view(reinterpret_cast<const char*>(text.data()), text.size()), state_.changes);
+    if (!changed)
+      return fileError(state_.path, changed.error().message);
+    return changed;
+  }
+
+  Result<void> writeGlb() {
+    const std::vector<std::byte> binary = finishBuffer();
+    const Result<std::string> text = changedText();
+    if (!text)
+      return text.error();
+    constexpr std::size_t kFraming = 64; // headers and padding
+    const std::span<const std::byte> others = state_.file->container().otherChunks;
+    if (text.value().size() + binary.size() + others.size() >
+        std::numeric_limits<std::uint32_t>::max() - kFraming)
+      return fileError(path_, std::to_string(binary.size()) +
+                                  " bytes; a .glb holds below 4 GiB, a .gltf is accepted");
+    return replaceFile(path_, frameGlb(text.value(), binary, others));
+  }
+
+  Result<void> writeGltf() {
+    const std::vector<std::byte> binary = finishBuffer();
+    const Result<std::string> text = changedText();
+    return text ? writeGltfPair(path_, text.value(), binary) : text.error();
+  }
+
+  GltfScene::State& state_;
+  const std::filesystem::path& path_;
+  bool isGlb_;
+  std::span<const std::byte> before_; ///< of the buffer that takes what is added
+  bool takesFirst_ = false;           ///< that is the document's first
+};
+
+Result<void> GltfScene::write(const std::filesystem::path& path) {
+  const std::filesystem::path extension = path.extension();
+  if (extension != ".glb" && extension != ".gltf")
+    return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
+                                       "; .glb or .gltf is accepted"};
+  return withinMemory([&] { return path.string() + ": not enough memory to write it"; },
+                      [&] { return SceneWriter(*state_, path).run(); });
+}
+
+} // namespace lichen

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// What `lichen apply` makes of a scene and a noise.
+#include "command_run.h"
+
+#include <lichen/bundle.h>
+#include <lichen/bundle_writer.h>
+#include <lichen/files.h>
+#include <lichen/gltf_scene.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <tiny_scene.h>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
+
+Ended apply(const Workplace& workplace, const std::string& scene, const std::string& noise,
+            const std::string& material, const Arguments& more = {},
+            const std::string& output = "out.glb") {
+  Arguments arguments{"apply",      scene,    "--noise", noise,
+                      "--material", material, "-o",      workplace.path(output)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return runLichen(arguments);
+}
+
+/// The document of what `apply` wrote, which `check` finds sound.
+json applied(const Workplace& workplace, const std::string& scene, const std::string& noise,
+             const std::string& material, const Arguments& more = {},
+             const std::string& output = "out.glb") {
+  const Ended ended = apply(workplace, scene, noise, material, more, output);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const Ended checked = runLichen({"check", workplace.path(output), "--json"});
+  CHECK(checked.code == 0);
+  CHECK(json::parse(checked.output).at("warnings") == 0);
+  return GltfScene::open(workplace.path(output)).value().document();
+}
+
+std::string writeScene(const Workplace& workplace, const example::TinyScene& scene) {
+  return workplace.write("scene.glb", scene.glb());
+}
+
+std::string writeTexton(const Workplace& workplace) {
+  REQUIRE(writeBundle(workplace.path("wool.glb"), example::smallTexton()).ok());
+  return workplace.path("wool.glb");
+}
+
+/// The first three components of a float attribute in the binary chunk of a .glb.
+std::vector<std::array<float, 3>> vectorsOf(const std::string& file, PrimitivePlace place,
+                                            const std::string& name) {
+  const GltfScene scene = GltfScene::open(file).value();
+  const json& document = scene.document();
+  const std::size_t accessor = *scene.attribute(place, name);
+  const json& view =
+      document["bufferViews"][document["accessors"][accessor]["bufferView"].get<std::size_t>()];
+  const Result<std::vector<std::byte>> bytes = readFile(file);
+  const std::size_t text = 20 + std::to_integer<std::size_t>(bytes.value()[12]) +
+                           256 * std::to_integer<std::size_t>(bytes.value()[13]);
+  const std::size_t components = document["accessors"][accessor]["type"] == "VEC4" ? 4 : 3;
+  std::vector<std::array<float, 3>> values;
+  for (std::size_t i = 0; i < document["accessors"][accessor]["count"]; ++i) {
+    std::array<float, 4> value{0, 0, 0, 1};
+    std::memcpy(value.data(),
+                bytes.value().data() + text + 8 + view["byteOffset"].get<std::size_t>() +
+                    4 * components * i,
+                4 * components);
+    CHECK(value[3] == 1.0f);
+    values.push_back({value[0], value[1], value[2]});
+  }
+  return values;
+}
+
+float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+} // namespace
+
+TEST_CASE("apply gives one material the noise and leaves all others as they are") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb",
+                                {"--seed", "7", "--tile", "2"});
+  const example::TinyScene scene = example::tableScene();
+  const json document =
+      applied(workplace, writeScene(workplace, scene), moss, "wood", {"--scale", "0.5"});
+  const json use{{"noise", 0}, {"scale", 0.5}, {"seed", 7}};
+  CHECK(document["materials"][0]["extensions"][kExtension] == use);
+  CHECK(document["materials"][0]["pbrMetallicRoughness"] ==
+        json(scene.json["materials"][0]["pbrMetallicRoughness"]));
+  CHECK(document["materials"][1] == json(scene.json["materials"][1]));
+  CHECK(document["meshes"] == json(scene.json["meshes"]));
+  CHECK(document["nodes"] == json(scene.json["nodes"]));
+  CHECK(document["extensionsUsed"] == json{kExtension});
+  const Bundle bundle = readBundle(workplace.path("out.glb")).value();
+  CHECK(bundle.noises[0].name == "moss");
+  CHECK(bundle.noises[0].tileSizeMetres == 2.0);
+  CHECK(bundle.tables[0].texels == readBundle(moss).value().tables[0].texels);
+}
+
+TEST_CASE("materials are named, counted or all") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  const auto uses = [&](const std::string& material) {
+    const json document = applied(workplace, writeScene(workplace, scene), wool, material,
+                                  {"--mapping", "triplanar"});
+    std::string which;
+    for (const json& each : document["materials"])
+      which += each.contains("extensions") ? "x" : "-";
+    return which;
+  };
+  CHECK(uses("wood") == "x-");
+  CHECK(uses("1") == "-x");
+  CHECK(uses("all") == "xx");
+  scene.json["materials"][0]["name"] = "1"; // a name comes before an index
+  CHECK(uses("1") == "x-");
+  scene.json["materials"][1]["name"] = "1";
+  const std::string path = writeScene(workplace, scene);
+  const std::string output = workplace.path("none.glb");
+  const int usage = int(ErrorKind::usage);
+  const auto refused = [&](const std::string& material, const std::vector<std::string>& words) {
+    checkRefusal({"apply", path, "--noise", wool, "--material", material, "--mapping", "triplanar",
+                  "-o", output},
+                 usage, words);
+  };
+  refused("1", {"--material 1", "0, 1", "index"});
+  refused("marble", {"--material marble", "0 '1', 1 '1'"});
+  refused("2", {"--material 2"});
+  refused("-1", {"--material -1"});
+  CHECK(!std::filesystem::exists(output));
+}
+
+TEST_CASE("a noise of a bundle is named behind a colon") {
+  const Workplace workplace;
+  const std::string grey = workplace.write("grey.png", smoothGrey(8));
+  const std::string first = bake(workplace, grey, "first.glb", {"--name", "one"});
+  const std::string second = bake(workplace, grey, "second.glb", {"--name", "two", "--tile", "3"});
+  REQUIRE(runLichen({"merge", first, second, "-o", workplace.path("b:th.glb"), "--preview", "none"})
+              .code == 0);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const auto nameOfNoise = [&](const std::string& noise) {
+    return applied(workplace, scene, workplace.path(noise),
+                   "0")["extensions"][kExtension]["noises"][0]["name"];
+  };
+  CHECK(nameOfNoise("b:th.glb") == "one"); // a colon of the file's own
+  CHECK(nameOfNoise("b:th.glb:two") == "two");
+  checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
+                "-o", workplace.path("x.glb")},
+               int(ErrorKind::usage), {"three", "one, two"});
+}
+
+TEST_CASE("mappings that a method has not, or that the meshes do not allow, are refused by name") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(8)), "moss.glb");
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  const int usage = int(ErrorKind::usage), bad = int(ErrorKind::badInput);
+  const auto refused = [&](const std::string& noise, const std::string& mapping,
+                           const std::string& material, int code,
+                           const std::vector<std::string>& words) {
+    checkRefusal({"apply", writeScene(workplace, scene), "--noise", noise, "--material", material,
+                  "--mapping", mapping, "-o", workplace.path("x.glb")},
+                 code, words);
+  };
+  refused(moss, "surface", "0", usage, {"--mapping surface", "tiling", "uv or triplanar"});
+  refused(moss, "solid", "0", usage, {"--mapping solid", "tiling"});
+  refused(wool, "solid", "0", usage, {"texton", "uv, triplanar or surface"});
+  refused(moss, "uv", "glass", bad,
+          {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
+  refused(moss, "uv", "all", bad, {"material 'glass'", "TEXCOORD_0"});
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
+  refused(wool, "surface", "0", bad, {"primitive 0", "TANGENT", "normalTexture"});
+  scene.json["meshes"][0]["primitives"][1]["mode"] = 3;
+  refused(wool, "surface", "glass", bad, {"primitive 1 of mesh 'table'", "lines"});
+  CHECK(!std::filesystem::exists(workplace.path("x.glb")));
+}
+
+TEST_CASE("surface noise gets a frame where there is none") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const json document = applied(workplace, scene, wool, "all", {"--mapping", "surface"});
+  CHECK(document["materials"][1]["extensions"][kExtension]["mapping"] == "surface");
+  const json before = example::tableScene().json["meshes"][0]["primitives"];
+  const json& after = document["meshes"][0]["primitives"];
+  CHECK(after[0]["attributes"]["NORMAL"] == before[0]["attributes"]["NORMAL"]);
+  for (const std::size_t p : {0u, 1u}) {
+    const auto normals = vectorsOf(workplace.path("out.glb"), {0, p}, "NORMAL");
+    const auto tangents = vectorsOf(workplace.path("out.glb"), {0, p}, "TANGENT");
+    REQUIRE(normals.size() == 4);
+    REQUIRE(tangents.size() == 4);
+    for (std::size_t v = 0; v < 4; ++v) {
+      CHECK(dot(tangents[v], tangents[v]) == Approx(1.0).margin(1e-6));
+      CHECK(dot(normals[v], normals[v]) == Approx(1.0).margin(1e-6));
+      CHECK(std::abs(dot(normals[v], tangents[v])) < 1e-6);
+    }
+  }
+  // Smooth normals of a tetrahedron point from its middle to its corners.
+  const auto normals = vectorsOf(workplace.path("out.glb"), {0, 1}, "NORMAL");
+  CHECK(normals[0][0] == Approx(1.0 / std::sqrt(3.0)));
+  CHECK(normals[1][1] == Approx(-1.0 / std::sqrt(3.0)));
+  // The square is flat: one direction.
+  const auto tangents = vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT");
+  for (const auto& tangent : tangents)
+    CHECK(dot(tangent, tangents[0]) == Approx(1.0));
+}
+
+TEST_CASE("tangents that a mesh has are its frame") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  auto& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TANGENT"] =
+      scene.addFloats({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, "VEC4", 4);
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}}; // which they belong to
+  const json document =
+      applied(workplace, writeScene(workplace, scene), wool, "wood", {"--mapping", "surface"});
+  CHECK(document["meshes"] == json(scene.json["meshes"]));
+}
+
+TEST_CASE("the report tells frames, singularities and what multiplies the noise") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const Ended ended = apply(workplace, scene, wool, "glass", {"--mapping", "surface", "--json"});
+  REQUIRE(ended.code == 0);
+  CHECK(ended.errors.empty());
+  const json report = json::parse(ended.output);
+  CHECK(report["noise"] == "wool");
+  CHECK(report["newTables"] == 1);
+  CHECK(report["materials"] == json{"material 'glass'"});
+  const json& frames = report["frames"][0];
+  CHECK(frames["mesh"] == "mesh 'table'");
+  CHECK(frames["triangles"] == 4);
+  CHECK(frames["newNormals"] == true);
+  CHECK(frames["components"][0]["closed"] == true);
+  CHECK(frames["components"][0]["eulerCharacteristic"] == 2);
+  int sum = 0;
+  for (const json& singularity : frames["singularities"])
+    sum += singularity["index"].get<int>();
+  CHECK(sum == 2);
+  CHECK(report["notes"].size() == 2);
+
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  const Ended noted = apply(workplace, scene, moss, "wood");
+  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1.0]") &&
+                               Catch::Contains("material 'wood'"));
+  CHECK(apply(workplace, scene, moss, "wood", {"--quiet"}).errors.empty());
+}
+
+TEST_CASE("the same noise on a scene twice is stored once, under its name") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const Arguments triplanar{"--mapping", "triplanar"};
+  const json once = applied(workplace, scene, wool, "0", triplanar);
+  const json twice = applied(workplace, workplace.path("out.glb"), wool, "1", triplanar);
+  CHECK(twice["bufferViews"] == once["bufferViews"]);
+  CHECK(twice["extensions"] == once["extensions"]);
+  const std::string moss =
+      bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb", {"--name", "wool"});
+  const Ended ended = apply(workplace, workplace.path("out.glb"), moss, "0");
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("'wool-2'"));
+}
+
+TEST_CASE("the same call gives the same bytes") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  for (const char* name : {"a.glb", "b.glb"})
+    REQUIRE(apply(workplace, scene, wool, "all",
+                  {"--mapping", "surface", "--threads", name[0] == 'a' ? "1" : "4"}, name)
+                .code == 0);
+  CHECK(workplace.read("a.glb") == workplace.read("b.glb"));
+}
+
+TEST_CASE("scenes, noises and outputs that cannot be used are refused, and no file is left") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const std::string image = workplace.write("image.png", smooth(8));
+  const std::string empty = workplace.write("empty.gltf", R"({"asset":{"version":"2.0"}})");
+  const std::string twice = workplace.write(
+      "twice.gltf", R"({"asset":{"version":"2.0"},"materials":[{}],"materials":[{}]})");
+  const std::string output = workplace.path("x.glb");
+  const int bad = int(ErrorKind::badInput), usage = int(ErrorKind::usage);
+  const auto refused = [&](const std::string& from, const std::string& noise, const std::string& to,
+                           int code, const std::vector<std::string>& words) {
+    checkRefusal(
+        {"apply", from, "--noise", noise, "--material", "0", "--mapping", "triplanar", "-o", to},
+        code, words);
+  };
+  refused(image, wool, output, bad, {"image.png"});
+  refused(workplace.path("none.glb"), wool, output, bad, {"none.glb"});
+  refused(scene, image, output, bad, {"image.png"});
+  refused(scene, scene, output, bad, {"scene.glb", "no noise"});
+  refused(empty, wool, output, bad, {"empty.gltf", "no materials"});
+  refused(twice, wool, output, bad, {"twice.gltf", "/materials", "twice"});
+  refused(scene, wool, workplace.path("x.png"), usage, {".glb", ".gltf"});
+  refused(scene, wool, workplace.path("none/x.glb"), int(ErrorKind::environment), {"none"});
+  checkRefusal({"apply", scene, "--noise", wool, "-o", output}, usage, {"--material is required"});
+  checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--scale", "0", "-o", output},
+               usage, {"--scale 0"});
+  CHECK(!std::filesystem::exists(output));
+}

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+// A texton bake, judged by its stored tables alone: what covariance, between all channels of all
+// maps, their noise has, and what its mips keep.
+#include "example_exemplar.h"
+
+#include <lichen/texton.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// The B-spline of degree 2 order + 1 at the integers, as [GLM17] section 4.1 and ALGORITHMS state
+/// it.
+double sampledSpline(int order, int lag) {
+  constexpr double kOrder3[] = {151.0 / 315.0, 397.0 / 1680.0, 1.0 / 42.0, 1.0 / 5040.0};
+  lag = std::abs(lag);
+  if (order == 0)
+    return lag == 0 ? 1.0 : 0.0;
+  if (order == 1)
+    return lag == 0 ? 2.0 / 3.0 : (lag == 1 ? 1.0 / 6.0 : 0.0);
+  return lag < 4 ? kOrder3[lag] : 0.0;
+}
+
+/// What is stored of one channel's coefficients.
+struct Channel {
+  std::vector<double> texels; ///< of one mip, row by row
+  int width = 0;
+  int height = 0;
+};
+
+std::vector<Channel> channelsOf(const TextonBake& bake, std::uint32_t level = 0) {
+  std::vector<Channel> all;
+  for (const NoiseMap& map : bake.noise.maps) {
+    const Table& table = bake.tables[map.image];
+    const std::vector<float> values = decodeLevel(table, level);
+    const auto stride = std::size_t(channelCount(table.format));
+    for (std::size_t c = 0; c < map.channels.size(); ++c) {
+      Channel channel{{}, int(table.width >> level), int(table.height >> level)};
+      for (std::size_t i = c; i < values.size(); i += stride)
+        channel.texels.push_back(map.scale[c] * double(values[i]));
+      all.push_back(std::move(channel));
+    }
+  }
+  return all;
+}
+
+/// Sum over k, l of b(k - l) a(k) b(l), by the definition.
+double covariance(const Channel& a, const Channel& b, int order) {
+  double sum = 0.0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int dy = -order; dy <= order; ++dy)
+        for (int dx = -order; dx <= order; ++dx) {
+          const int u = x + dx, v = y + dy;
+          if (u >= 0 && v >= 0 && u < b.width && v < b.height)
+            sum += sampledSpline(order, dx) * sampledSpline(order, dy) *
+                   a.texels[std::size_t(y * a.width + x)] * b.texels[std::size_t(v * b.width + u)];
+        }
+  return sum;
+}
+
+MatrixXd storedCovariance(const TextonBake& bake) {
+  const std::vector<Channel> channels = channelsOf(bake);
+  const auto n = Eigen::Index(channels.size());
+  MatrixXd result(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      result(i, j) =
+          covariance(channels[std::size_t(i)], channels[std::size_t(j)], bake.noise.texton.order);
+  return result;
+}
+
+MatrixXd exemplarCovariance(std::span<const MapExemplar> maps) {
+  std::vector<std::vector<double>> channels;
+  for (const MapExemplar& map : maps) {
+    const std::size_t n = map.channels.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      std::vector<double> values;
+      double mean = 0.0;
+      for (std::size_t i = c; i < map.values.size(); i += n) {
+        values.push_back(map.values[i]);
+        mean += map.values[i];
+      }
+      for (double& value : values)
+        value -= mean / double(values.size());
+      channels.push_back(std::move(values));
+    }
+  }
+  const auto n = Eigen::Index(channels.size());
+  MatrixXd result = MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::vector<double>&a = channels[std::size_t(i)], &b = channels[std::size_t(j)];
+      for (std::size_t k = 0; k < a.size(); ++k)
+        result(i, j) += a[k] * b[k] / double(a.size());
+    }
+  return result;
+}
+
+/// Slopes and a roughness that follow the colours' light, so that all maps go together.
+std::vector<MapExemplar> materialSet(const MapExemplar& color) {
+  MapExemplar normal = color, rough = color;
+  normal.target = MapTarget::normal;
+  normal.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  normal.encoding = ValueEncoding::slope;
+  normal.values.clear();
+  rough.target = MapTarget::occlusionRoughnessMetallic;
+  rough.channels = {MapChannel::roughness};
+  rough.encoding = ValueEncoding::linear;
+  rough.values.clear();
+  const auto green = [&](int x, int y) {
+    x = (x + color.width) % color.width;
+    y = (y + color.height) % color.height;
+    return color.values[3 * std::size_t(y * color.width + x) + 1];
+  };
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x) {
+      normal.values.push_back(green(x - 1, y) - green(x + 1, y));
+      normal.values.push_back(green(x, y - 1) - green(x, y + 1));
+      rough.values.push_back(1.0f - green(x, y));
+    }
+  return {color, normal, rough};
+}
+
+TextonBake bakeOf(std::span<const MapExemplar> maps, const TextonOptions& options) {
+  Result<TextonBake> baked = bakeTexton("stone", maps, options);
+  REQUIRE(baked);
+  return std::move(baked).value();
+}
+
+TextonOptions supportOf(int support, int order = 1, int bits = 16) {
+  TextonOptions options;
+  options.support = support;
+  options.order = order;
+  options.bits = bits;
+  return options;
+}
+
+/// 32-bit texels have a rounding of 6e-8; the target asks for 1e-6.
+constexpr double kCovarianceTolerance = 1e-6;
+
+} // namespace
+
+TEST_CASE("a texton's noise has the exemplar's covariance, for every order") {
+  const MapExemplar map = test::threeMaterials(64, 48, 5);
+  const MatrixXd wanted = exemplarCovariance({&map, 1});
+  for (const int order : {0, 1, 3}) {
+    const TextonBake bake = bakeOf({&map, 1}, supportOf(16, order));
+    CHECK((storedCovariance(bake) - wanted).norm() <= kCovarianceTolerance * wanted.norm());
+    CHECK(bake.quality.covarianceError <= kCovarianceTolerance);
+  }
+}
+
+TEST_CASE("half floats keep a texton's covariance to their rounding") {
+  const MapExemplar map = test::threeMaterials(64, 64, 6);
+  const MatrixXd wanted = exemplarCovariance({&map, 1});
+  const TextonBake bake = bakeOf({&map, 1}, supportOf(32, 1, 8));
+  // Each of some 1000 texels is off by a uniform error of at most 2^-11 of itself: their sum's
+  // deviation is below 2 2^-11 / sqrt(3 1000) = 1.8e-5 of it; four times that.
+  CHECK((storedCovariance(bake) - wanted).norm() <= 7.2e-5 * wanted.norm());
+}
+
+TEST_CASE("the maps of a set keep their covariances with one another") {
+  const std::vector<MapExemplar> maps = materialSet(test::threeMaterials(64, 64, 7));
+  const MatrixXd wanted = exemplarCovariance(maps);
+  const TextonBake bake = bakeOf(maps, supportOf(24));
+  const MatrixXd stored = storedCovariance(bake);
+  CHECK((stored - wanted).norm() <= kCovarianceTolerance * wanted.norm());
+  REQUIRE(bake.noise.maps.size() == 3);
+  CHECK(bake.noise.maps[1].mean.size() == 2);
+}
+
+TEST_CASE("grey stored as RGB, a constant channel and one colour are usual exemplars") {
+  MapExemplar grey = test::threeMaterials(48, 48, 8);
+  for (std::size_t i = 0; i < grey.values.size(); i += 3)
+    grey.values[i + 1] = grey.values[i + 2] = grey.values[i];
+  const MatrixXd wanted = exemplarCovariance({&grey, 1});
+  const TextonBake greyBake = bakeOf({&grey, 1}, supportOf(16));
+  CHECK((storedCovariance(greyBake) - wanted).norm() <= kCovarianceTolerance * wanted.norm());
+
+  MapExemplar flatBlue = test::threeMaterials(48, 48, 9);
+  for (std::size_t i = 2; i < flatBlue.values.size(); i += 3)
+    flatBlue.values[i] = 0.25f;
+  const TextonBake blueBake = bakeOf({&flatBlue, 1}, supportOf(16));
+  CHECK(blueBake.noise.maps[0].scale[2] == 0.0);
+  CHECK(blueBake.noise.maps[0].mean[2] == Approx(0.25));
+
+  MapExemplar one = flatBlue;
+  std::fill(one.values.begin(), one.values.end(), 0.5f);
+  const TextonBake oneBake = bakeOf({&one, 1}, supportOf(16));
+  CHECK(oneBake.quality.modelError == 0.0);
+  CHECK(oneBake.noise.maps[0].scale == std::vector<double>{0.0, 0.0, 0.0});
+}
+
+TEST_CASE("an exemplar of one pixel, and one that is thinner than the support, make textons") {
+  const MapExemplar map = test::threeMaterials(64, 64, 10);
+  for (const auto& [width, height] : {std::pair{1, 1}, {64, 3}, {7, 64}}) {
+    const MapExemplar part = test::cropped(map, 0, 0, width, height);
+    const Result<TextonBake> baked = bakeTexton("stone", {&part, 1}, supportOf(16));
+    REQUIRE(baked);
+    CHECK(baked.value().noise.texton.coefficientsX == std::min(15, width));
+    CHECK(baked.value().noise.texton.coefficientsY == std::min(15, height));
+  }
+}
+
+TEST_CASE("a slope of light from border to border is refused, since no texton has it") {
+  MapExemplar map = test::threeMaterials(32, 32, 11);
+  for (std::size_t i = 0; i < map.values.size(); ++i)
+    map.values[i] = float(i / 3 % 32) / 31.0f;
+  const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, supportOf(8));
+  REQUIRE_FALSE(baked);
+  CHECK(baked.error().kind == ErrorKind::badInput);
+}
+
+TEST_CASE("the losses of a texton's mips are those of the noise that is fetched from them") {
+  const MapExemplar map = test::threeMaterials(64, 64, 12);
+  const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
+  const NoiseMap& noise = bake.noise.maps[0];
+  REQUIRE(bake.noise.texton.mipLevels == 3);
+  REQUIRE(noise.mipLoss.size() == kMaxTextonLosses);
+  for (std::uint32_t level = 0; level < 3; ++level) {
+    // The integral of the bilinear fetch squared, midpoint by midpoint.
+    constexpr int kSteps = 8; // a texel: 1 / (3 kSteps^2) of a product of hats is missed, 0.5 %
+    const double side = std::exp2(level);
+    double kept = 0.0;
+    const std::vector<Channel> mips = channelsOf(bake, level), whole = channelsOf(bake);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Channel& mip = mips[c];
+      const auto at = [&](int x, int y) {
+        const bool inside = x >= 0 && y >= 0 && x < mip.width && y < mip.height;
+        return inside ? mip.texels[std::size_t(y * mip.width + x)] : 0.0;
+      };
+      double sum = 0.0;
+      for (int v = -kSteps; v < mip.height * kSteps; ++v)
+        for (int u = -kSteps; u < mip.width * kSteps; ++u) {
+          const double px = (u + 0.5) / kSteps, py = (v + 0.5) / kSteps;
+          const int x = int(std::floor(px)), y = int(std::floor(py));
+          const double s = px - x, t = py - y;
+          const double value = (1 - s) * ((1 - t) * at(x, y) + t * at(x, y + 1)) +
+                               s * ((1 - t) * at(x + 1, y) + t * at(x + 1, y + 1));
+          sum += value * value;
+        }
+      kept += side * side * sum / (kSteps * kSteps) / covariance(whole[c], whole[c], 1) / 3.0;
+    }
+    CHECK(noise.mipLoss[level] == Approx(1.0 - kept).margin(0.01));
+  }
+  // Averages over far more than the support have next to nothing left.
+  CHECK(noise.mipLoss.back() > 0.999);
+}
+
+TEST_CASE("the bytes of a texton bake do not depend on the number of threads") {
+  const std::vector<MapExemplar> maps = materialSet(test::threeMaterials(64, 64, 13));
+  const TextonBake all = bakeOf(maps, supportOf(16));
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const TextonBake alone = bakeOf(maps, supportOf(16));
+  for (std::size_t i = 0; i < all.tables.size(); ++i)
+    CHECK(all.tables[i].texels == alone.tables[i].texels);
+}
+
+TEST_CASE("each option of a texton changes what it says") {
+  MapExemplar map = test::threeMaterials(64, 64, 14);
+  for (std::size_t i = 0; i < map.values.size(); ++i) // light that falls off to one side
+    map.values[i] *= 0.5f + 0.5f * float(i / 3 % 64) / 63.0f;
+  const TextonBake plain = bakeOf({&map, 1}, supportOf(16));
+  CHECK(plain.noise.texton.coefficientsX == 15);
+  CHECK(plain.noise.texton.frameWidth() == 18);
+  CHECK(bakeOf({&map, 1}, supportOf(24)).quality.modelError < plain.quality.modelError);
+  CHECK(bakeOf({&map, 1}, supportOf(16, 3)).noise.texton.coefficientsX == 13);
+  CHECK(texelBytes(plain.tables[0].format) == 16);
+  CHECK(texelBytes(bakeOf({&map, 1}, supportOf(16, 1, 8)).tables[0].format) == 8);
+
+  TextonOptions options = supportOf(16);
+  options.variance = TextonVariance::periodic;
+  CHECK(storedCovariance(bakeOf({&map, 1}, options)).trace() <
+        0.97 * storedCovariance(plain).trace());
+  options = supportOf(16);
+  options.fit = TextonFit::projections;
+  CHECK(bakeOf({&map, 1}, options).tables[0].texels != plain.tables[0].texels);
+  CHECK(plain.quality.heldOutError.has_value());
+  CHECK_FALSE(bakeOf({&map, 1}, supportOf(40)).quality.heldOutError.has_value());
+}
+
+TEST_CASE("options and maps out of range are refused, each with its value") {
+  const MapExemplar map = test::threeMaterials(32, 32, 15);
+  const auto refused = [&](const TextonOptions& options, const std::string& words) {
+    const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, options);
+    REQUIRE_FALSE(baked);
+    CHECK(baked.error().kind == ErrorKind::usage);
+    CHECK_THAT(baked.error().message, Catch::Contains(words));
+  };
+  refused(supportOf(3), "support 3");
+  refused(supportOf(1025), "support 1025");
+  refused(supportOf(16, 2), "order 2");
+  refused(supportOf(16, 1, 12), "12 bits");
+  CHECK_FALSE(bakeTexton("stone", {}, supportOf(16)));
+  const std::vector<MapExemplar> twice{map, map};
+  CHECK_FALSE(bakeTexton("stone", twice, supportOf(16)));
+}
+
+TEST_CASE("a texton bake tells its progress, and stops when told") {
+  const MapExemplar map = test::threeMaterials(64, 64, 16);
+  std::vector<double> fractions;
+  TextonOptions options = supportOf(16);
+  options.progress = [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  (void)bakeOf({&map, 1}, options);
+  CHECK(fractions.size() > 100);
+  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+  CHECK(fractions.back() == 1.0);
+  options.progress = [](double fraction) { return fraction < 0.3; };
+  const Result<TextonBake> stopped = bakeTexton("stone", {&map, 1}, options);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().kind == ErrorKind::environment);
+}
+
+} // namespace lichen

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+// Textons between exemplars: their ends, their covariances, and how smooth the way is.
+#include "example_exemplar.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <texton/color_correction.h>
+#include <texton/mixing.h>
+#include <transport/covariance_map.h>
+
+using namespace lichen;
+using namespace lichen::test;
+using namespace lichen::texton;
+using Eigen::MatrixXd;
+
+namespace {
+
+MixExemplar exemplarOf(const MapExemplar& map, std::string name = "exemplar") {
+  const auto channels = Eigen::Index(map.channels.size());
+  const Eigen::Map<const Eigen::MatrixXf> values(map.values.data(), channels,
+                                                 Eigen::Index(map.values.size()) / channels);
+  const Eigen::VectorXd mean = values.cast<double>().rowwise().mean();
+  const MatrixXd centred = values.cast<double>().colwise() - mean;
+  return {std::move(name), gaussianModel(map.values, map.width, map.height, int(channels)),
+          centred * centred.transpose() / double(values.cols())};
+}
+
+MapExemplar constant(int width, int height) {
+  MapExemplar map = threeMaterials(width, height, 1);
+  for (std::size_t i = 0; i < map.values.size(); ++i)
+    map.values[i] = 0.25f + 0.25f * float(i % 3);
+  return map;
+}
+
+/// The luminance of the map as colour: one axis of three.
+MapExemplar greyed(MapExemplar map) {
+  for (std::size_t i = 0; i < map.values.size(); i += 3)
+    map.values[i] = map.values[i + 1] = map.values[i + 2];
+  return map;
+}
+
+MixOptions support(int side, int stepsPerLeg, int order = 1) {
+  MixOptions options;
+  options.width = side;
+  options.height = side;
+  options.order = order;
+  options.stepsPerLeg = stepsPerLeg;
+  return options;
+}
+
+TextonMix pathOf(std::span<const MixExemplar> exemplars, const MixOptions& options) {
+  Result<TextonMix> result = fitTextonPath(exemplars, options);
+  INFO((result ? "" : result.error().message));
+  REQUIRE(result);
+  return std::move(result).value();
+}
+
+/// Length of the difference over the root of the mean square of both.
+double relativeStep(const TextonCoefficients& a, const TextonCoefficients& b) {
+  double difference = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    difference += std::pow(double(a.values[i]) - double(b.values[i]), 2);
+    size += (std::pow(double(a.values[i]), 2) + std::pow(double(b.values[i]), 2)) / 2.0;
+  }
+  return std::sqrt(difference / size);
+}
+
+std::string messageOf(const Result<TextonMix>& result, ErrorKind kind) {
+  REQUIRE(!result);
+  CHECK(result.error().kind == kind);
+  return result.error().message;
+}
+
+} // namespace
+
+TEST_CASE(
+    "the textons at the ends of a path are nearly as near their exemplars as their own fits") {
+  // What one phase a frequency for two spectra costs: up to 7 % here, 1 % on photographs. A faint
+  // exemplar is not neglected.
+  for (const int order : {0, 1, 3}) {
+    MapExemplar faint = threeMaterials(64, 64, 7);
+    for (float& value : faint.values)
+      value *= 0.1f;
+    const std::vector<MixExemplar> exemplars{exemplarOf(faint),
+                                             exemplarOf(threeMaterials(64, 64, 8, 1))};
+    const TextonMix mix = pathOf(exemplars, support(24, 4, order));
+    REQUIRE(mix.steps.size() == 5);
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+      const MixStep& step = mix.steps[4 * end];
+      CHECK(step.weights[end] == 1.0);
+      std::vector<double> alone(2, 0.0);
+      alone[end] = 1.0;
+      const Result<TextonMix> single = fitTextonBarycenter(exemplars, alone, support(24, 1, order));
+      REQUIRE(single);
+      INFO("order " << order << ", end " << end);
+      CHECK(step.modelError < 1.1 * single.value().steps[0].modelError);
+    }
+  }
+}
+
+TEST_CASE("every step has the covariance of the exemplars' transport barycentre") {
+  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(32, 32, 7)),
+                                           exemplarOf(threeMaterials(32, 32, 9))};
+  const TextonMix mix = pathOf(exemplars, support(12, 5));
+  const MatrixXd map = transport::covarianceMap(exemplars[0].covariance, exemplars[1].covariance);
+  for (const MixStep& step : mix.steps) {
+    const MatrixXd line = step.weights[0] * MatrixXd::Identity(3, 3) + step.weights[1] * map;
+    const MatrixXd expected = line * exemplars[0].covariance * line;
+    // What correctCovariance states, and the rounding of the pseudo-inverses.
+    CHECK((noiseCovariance(step.texton, 1) - expected).norm() < 1e-5 * expected.norm());
+  }
+}
+
+TEST_CASE("a grey exemplar stored as colour, and one of one colour, can be an end") {
+  const MixExemplar color = exemplarOf(threeMaterials(32, 32, 7));
+  const MixExemplar grey = exemplarOf(greyed(threeMaterials(32, 32, 9)));
+  for (const auto& [first, second] : {std::pair{grey, color}, {color, grey}, {grey, grey}}) {
+    const TextonMix mix = pathOf(std::vector{first, second}, support(12, 4));
+    const TextonCoefficients& end = mix.steps[0].texton;
+    CHECK((noiseCovariance(end, 1) - first.covariance).norm() < 1e-5 * first.covariance.norm());
+    const std::size_t plane = end.values.size() / 3;
+    if (transport::rank(first.covariance) == 1)
+      for (std::size_t i = 0; i < plane; ++i)
+        CHECK(end.values[i] == Approx(end.values[2 * plane + i]).margin(1e-5));
+  }
+  const MixExemplar flat = exemplarOf(constant(32, 32));
+  const TextonMix mix = pathOf(std::vector{flat, color}, support(12, 4));
+  for (const float value : mix.steps[0].texton.values)
+    CHECK(std::abs(value) < 1e-6f);
+  // The deviation grows in a straight line, and the texture is the exemplar's throughout.
+  for (const MixStep& step : mix.steps) {
+    const MatrixXd expected = step.weights[1] * step.weights[1] * color.covariance;
+    CHECK((noiseCovariance(step.texton, 1) - expected).norm() <= 1e-5 * color.covariance.norm());
+    if (step.weights[1] > 0.0)
+      CHECK(step.modelError == Approx(mix.steps.back().modelError).epsilon(1e-3));
+  }
+  for (const MixStep& step : pathOf(std::vector{flat, flat}, support(12, 4)).steps)
+    for (const float value : step.texton.values)
+      CHECK(std::abs(value) < 1e-6f);
+}
+
+TEST_CASE("neighbouring textons are near, and much nearer than those of fits by themselves") {
+  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(48, 48, 7)),
+                                           exemplarOf(threeMaterials(48, 48, 8, 1))};
+  const TextonMix mix = pathOf(exemplars, support(16, 20));
+  double longest = 0.0;
+  double sum = 0.0;
+  double alone = 0.0;
+  double error = 0.0;
+  double errorAlone = 0.0;
+  TextonCoefficients last;
+  for (std::size_t k = 0; k < mix.steps.size(); ++k) {
+    const MixStep& step = mix.steps[k];
+    // As [GLM17] has it: the same start for all.
+    const Result<TextonMix> fitted = fitTextonBarycenter(exemplars, step.weights, support(16, 1));
+    REQUIRE(fitted);
+    error += step.modelError;
+    errorAlone += fitted.value().steps[0].modelError;
+    if (k > 0) {
+      const double length = relativeStep(mix.steps[k - 1].texton, step.texton);
+      longest = std::max(longest, length);
+      sum += length;
+      alone += relativeStep(last, fitted.value().steps[0].texton);
+    }
+    last = fitted.value().steps[0].texton;
+  }
+  // A straight line of 20 steps between two textons of alike length and no negative product is at
+  // most sqrt(2) long, and nearest to zero, by a factor of sqrt(2), in the middle.
+  CHECK(longest < 2.0 / 20.0);
+  CHECK(sum < 0.2 * alone);
+  CHECK(error < 1.05 * errorAlone);
+}
+
+TEST_CASE("a path leads through all exemplars, and exemplars of other sizes share its tile") {
+  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(32, 24, 1)),
+                                           exemplarOf(threeMaterials(16, 16, 2, 1)),
+                                           exemplarOf(threeMaterials(30, 40, 3))};
+  const TextonMix mix = pathOf(exemplars, support(10, 3));
+  CHECK(mix.width == 32);
+  CHECK(mix.height == 43); // 40 of 30 pixels, as large as 32
+  REQUIRE(mix.steps.size() == 7);
+  CHECK(mix.steps[0].texton.width == 10);
+  const TextonMix whole = pathOf(exemplars, support(40, 1));
+  CHECK(whole.steps[0].texton.width == 32);
+  CHECK(whole.steps[0].texton.height == 40);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const MixStep& step = mix.steps[3 * k];
+    CHECK(step.weights[k] == 1.0);
+    CHECK((noiseCovariance(step.texton, 1) - exemplars[k].covariance).norm() <
+          1e-5 * exemplars[k].covariance.norm());
+  }
+  CHECK(mix.steps[4].weights == std::vector{0.0, 1.0 - 1.0 / 3.0, 1.0 / 3.0});
+  // Weights of any sum, more than two of them, and one kernel that is enough for three.
+  const Result<TextonMix> inside =
+      fitTextonBarycenter(exemplars, std::vector{2.0, 1.0, 1.0}, support(10, 1));
+  REQUIRE(inside);
+  CHECK(inside.value().steps[0].weights == std::vector{0.5, 0.25, 0.25});
+  CHECK(inside.value().steps[0].rankError < 0.05);
+  CHECK(inside.value().steps[0].modelError < 1.0);
+}
+
+TEST_CASE("what cannot be mixed is refused with its reason") {
+  const MixExemplar color = exemplarOf(threeMaterials(16, 16, 1), "moss.png");
+  MapExemplar grey{MapTarget::baseColor, {MapChannel::red}, ValueEncoding::srgb, 8, 8, {}};
+  for (int i = 0; i < 64; ++i)
+    grey.values.push_back(float(i * 37 % 64) / 64.0f);
+  const std::vector<MixExemplar> differing{color, exemplarOf(grey, "height.png")};
+  CHECK(messageOf(fitTextonPath(differing, support(8, 4)), ErrorKind::usage) ==
+        "height.png: 1 channels, and moss.png has 3; a mix takes exemplars with the same channels");
+  CHECK(messageOf(fitTextonPath(std::vector{color}, support(8, 4)), ErrorKind::usage) ==
+        "1 exemplars to mix; at least 2 are accepted");
+  const std::vector<MixExemplar> pair{color, exemplarOf(threeMaterials(32, 12, 2), "rust.png")};
+  CHECK(messageOf(fitTextonPath(pair, support(0, 4)), ErrorKind::usage) ==
+        "a texton of 0 x 0 coefficients; 1 x 1 and more is accepted");
+  CHECK(messageOf(fitTextonPath(pair, support(8, 0)), ErrorKind::usage) ==
+        "0 steps from an exemplar to the next; at least 1 is accepted");
+  CHECK(messageOf(fitTextonBarycenter(pair, std::vector{1.0}, support(8, 1)), ErrorKind::usage) ==
+        "1 weights for 2 exemplars; one each is accepted");
+  CHECK(messageOf(fitTextonBarycenter(pair, std::vector{1.0, -0.5}, support(8, 1)),
+                  ErrorKind::usage) == "a weight of -0.5; 0 and more is accepted");
+  CHECK(messageOf(fitTextonBarycenter(pair, std::vector{0.0, 0.0}, support(8, 1)),
+                  ErrorKind::usage) == "weights of sum 0; a positive one is accepted");
+  // One coefficient makes all channels go together, and those of the exemplars do not.
+  CHECK(messageOf(fitTextonPath(pair, support(1, 1)), ErrorKind::badInput) ==
+        "a mix of 1 moss.png, 0 rust.png: 1 x 1 coefficients cannot vary as these colours do; a "
+        "larger texton, or exemplars with detail, are accepted");
+  // A ramp is what its periodic component lacks.
+  MapExemplar ramp = constant(256, 16);
+  for (std::size_t i = 0; i < ramp.values.size(); ++i)
+    ramp.values[i] = float(i / 3 % 256) / 255.0f;
+  const std::vector<MixExemplar> ramps{color, exemplarOf(ramp, "ramp.png")};
+  CHECK(messageOf(fitTextonPath(ramps, support(8, 1)), ErrorKind::badInput) ==
+        "ramp.png: varies only from one border to the other, and no texton does; a photograph with "
+        "detail is accepted");
+}
+
+TEST_CASE("a mix tells how far it is, ends when it is told to, and is the same on any threads") {
+  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(24, 24, 1)),
+                                           exemplarOf(threeMaterials(24, 24, 2))};
+  MixOptions options = support(8, 3);
+  std::vector<double> told;
+  options.progress = [&](double fraction) {
+    told.push_back(fraction);
+    return true;
+  };
+  const TextonMix many = pathOf(exemplars, options);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK(told.front() > 0.0);
+  CHECK(told.back() == 1.0);
+  options.progress = [](double fraction) { return fraction < 0.5; };
+  CHECK(messageOf(fitTextonPath(exemplars, options), ErrorKind::environment) ==
+        "the mix: interrupted");
+  options.progress = {};
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const TextonMix alone = pathOf(exemplars, options);
+  for (std::size_t k = 0; k < many.steps.size(); ++k)
+    CHECK(alone.steps[k].texton.values == many.steps[k].texton.values);
+}
+
+namespace {
+
+constexpr int kStripSide = 8;    // of the textons
+constexpr int kStripLength = 24; // pixels from a step to the next
+constexpr int kStripRows = 192;
+constexpr int kStripFields = 16;
+constexpr double kImpactsAPixel = 0.5; // 32 on each pixel
+
+/// Spot noise of order 0 in which each impact takes the texton of the strip it falls in, the next
+/// one every kStripLength columns; for each column the mean over rows and channels of its values,
+/// and of their squares over the variance that its strip is to have. Rows wrap.
+struct ColumnStatistics {
+  std::vector<double> mean;
+  std::vector<double> variance;
+};
+
+ColumnStatistics stripsOf(std::span<const TextonCoefficients> steps, unsigned seed) {
+  const int width = kStripLength * int(steps.size());
+  std::mt19937 bits(seed);
+  std::uniform_int_distribution<int> column(0, width - 1), row(0, kStripRows - 1), sign(0, 1);
+  const int impacts = int(kImpactsAPixel * width * kStripRows);
+  std::vector<double> field(std::size_t(3 * (width + kStripSide) * kStripRows), 0.0);
+  for (int impact = 0; impact < impacts; ++impact) {
+    const int x0 = column(bits);
+    const int y0 = row(bits);
+    const double amplitude = (sign(bits) == 1 ? 1.0 : -1.0) / std::sqrt(kImpactsAPixel);
+    const std::vector<float>& values = steps[std::size_t(x0 / kStripLength)].values;
+    for (int c = 0; c < 3; ++c)
+      for (int y = 0; y < kStripSide; ++y)
+        for (int x = 0; x < kStripSide; ++x)
+          field[std::size_t((c * kStripRows + (y0 + y) % kStripRows) * (width + kStripSide) + x0 +
+                            x)] +=
+              amplitude * double(values[std::size_t((c * kStripSide + y) * kStripSide + x)]);
+  }
+  ColumnStatistics columns;
+  for (int x = 0; x < width; ++x) {
+    const double variance = noiseCovariance(steps[std::size_t(x / kStripLength)], 0).trace() / 3.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int line = 0; line < 3 * kStripRows; ++line) {
+      const double value = field[std::size_t(line * (width + kStripSide) + x)];
+      sum += value;
+      squares += value * value;
+    }
+    columns.mean.push_back(sum / (3.0 * kStripRows) / std::sqrt(variance));
+    columns.variance.push_back(squares / (3.0 * kStripRows) / variance);
+  }
+  return columns;
+}
+
+/// How much a column's statistic differs where textons of both strips overlap from what it is
+/// before and after, over what chance makes of it: for no difference, distributed as F with
+/// (strips - 1) and (strips - 1)(fields - 1) degrees of freedom.
+double stepVisibility(const std::vector<std::vector<double>>& fields) {
+  const int borders = int(fields[0].size()) / kStripLength - 1;
+  const auto window = [](const std::vector<double>& columns, int from) {
+    double sum = 0.0;
+    for (int x = from; x < from + 4; ++x)
+      sum += columns[std::size_t(x)] / 4.0;
+    return sum;
+  };
+  double between = 0.0;
+  double within = 0.0;
+  for (int border = 1; border <= borders; ++border) {
+    const int x = border * kStripLength;
+    std::vector<double> differences;
+    double mean = 0.0;
+    for (const std::vector<double>& columns : fields) {
+      differences.push_back(window(columns, x + 2) -
+                            (window(columns, x - 5) + window(columns, x + 9)) / 2.0);
+      mean += differences.back() / double(fields.size());
+    }
+    between += double(fields.size()) * mean * mean / borders;
+    for (const double difference : differences)
+      within += std::pow(difference - mean, 2) / (borders * double(fields.size() - 1));
+  }
+  return between / within;
+}
+
+} // namespace
+
+TEST_CASE("no step of a path shows in the local mean and variance; those of fits apart do") {
+  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(48, 48, 7)),
+                                           exemplarOf(threeMaterials(48, 48, 8, 1))};
+  std::vector<TextonCoefficients> path;
+  std::vector<TextonCoefficients> apart;
+  for (const MixStep& step : pathOf(exemplars, support(kStripSide, 10, 0)).steps) {
+    path.push_back(step.texton);
+    const Result<TextonMix> fitted =
+        fitTextonBarycenter(exemplars, step.weights, support(kStripSide, 1, 0));
+    REQUIRE(fitted);
+    apart.push_back(fitted.value().steps[0].texton);
+  }
+  const auto visibilities = [](const std::vector<TextonCoefficients>& steps) {
+    std::vector<std::vector<double>> means, variances;
+    for (unsigned seed = 1; seed <= kStripFields; ++seed) {
+      ColumnStatistics columns = stripsOf(steps, seed);
+      means.push_back(std::move(columns.mean));
+      variances.push_back(std::move(columns.variance));
+    }
+    return std::array{stepVisibility(means), stepVisibility(variances)};
+  };
+  // F of 10 and 150 degrees of freedom exceeds it with probability 0.001, for each statistic.
+  constexpr double kChance = 3.2;
+  const std::array smooth = visibilities(path);
+  CHECK(smooth[0] < kChance);
+  CHECK(smooth[1] < kChance);
+  // The measure sees steps: unrelated neighbours do not add up to the variance of either.
+  CHECK(visibilities(apart)[1] > kChance);
+}
