@@ -92,6 +92,15 @@ std::string titleOf(const char* kind, const json& element, std::size_t index) {
              : std::string(kind) + " " + std::to_string(index);
 }
 
+/// The accessor of a new view.
+JsonTree describeVertices(std::size_t view, std::size_t count, std::size_t components) {
+  constexpr int kFloat = 5126;
+  return {{"bufferView", view},
+          {"componentType", kFloat},
+          {"count", count},
+          {"type", "VEC" + std::to_string(components)}};
+}
+
 } // namespace
 
 std::size_t GltfScene::State::countOf(const char* array) const {
@@ -136,6 +145,7 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
     state->listsExtension = used != state->document().end() && used->is_array() &&
                             std::find(used->begin(), used->end(), kExtensionName) != used->end();
     state->readNoises();
+    state->sortPrimitives();
     return GltfScene(std::move(state));
   };
   return withinMemory([&] { return path.string() + ": not enough memory to read it"; }, read);
@@ -159,6 +169,16 @@ void GltfScene::State::readNoises() {
   bundle.noises.clear();
 }
 
+void GltfScene::State::sortPrimitives() {
+  primitivesOf.resize(countOf("materials"));
+  for (std::size_t m = 0; m < countOf("meshes"); ++m) {
+    const json& mesh = document()["meshes"][m];
+    for (std::size_t p = 0; mesh.contains("primitives") && p < mesh["primitives"].size(); ++p)
+      if (const json& primitive = mesh["primitives"][p]; primitive.contains("material"))
+        primitivesOf[primitive["material"].get<std::size_t>()].push_back({m, p});
+  }
+}
+
 const std::filesystem::path& GltfScene::path() const { return state_->path; }
 const json& GltfScene::document() const { return state_->document(); }
 std::size_t GltfScene::materialCount() const { return state_->countOf("materials"); }
@@ -175,16 +195,8 @@ std::string GltfScene::primitiveTitle(PrimitivePlace place) const {
   return "primitive " + std::to_string(place.primitive) + " of " + meshTitle(place.mesh);
 }
 
-std::vector<PrimitivePlace> GltfScene::primitivesOf(std::size_t material) const {
-  std::vector<PrimitivePlace> places;
-  for (std::size_t m = 0; m < state_->countOf("meshes"); ++m) {
-    const json& mesh = document()["meshes"][m];
-    for (std::size_t p = 0; mesh.contains("primitives") && p < mesh["primitives"].size(); ++p)
-      if (const json& primitive = mesh["primitives"][p];
-          primitive.contains("material") && primitive["material"].get<std::size_t>() == material)
-        places.push_back({m, p});
-  }
-  return places;
+const std::vector<PrimitivePlace>& GltfScene::primitivesOf(std::size_t material) const {
+  return state_->primitivesOf[material];
 }
 
 std::optional<std::size_t> GltfScene::attribute(PrimitivePlace place,
@@ -196,19 +208,6 @@ std::optional<std::size_t> GltfScene::attribute(PrimitivePlace place,
   const auto found = attributes.find(name);
   return found == attributes.end() ? std::nullopt : std::optional(found->get<std::size_t>());
 }
-
-namespace {
-
-/// The accessor of a new view.
-JsonTree describeVertices(std::size_t view, std::size_t count, std::size_t components) {
-  constexpr int kFloat = 5126;
-  return {{"bufferView", view},
-          {"componentType", kFloat},
-          {"count", count},
-          {"type", "VEC" + std::to_string(components)}};
-}
-
-} // namespace
 
 std::size_t GltfScene::addVertices(std::span<const std::array<float, 3>> values) {
   const std::size_t view = state_->addView(std::as_bytes(values), sizeof(float), true);

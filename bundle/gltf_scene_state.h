@@ -28,7 +28,8 @@ struct GltfScene::State {
   std::size_t ignoredNoises = 0;    ///< likewise
   std::set<std::string> noiseNames; ///< of all noises of the file
 
-  bool listsExtension = false; ///< in extensionsUsed
+  std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< each material
+  bool listsExtension = false;                           ///< in extensionsUsed
 
   JsonChange changes;
   std::vector<std::byte> added;
@@ -42,6 +43,7 @@ struct GltfScene::State {
   [[nodiscard]] std::size_t countOf(const char* array) const;
   [[nodiscard]] const nlohmann::json& primitive(PrimitivePlace place) const;
   void readNoises();
+  void sortPrimitives(); ///< by material
   /// Appends bytes at a multiple of `alignment`; returns the index of their view.
   std::size_t addView(std::span<const std::byte> view, std::size_t alignment, bool isVertices);
 };

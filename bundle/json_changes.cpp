@@ -131,7 +131,7 @@ private:
       const auto member = std::find_if(change.members_.begin(), change.members_.end(),
                                        [&](const auto& each) { return each.key == key; });
       const std::string_view colon = passColon();
-      static const JsonChange kNone;
+      static const JsonChange kNone{};
       const JsonChange& inside = member == change.members_.end() ? kNone : member->change;
       if (member != change.members_.end() && !found.insert(key).second)
         fail(pointer + "/" + key, "stands twice; once is accepted");

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
+constexpr std::uint64_t kTriangles = 4, kTriangleFan = 6; // a strip is between
 
 /// A strip's or fan's triangles are wound like its first. A list loses an incomplete last one.
 std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, std::uint64_t mode) {

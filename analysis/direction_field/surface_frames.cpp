@@ -51,6 +51,25 @@ struct VertexBlock {
   bool hasNormals = false;
 };
 
+/// What may still be read and solved of a scene: a small file can name the same vertices again and
+/// again. Enough for some minutes.
+class Budget {
+public:
+  /// Whether there is as much left.
+  [[nodiscard]] bool spend(std::size_t elements, std::size_t triangles) {
+    elements_ += elements;
+    triangles_ += triangles;
+    return elements_ <= kMostElements && triangles_ <= kMostTriangles;
+  }
+
+private:
+  static constexpr std::size_t kMostElements = std::size_t(1) << 30; // vertices and indices
+  static constexpr std::size_t kMostTriangles = 4 * kMostFieldTriangles;
+
+  std::size_t elements_ = 0;
+  std::size_t triangles_ = 0;
+};
+
 /// The primitives of a mesh as one.
 struct JoinedMesh {
   std::vector<VertexBlock> blocks;
@@ -59,7 +78,8 @@ struct JoinedMesh {
   std::vector<std::uint32_t> triangles;
 };
 
-Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& places) {
+Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& places,
+                        Budget& budget) {
   JoinedMesh mesh;
   std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::size_t> blockOf;
   for (const PrimitivePlace place : places) {
@@ -67,6 +87,12 @@ Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& pla
     if (!read)
       return read.error();
     PrimitiveGeometry& geometry = read.value();
+    const std::size_t triangles = geometry.triangles.size() / 3;
+    if (!budget.spend(geometry.positions.size() + geometry.triangles.size(), triangles))
+      return Error{ErrorKind::resources,
+                   scene.path().string() + ": " + scene.primitiveTitle(place) +
+                       ": all primitives up to it have too many triangles or vertices; fewer "
+                       "materials at a time are accepted"};
     const auto [entry, isNew] =
         blockOf.try_emplace({*scene.attribute(place, "POSITION"), scene.attribute(place, "NORMAL")},
                             mesh.blocks.size());
@@ -123,9 +149,9 @@ std::vector<FrameSingularity> singularitiesOf(const JoinedMesh& mesh, const Dire
 }
 
 Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>& places,
-                             const Progress& progress) {
+                             Budget& budget, const Progress& progress) {
   const std::string title = scene.meshTitle(places.front().mesh);
-  const Result<JoinedMesh> joined = join(scene, places);
+  const Result<JoinedMesh> joined = join(scene, places, budget);
   if (!joined)
     return joined.error();
   const JoinedMesh& mesh = joined.value();
@@ -152,11 +178,12 @@ Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
     if (!places)
       return places.error();
     std::vector<MeshFrames> all;
+    Budget budget;
     const auto meshes = double(places.value().size());
     for (const auto& [mesh, ofMesh] : places.value()) {
       const auto done = double(all.size());
       Result<MeshFrames> added =
-          addToMesh(scene, ofMesh, partOf(progress, done / meshes, (done + 1.0) / meshes));
+          addToMesh(scene, ofMesh, budget, partOf(progress, done / meshes, (done + 1.0) / meshes));
       if (!added)
         return added.error();
       all.push_back(std::move(added).value());

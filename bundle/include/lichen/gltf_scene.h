@@ -49,7 +49,7 @@ public:
   [[nodiscard]] std::string meshTitle(std::size_t mesh) const;
   [[nodiscard]] std::string primitiveTitle(PrimitivePlace place) const;
 
-  [[nodiscard]] std::vector<PrimitivePlace> primitivesOf(std::size_t material) const;
+  [[nodiscard]] const std::vector<PrimitivePlace>& primitivesOf(std::size_t material) const;
   /// The accessor of an attribute such as "TANGENT"; of an added one the new one.
   [[nodiscard]] std::optional<std::size_t> attribute(PrimitivePlace place,
                                                      const std::string& name) const;
