@@ -46,12 +46,13 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 } // namespace
 
 TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
+  checkRefusal({}, kUsage,
+               {"a verb is missing; bake, synth, inspect, check, compare, merge or apply",
+                "'lichen --help'"});
   checkRefusal(
-      {}, kUsage,
-      {"a verb is missing; bake, synth, inspect, check, compare or merge", "'lichen --help'"});
-  checkRefusal({"chek"}, kUsage,
-               {"lichen: chek: no such verb; bake, synth, inspect, check, compare or merge is "
-                "accepted; see 'lichen --help'"});
+      {"chek"}, kUsage,
+      {"lichen: chek: no such verb; bake, synth, inspect, check, compare, merge or apply is "
+       "accepted; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
