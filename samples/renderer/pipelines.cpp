@@ -9,9 +9,11 @@
 #include <accumulate.comp.h>
 #include <cstddef>
 #include <depth.frag.h>
+#include <depth.frag.tiling.h>
 #include <depth.vert.h>
 #include <optional>
 #include <scene.frag.h>
+#include <scene.frag.tiling.h>
 #include <scene.vert.h>
 #include <sky.frag.h>
 #include <sky.vert.h>
@@ -135,7 +137,6 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
-  VkBool32 textonNoises = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -143,8 +144,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
-    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{5, offsetof(Constants, textonNoises), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -155,10 +155,10 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  d.fragment = objects.shader(scene_frag);
+  d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
-    const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
-                              shared.otherTables, shared.tilingNoises, shared.textonNoises};
+    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables,
+                              shared.tilingNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -176,12 +176,10 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  d.fragment = objects.shader(depth_frag);
+  d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
-    const Constants constants{.hasNoise = i != 0,
-                              .otherTables = shared.otherTables,
-                              .tilingNoises = shared.tilingNoises,
-                              .textonNoises = shared.textonNoises};
+    const Constants constants{
+        .hasNoise = i != 0, .otherTables = shared.otherTables, .tilingNoises = shared.tilingNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

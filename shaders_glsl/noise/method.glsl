@@ -8,7 +8,12 @@
 #include "texton.glsl"
 #include "tiling.glsl"
 
-// 0 where no noise is of this method. Literals, or the host's specialization constants.
+// 0 where no noise is of this method. Literals, or the host's specialization constants. Where
+// LICHEN_OMIT_TEXTONS is defined, textons are not called at all: some drivers take longer to drop
+// the code of a constant that is false than to compile the rest.
+#ifdef LICHEN_OMIT_TEXTONS
+#define LICHEN_TEXTON_NOISES 0
+#endif
 #ifndef LICHEN_TILING_NOISES
 #define LICHEN_TILING_NOISES 1
 #endif
@@ -35,9 +40,11 @@ bool lichenIsTexton(LichenNoise noise) {
 LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise,
                           LichenTexton texton) {
   LichenPlace place;
+#ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
     place.impacts = lichenImpactsAt(position, gradientX, gradientY, noise, texton);
   else
+#endif
     place.taps = lichenTilingTaps(position, gradientX, gradientY, noise);
   return place;
 }
@@ -46,8 +53,10 @@ LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenN
 /// the variance of a slope that the footprint hides, for lichenRoughness.
 vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNoise noise,
                  LichenMap map, LichenTexton texton) {
+#ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
     return lichenTexton(image, place.impacts, noise, map, texton);
+#endif
   return lichenTiling(image, table, place.taps, noise, map);
 }
 

@@ -97,8 +97,10 @@ vec3 noiseDebug(Footprint footprint) {
   if (!kHasNoise)
     return kNothingToShow;
   LichenPlace place = noisePlace(footprint);
+#ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noiseData.noise))
     return textonDebug(place.impacts);
+#endif
   LichenTaps taps = place.taps;
   if (kDebugView == DEBUG_IMPACTS)
     return kNothingToShow;

@@ -5,13 +5,11 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether some noise of the scene has a separable table, or none; whether some are tiling noises,
-// some texton noises.
+// Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
-layout(constant_id = 5) const bool kTextonNoises = true;
 #define LICHEN_TILING_NOISES kTilingNoises
-#define LICHEN_TEXTON_NOISES kTextonNoises
+#define LICHEN_MIXED_TEXTONS 0 // the mixing weight has no source yet
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"
