@@ -87,6 +87,11 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
     merged_.notes.push_back(input.file + ": " + std::to_string(users) + " materials use noise '" +
                             noise.name + "'; the first one's parameters are kept");
   use.noise = bundle.noises.size();
+  if (use.mix.source == MixSource::texture) {
+    merged_.notes.push_back(input.file + ": noise '" + noise.name +
+                            "': the mask of its mix is left behind; its first step is shown");
+    use.mix = {};
+  }
   noise.name = name;
   bundle.noises.push_back(std::move(noise));
   bundle.materials.emplace_back(use);

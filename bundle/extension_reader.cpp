@@ -122,7 +122,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
   for (std::size_t i = 0; maps != nullptr && i < maps->size(); ++i) {
     ObjectReader mapReader((*maps)[i], elementPointer(reader.pointerTo("maps"), i), findings);
     const std::size_t errorsBefore = findings.errorCount();
-    noise.maps.push_back(readMap(mapReader, noise, tables));
+    noise.maps.push_back(readMap(mapReader, noise, tables, findings));
     if (findings.errorCount() == errorsBefore && !targets.insert(noise.maps.back().target).second)
       mapReader.error("map-target-duplicate", "target",
                       "another map of this noise has the target " +
@@ -198,7 +198,8 @@ Mapping readMapping(ObjectReader& reader, Method method) {
   return Mapping::uv;
 }
 
-MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const Bundle& bundle) {
+MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const Bundle& bundle,
+                           std::size_t textures, FindingList& findings) {
   MaterialNoise use;
   const auto noise = reader.integer("noise", places.empty() ? 0 : places.size() - 1, "noise-index");
   if (noise && places.empty())
@@ -227,6 +228,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
                    quoted(name) + "; stratified or poisson is accepted");
     use.pointProcess = process.value_or(use.pointProcess);
   }
+  use.mix = readMixWeight(reader, textures, findings);
   reader.warnOfUnknown();
   return use;
 }
@@ -241,6 +243,9 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
                    "not an array of at most " + std::to_string(kMaxMaterials));
     return;
   }
+  const json* textureList = memberOf(&root, "textures");
+  const std::size_t textures =
+      textureList != nullptr && textureList->is_array() ? textureList->size() : 0;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const json& material = (*list)[i];
     const std::string pointer = elementPointer("/materials", i);
@@ -255,7 +260,7 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
       ignored->materials.push_back(i);
     } else if (extension != nullptr) {
       use = readMaterial(ObjectReader(*extension, extensionPointer(pointer), findings), places,
-                         bundle);
+                         bundle, textures, findings);
       if (material["extensions"].contains("KHR_materials_unlit"))
         findings.warn("material-unlit", pointer + "/extensions/KHR_materials_unlit",
                       "an unlit material shows the preview, not the noise");

@@ -14,7 +14,8 @@ using Tables = std::vector<std::optional<Table>>;
 
 /// Reads and checks one map; of `noise`, what comes before its maps is read; `tables` are those
 /// read so far, null where one could not be.
-[[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables);
+[[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
+                               FindingList& findings);
 
 /// Reads and checks what the textons of a noise have in common. One that is at fault has no
 /// coefficients, and nothing is checked against it.
@@ -22,10 +23,16 @@ using Tables = std::vector<std::optional<Table>>;
 
 /// Reads and checks what a map of a texton noise has besides channels and statistics.
 void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
-                NoiseMap& map);
+                FindingList& findings, NoiseMap& map);
 
-/// Where a mean of stored values can lie, with room for rounding.
-[[nodiscard]] NumberRange meanRange(ValueEncoding encoding);
+/// Reads and checks mean, covariance and losses of `n` channels; 0 of channels that are not known.
+[[nodiscard]] MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding,
+                                           std::size_t n);
+
+/// Reads and checks where a material takes the weight of a mix from; `textures` are glTF's.
+[[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,
+                                      FindingList& findings);
+
 /// The table that member `key` names, or null. An index that is out of range is recorded.
 [[nodiscard]] const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
                                           const Tables& tables, std::size_t& index);
@@ -36,5 +43,7 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
 
 /// A bound that the schema states too; those of parameters are in bundle.h.
 inline constexpr std::uint64_t kMaxTexCoord = 15;
+/// Of the trace: how far rounding may take a covariance from symmetric and positive.
+inline constexpr double kCovarianceTolerance = 1e-9;
 
 } // namespace lichen

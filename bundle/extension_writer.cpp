@@ -13,8 +13,6 @@ JsonTree describeMap(const NoiseMap& map, Method method) {
   json["encoding"] = nameOf(map.encoding);
   json["mean"] = map.mean;
   json["covariance"] = map.covariance;
-  if (!map.endMean.empty())
-    json["endMean"] = map.endMean;
   json[isTexton ? "texton" : "gaussian"] = map.image;
   if (isTexton)
     json["scale"] = map.scale;
@@ -27,6 +25,9 @@ JsonTree describeMap(const NoiseMap& map, Method method) {
     }
   }
   json["mipLoss"] = map.mipLoss;
+  for (const MapStatistics& step : map.laterSteps)
+    json["laterSteps"].push_back(
+        {{"mean", step.mean}, {"covariance", step.covariance}, {"mipLoss", step.mipLoss}});
   return json;
 }
 
@@ -36,6 +37,30 @@ JsonTree describeShape(const TextonShape& shape) {
           {"mipLevels", shape.mipLevels},
           {"texelsPerTile", {shape.texelsPerTileX, shape.texelsPerTileY}},
           {"steps", shape.steps}};
+}
+
+JsonTree describeMix(const MixWeight& mix) {
+  JsonTree json = {{"source", nameOf(mix.source)}};
+  switch (mix.source) {
+  case MixSource::constant:
+    json["weight"] = mix.weight;
+    break;
+  case MixSource::direction:
+    json["start"] = mix.start;
+    json["end"] = mix.end;
+    break;
+  case MixSource::texture:
+    json["texture"] = {{"index", mix.texture}};
+    if (mix.texCoord != 0)
+      json["texture"]["texCoord"] = mix.texCoord;
+    break;
+  case MixSource::vertexColor:
+    json["set"] = mix.colorSet;
+    break;
+  }
+  if (mix.channel != 0)
+    json["channel"] = mix.channel;
+  return json;
 }
 
 } // namespace
@@ -95,6 +120,8 @@ JsonTree describeMaterialNoise(const MaterialNoise& use) {
     json["impacts"] = use.impacts;
   if (use.pointProcess != defaults.pointProcess)
     json["pointProcess"] = nameOf(use.pointProcess);
+  if (use.mix != defaults.mix)
+    json["mix"] = describeMix(use.mix);
   return json;
 }
 

@@ -22,7 +22,8 @@ public:
   SkeletonCheck(const json& root, FindingList& findings) : root_(root), findings_(findings) {}
 
   void run() {
-    for (const char* array : {"accessors", "bufferViews", "buffers", "images", "materials"})
+    for (const char* array :
+         {"accessors", "bufferViews", "buffers", "images", "materials", "textures"})
       objects(root_, array, "");
     const json* meshes = objects(root_, "meshes", "");
     for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
@@ -230,6 +231,19 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
       .member("attributes")
       .member(name)
       .set(accessor);
+}
+
+std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {
+  const std::size_t view = state_->addView(file, sizeof(std::uint32_t), false);
+  const std::size_t image = state_->countOf("images") + state_->addedTextures;
+  state_->changes.member("images").append({{"mimeType", mediaType}, {"bufferView", view}});
+  state_->changes.member("textures").append(JsonTree{{"source", image}});
+  ++state_->addedTextures;
+  return textureCount() - 1;
+}
+
+std::size_t GltfScene::textureCount() const {
+  return state_->countOf("textures") + state_->addedTextures;
 }
 
 Result<AppliedNoise> GltfScene::applyNoise(const Bundle& bundle, std::size_t noise,

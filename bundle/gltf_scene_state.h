@@ -35,6 +35,7 @@ struct GltfScene::State {
   std::vector<std::byte> added;
   std::vector<AddedView> addedViews;
   std::size_t addedAccessors = 0;
+  std::size_t addedTextures = 0; ///< and images
   /// Attributes that were set, by mesh, primitive and name.
   std::map<std::tuple<std::size_t, std::size_t, std::string>, std::size_t> setAttributes;
 

@@ -16,6 +16,32 @@ int cellsIn(double lengthTexels, double sideTexels) {
   return int(std::clamp(std::round(lengthTexels / sideTexels), 1.0, kMostCells));
 }
 
+/// Weight of a mix = constant + perUv . uv.
+struct LinearWeight {
+  double constant = 0.0;
+  std::array<double, 2> perUv{};
+};
+
+/// Of a constant or a direction, at texture coordinates relative to the place's tile origin.
+LinearWeight linearWeight(const MaterialNoise& material, const Placement& placement) {
+  const MixWeight& mix = material.mix;
+  if (mix.source == MixSource::constant)
+    return {mix.weight, {}};
+  if (mix.source != MixSource::direction)
+    return {};
+  const std::array<double, 2> way{mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
+  const double squaredLength = way[0] * way[0] + way[1] * way[1];
+  LinearWeight weight{0.0, {way[0] / squaredLength, way[1] / squaredLength}};
+  // The origin in texture coordinates: tile coordinates are a rotation of them over the scale.
+  const double cosine = std::cos(material.rotation) * material.scale;
+  const double sine = std::sin(material.rotation) * material.scale;
+  const auto tileX = double(placement.tileOriginX);
+  const auto tileY = double(placement.tileOriginY);
+  weight.constant = weight.perUv[0] * (cosine * tileX - sine * tileY - mix.start[0]) +
+                    weight.perUv[1] * (sine * tileX + cosine * tileY - mix.start[1]);
+  return weight;
+}
+
 } // namespace
 
 Lattice impactGrid(const TextonShape& shape, double impacts, const Placement& placement) {
@@ -65,6 +91,12 @@ shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& mat
   const double cellArea =
       shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
   result.amplitude = float(std::sqrt(cellArea));
+  if (shape.steps > 1) {
+    const LinearWeight weight = linearWeight(material, placement);
+    result.mixWeight = float(weight.constant);
+    result.mixPerU = float(weight.perUv[0]);
+    result.mixPerV = float(weight.perUv[1]);
+  }
   return result;
 }
 

@@ -15,8 +15,6 @@ using nlohmann::json;
 /// 64 slabs of a 32^3 table make a depth of 2,048, the least that desktop devices offer.
 constexpr std::size_t kMaxTableLevels = 64;
 constexpr double kLevelTolerance = 1e-6;
-/// Of the trace: how far rounding may take a covariance from symmetric and positive.
-constexpr double kCovarianceTolerance = 1e-9;
 
 /// The channels that a target may name, in this order.
 std::vector<MapChannel> channelsOf(MapTarget target) {
@@ -84,26 +82,6 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
           (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
 }
 
-/// Whether the n x n matrix plus a little of its trace has a Cholesky factor, which it has exactly
-/// when no eigenvalue is below minus that little.
-bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
-  double trace = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-    trace += c[i * n + i];
-  if (trace <= 0.0)
-    return std::all_of(c.begin(), c.end(), [](double v) { return v == 0.0; });
-  for (std::size_t k = 0; k < n; ++k) {
-    double& pivot = c[k * n + k];
-    pivot += kCovarianceTolerance * trace;
-    if (pivot <= 0.0)
-      return false;
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j)
-        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
-  }
-  return true;
-}
-
 /// Whether all pivots of the Cholesky factorization stand out from its rounding.
 bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
   double trace = 0.0;
@@ -118,52 +96,6 @@ bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
         c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
   }
   return true;
-}
-
-bool isSymmetric(const std::vector<double>& c, std::size_t n) {
-  double largest = 0.0;
-  for (const double value : c)
-    largest = std::max(largest, std::abs(value));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (std::abs(c[i * n + j] - c[j * n + i]) > kCovarianceTolerance * largest)
-        return false;
-  return true;
-}
-
-void readStatistics(ObjectReader& reader, NoiseMap& map) {
-  const std::size_t n = map.channels.size();
-  if (auto mean = reader.numbers("mean", meanRange(map.encoding))) {
-    if (n != 0 && mean->size() != n)
-      reader.error("map-mean", "mean",
-                   std::to_string(mean->size()) + " values; " + std::to_string(n) +
-                       ", one a channel, are accepted");
-    map.mean = std::move(*mean);
-  }
-  constexpr NumberRange kCovarianceRange{-1e6, 1e6};
-  if (auto covariance = reader.numbers("covariance", kCovarianceRange)) {
-    if (n != 0 && covariance->size() != n * n)
-      reader.error("map-covariance", "covariance",
-                   std::to_string(covariance->size()) + " values; " + std::to_string(n * n) +
-                       ", a row of the matrix a channel, are accepted");
-    else if (n != 0 && !isSymmetric(*covariance, n))
-      reader.error("map-covariance", "covariance", "not symmetric");
-    else if (n != 0 && !isPositiveSemidefinite(*covariance, n))
-      reader.error("map-covariance", "covariance", "not positive semidefinite");
-    map.covariance = std::move(*covariance);
-  }
-}
-
-/// Shares of lost variance; how many is for the kind of image to say.
-void readLosses(ObjectReader& reader, NoiseMap& map) {
-  if (auto loss = reader.numbers("mipLoss", {0.0, 1.0})) {
-    if (!loss->empty() && loss->front() != 0.0)
-      reader.error("map-mip-loss", "mipLoss",
-                   json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
-    if (!std::is_sorted(loss->begin(), loss->end()))
-      reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
-    map.mipLoss = std::move(*loss);
-  }
 }
 
 /// The affine map of a separable table.
@@ -312,20 +244,6 @@ void readGaussianAndTable(ObjectReader& reader, const Tables& tables, NoiseMap& 
 
 } // namespace
 
-NumberRange meanRange(ValueEncoding encoding) {
-  constexpr double kRounding = 1e-6;
-  constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz
-  constexpr double kBrightestLog = 129; // log2(1 + x) of the largest float
-  switch (encoding) {
-  case ValueEncoding::slope:
-    return {-kSteepest, kSteepest};
-  case ValueEncoding::log2:
-    return {0.0, kBrightestLog};
-  default:
-    return {-kRounding, 1.0 + kRounding};
-  }
-}
-
 std::size_t usedChannels(TexelFormat format) {
   return std::min<std::size_t>(std::size_t(channelCount(format)), 3);
 }
@@ -350,7 +268,8 @@ const Table* readTableIndex(ObjectReader& reader, const char* key, const char* c
   return tables[index] ? &*tables[index] : nullptr;
 }
 
-NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables) {
+NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
+                 FindingList& findings) {
   NoiseMap map;
   bool targetKnown = false;
   if (const auto name = reader.text("target")) {
@@ -370,11 +289,13 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables)
                    quoted(*name) + " is not an encoding of " + std::string(nameOf(map.target)));
   }
   readChannels(reader, map, targetKnown);
-  readStatistics(reader, map);
-  readLosses(reader, map);
+  MapStatistics statistics = readStatistics(reader, map.encoding, map.channels.size());
+  map.mean = std::move(statistics.mean);
+  map.covariance = std::move(statistics.covariance);
+  map.mipLoss = std::move(statistics.mipLoss);
 
   if (noise.method == Method::texton)
-    readTexton(reader, noise.texton, tables, map);
+    readTexton(reader, noise.texton, tables, findings, map);
   else
     readGaussianAndTable(reader, tables, map);
   reader.warnOfUnknown();

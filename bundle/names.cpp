@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words that the extension's JSON uses for targets, channels, encodings, mappings and
-// methods.
+// The words that the extension's JSON uses for targets, channels, encodings, mappings, methods and
+// sources of weights.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 4> kEncodingNames = {"srgb", "linear", "s
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
 constexpr std::array<std::string_view, 2> kMethodNames = {"tiling", "texton"};
 constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};
+constexpr std::array<std::string_view, 4> kMixSourceNames = {"constant", "direction", "texture",
+                                                             "vertexColor"};
 
 template <class Value, std::size_t kCount>
 std::optional<Value> find(const std::array<std::string_view, kCount>& names,
@@ -36,6 +38,7 @@ std::string_view nameOf(ValueEncoding value) { return kEncodingNames[std::size_t
 std::string_view nameOf(Mapping value) { return kMappingNames[std::size_t(value)]; }
 std::string_view nameOf(Method value) { return kMethodNames[std::size_t(value)]; }
 std::string_view nameOf(PointProcess value) { return kPointProcessNames[std::size_t(value)]; }
+std::string_view nameOf(MixSource value) { return kMixSourceNames[std::size_t(value)]; }
 
 std::optional<MapTarget> mapTargetFrom(std::string_view name) {
   return find<MapTarget>(kTargetNames, name);
@@ -52,6 +55,9 @@ std::optional<Mapping> mappingFrom(std::string_view name) {
 std::optional<Method> methodFrom(std::string_view name) { return find<Method>(kMethodNames, name); }
 std::optional<PointProcess> pointProcessFrom(std::string_view name) {
   return find<PointProcess>(kPointProcessNames, name);
+}
+std::optional<MixSource> mixSourceFrom(std::string_view name) {
+  return find<MixSource>(kMixSourceNames, name);
 }
 
 } // namespace lichen

@@ -244,10 +244,7 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   if (noise.method == Method::texton) {
     result.decoding = LICHEN_DECODING_GAUSSIAN;
     setRows(result, diagonal(map.scale), n, map.mean);
-    const std::vector<double>& last = map.endMean.empty() ? map.mean : map.endMean;
-    std::array<float, 3> endMean{};
-    std::copy(last.begin(), last.end(), endMean.begin());
-    result.endMean = {endMean[0], endMean[1], endMean[2], 0.0f};
+    result.sumFactor = {1.0f, 1.0f, 1.0f, 0.0f};
   } else {
     result.alignedMips = alignedMips(noise, bundle, image);
     result.tableLevels = shader::uint(map.levels.size());

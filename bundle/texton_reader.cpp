@@ -91,18 +91,33 @@ std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const 
   return values.value_or(std::vector<double>());
 }
 
-/// The mean of the last step.
-void readEndMean(ObjectReader& reader, const TextonShape& shape, NoiseMap& map) {
-  constexpr const char* kCode = "map-end-mean";
-  const bool isPresent = reader.optional("endMean") != nullptr;
-  if (isUnknown(shape) || (shape.steps == 1 && !isPresent))
+/// What the steps after the first have for themselves.
+void readLaterSteps(ObjectReader& reader, const TextonShape& shape, FindingList& findings,
+                    NoiseMap& map) {
+  constexpr const char* kCode = "map-later-steps";
+  constexpr const char* kKey = "laterSteps";
+  if (!reader.has(kKey) && shape.steps > 1)
+    reader.error(kCode, kKey, "absent; the steps after the first are accepted");
+  if (!reader.has(kKey))
     return;
-  if (shape.steps == 1)
-    return reader.error(kCode, "endMean", "present; it is accepted with steps above 1 only");
-  if (!isPresent)
-    return reader.error(kCode, "endMean", "absent; the last step's mean is accepted");
-  map.endMean =
-      readPerChannel(reader, "endMean", kCode, meanRange(map.encoding), map.channels.size());
+  const json* list = reader.array(kKey, kMaxTextonSteps);
+  if (list == nullptr || isUnknown(shape))
+    return;
+  const std::size_t later = std::size_t(shape.steps) - 1;
+  if (list->size() != later)
+    return reader.error(kCode, kKey,
+                        std::to_string(list->size()) + " elements; " + std::to_string(later) +
+                            ", one for each step after the first, are accepted");
+  for (std::size_t k = 0; k < later; ++k) {
+    ObjectReader step((*list)[k], reader.pointerTo(kKey) + "/" + std::to_string(k), findings);
+    map.laterSteps.push_back(readStatistics(step, map.encoding, map.channels.size()));
+    step.warnOfUnknown();
+    const std::size_t losses = map.laterSteps.back().mipLoss.size();
+    if (losses != 0 && losses != map.mipLoss.size())
+      step.error("map-mip-loss", "mipLoss",
+                 std::to_string(losses) + " values; as many as those of the first step, " +
+                     std::to_string(map.mipLoss.size()) + ", are accepted");
+  }
 }
 
 } // namespace
@@ -132,10 +147,10 @@ TextonShape readTextonShape(ObjectReader& noise, FindingList& findings) {
 }
 
 void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
-                NoiseMap& map) {
+                FindingList& findings, NoiseMap& map) {
   constexpr NumberRange kScales{0.0, 1e6};
   map.scale = readPerChannel(reader, "scale", "map-scale", kScales, map.channels.size());
-  readEndMean(reader, shape, map);
+  readLaterSteps(reader, shape, findings, map);
   const Table* image = readTableIndex(reader, "texton", "map-texton-index", tables, map.image);
   if (isUnknown(shape))
     return;

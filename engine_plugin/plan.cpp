@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <memory>
+#include <optional>
 #include <string>
 
 using namespace lichen;
@@ -118,19 +119,40 @@ Table unusedTable() {
   return {"unused", TexelFormat::r8Unorm, 1, 1, 2, 1, std::vector<std::byte>(2)};
 }
 
-/// Maps without a table, which is that of the Gaussian-only method, get the unused one.
-void addUnusedTable(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
-  const std::size_t unused = bundle.tables.size();
+/// The table of each map's binding: its inverse table, that of its mix, or one that is not read.
+void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
+  std::optional<std::uint32_t> unused;
+  const auto added = [&](Table table) {
+    bundle.tables.push_back(std::move(table));
+    return std::uint32_t(bundle.tables.size() - 1);
+  };
   for (const Noise& noise : bundle.noises) {
     tables.emplace_back();
-    for (const NoiseMap& map : noise.maps)
-      tables.back().push_back(std::uint32_t(map.inverseTable.value_or(unused)));
+    for (const NoiseMap& map : noise.maps) {
+      if (map.inverseTable) {
+        tables.back().push_back(std::uint32_t(*map.inverseTable));
+      } else if (!map.laterSteps.empty()) {
+        tables.back().push_back(added(mixTable(map)));
+      } else {
+        unused = unused ? unused : added(unusedTable());
+        tables.back().push_back(*unused);
+      }
+    }
   }
-  const auto isUnused = [=](std::uint32_t table) { return table == unused; };
-  if (std::any_of(tables.begin(), tables.end(), [&](const auto& ofNoise) {
-        return std::any_of(ofNoise.begin(), ofNoise.end(), isUnused);
-      }))
-    bundle.tables.push_back(unusedTable());
+}
+
+LichenMixSource mixSourceOf(MixSource source) {
+  switch (source) {
+  case MixSource::constant:
+    return LICHEN_MIX_CONSTANT;
+  case MixSource::direction:
+    return LICHEN_MIX_DIRECTION;
+  case MixSource::texture:
+    return LICHEN_MIX_TEXTURE;
+  case MixSource::vertexColor:
+    return LICHEN_MIX_VERTEX_COLOR;
+  }
+  return LICHEN_MIX_CONSTANT;
 }
 
 void planNoise(LichenBundle_T& plan, const Noise& noise) {
@@ -151,7 +173,7 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
 }
 
 void planBundle(LichenBundle_T& plan) {
-  addUnusedTable(plan.bundle, plan.tables);
+  addBoundTables(plan.bundle, plan.tables);
   for (const Table& table : plan.bundle.tables)
     plan.extents.push_back(
         {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
@@ -234,6 +256,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.uniformBufferCount = 1;
   values.method = source.method == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
   values.combinedImageSamplerCount = 2 * values.mapCount;
+  values.mixSteps = std::uint32_t(source.texton.steps);
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 
@@ -264,6 +287,11 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
     values.noise = std::uint32_t(source->noise);
     values.mapping = mappingOf(source->mapping);
     values.texCoord = std::uint32_t(source->texCoord);
+    values.mixSource = mixSourceOf(source->mix.source);
+    values.mixTexture = std::uint32_t(source->mix.texture);
+    values.mixSet = std::uint32_t(source->mix.source == MixSource::texture ? source->mix.texCoord
+                                                                           : source->mix.colorSet);
+    values.mixChannel = std::uint32_t(source->mix.channel);
   }
   return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PROPERTIES, properties);
 }

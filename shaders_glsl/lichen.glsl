@@ -17,6 +17,7 @@
 #define LICHEN_GLSL
 
 #include "interface/lichen_interface.h"
+#include "mapping/mix.glsl"
 #include "mapping/uv.glsl"
 #include "noise/method.glsl"
 

@@ -4,10 +4,12 @@
 // Sources: [GLM17] section 4, [GLM14]. What contrast the noise has: docs/decisions/015-texton.md.
 #include "color_correction.h"
 #include "comparison.h"
-#include "exemplar/resample.h"
 #include "fit.h"
+#include "joint_exemplar.h"
 #include "model_covariance.h"
+#include "option_ranges.h"
 #include "progress_part.h"
+#include "texton_maps.h"
 #include "texton_table.h"
 #include "tiling/map_ranges.h"
 
@@ -27,68 +29,6 @@ using Eigen::MatrixXd;
 // Of the progress, by processor time of 512 x 512 pixels with their held-out half.
 constexpr double kFitOfProgress = 0.6;
 constexpr double kHeldOutOfProgress = 0.97;
-
-/// The stored value is the mean plus six deviations a unit, as where other Gaussian values are
-/// decoded without a table.
-constexpr double kScaleDeviations = 6.0;
-
-/// All maps as one image of `channels` interleaved values a pixel.
-struct JointExemplar {
-  int width = 0;
-  int height = 0;
-  std::size_t channels = 0;
-  std::vector<float> values;
-  Eigen::VectorXd mean; ///< of each map's own pixels
-  MatrixXd covariance;  ///< likewise; between maps of different sizes, of the resampled ones
-};
-
-MatrixXd covarianceOf(std::span<const float> values, std::size_t channels, Eigen::VectorXd& mean) {
-  const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Eigen::Index(channels),
-                                              Eigen::Index(values.size() / channels));
-  mean = all.cast<double>().rowwise().mean();
-  MatrixXd sum = MatrixXd::Zero(all.rows(), all.rows());
-  constexpr Eigen::Index kBlock = 4096; // pixels, so that the copy in double stays small
-  for (Eigen::Index begin = 0; begin < all.cols(); begin += kBlock) {
-    const Eigen::Index count = std::min(kBlock, all.cols() - begin);
-    const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - mean;
-    sum.noalias() += centred * centred.transpose();
-  }
-  return sum / double(all.cols());
-}
-
-JointExemplar joined(std::span<const MapExemplar> maps) {
-  JointExemplar joint;
-  for (const MapExemplar& map : maps) {
-    joint.width = std::max(joint.width, map.width);
-    joint.height = std::max(joint.height, map.height);
-    joint.channels += map.channels.size();
-  }
-  joint.values.resize(std::size_t(joint.width) * std::size_t(joint.height) * joint.channels);
-  joint.mean.resize(Eigen::Index(joint.channels));
-  Eigen::VectorXd gains = Eigen::VectorXd::Ones(Eigen::Index(joint.channels));
-  std::size_t first = 0;
-  for (const MapExemplar& map : maps) {
-    const std::size_t n = map.channels.size();
-    const bool fits = map.width == joint.width && map.height == joint.height;
-    const MapExemplar sized =
-        fits ? map : exemplar::resampled(map, joint.width, joint.height, false);
-    for (std::size_t i = 0; i < sized.values.size(); ++i)
-      joint.values[i / n * joint.channels + first + i % n] = sized.values[i];
-    Eigen::VectorXd mean, ignored;
-    const MatrixXd own = covarianceOf(map.values, n, mean);
-    const MatrixXd resized = covarianceOf(sized.values, n, ignored);
-    for (Eigen::Index c = 0; c < Eigen::Index(n); ++c) {
-      joint.mean[Eigen::Index(first) + c] = mean[c];
-      if (resized(c, c) > 0.0)
-        gains[Eigen::Index(first) + c] = std::sqrt(own(c, c) / resized(c, c));
-    }
-    first += n;
-  }
-  Eigen::VectorXd ignored;
-  joint.covariance =
-      gains.asDiagonal() * covarianceOf(joint.values, joint.channels, ignored) * gains.asDiagonal();
-  return joint;
-}
 
 /// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
 std::vector<float> seenWeights(const MapExemplar& first, std::size_t channels) {
@@ -167,43 +107,7 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
     if (!targets.insert(map.target).second)
       return usage("two maps of " + std::string(nameOf(map.target)) + "; one is accepted");
   }
-  if (options.support < int(kTextonSupportRange.least) ||
-      options.support > int(kTextonSupportRange.most))
-    return usage("support " + std::to_string(options.support) + "; 4 to " +
-                 std::to_string(kMaxTextonSide) + " is accepted");
-  if (options.order != 0 && options.order != 1 && options.order != 3)
-    return usage("order " + std::to_string(options.order) + "; 0, 1 or 3 is accepted");
-  if (options.bits != 8 && options.bits != 16)
-    return usage(std::to_string(options.bits) + " bits; 8 or 16 is accepted");
-  return {};
-}
-
-/// The maps of the noise and their tables.
-void store(const JointExemplar& joint, std::span<const MapExemplar> maps,
-           const TextonCoefficients& coefficients, int bits, TextonBake& bake) {
-  const MatrixXd covariance = noiseCovariance(coefficients, bake.noise.texton.order);
-  Eigen::Index first = 0;
-  for (const MapExemplar& source : maps) {
-    const auto n = Eigen::Index(source.channels.size());
-    NoiseMap map;
-    map.target = source.target;
-    map.channels = source.channels;
-    map.encoding = source.encoding;
-    for (Eigen::Index c = first; c < first + n; ++c) {
-      map.mean.push_back(joint.mean[c]);
-      map.scale.push_back(kScaleDeviations * std::sqrt(std::max(0.0, covariance(c, c))));
-      for (Eigen::Index d = first; d < first + n; ++d)
-        map.covariance.push_back(covariance(c, d));
-    }
-    Table table = textonTable({&coefficients, 1}, bake.noise.texton, std::size_t(first), map.scale,
-                              bits == 16 ? 32 : 16);
-    table.name = bake.noise.name + "." + std::string(nameOf(map.target)) + ".texton";
-    map.mipLoss = mipLosses(table, bake.noise.texton, std::size_t(n));
-    map.image = bake.tables.size();
-    bake.tables.push_back(std::move(table));
-    bake.noise.maps.push_back(std::move(map));
-    first += n;
-  }
+  return checkTextonOptions(options);
 }
 
 Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
@@ -244,7 +148,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   shape.mipLevels = mipLevelsOf(coefficients.width, coefficients.height);
   shape.texelsPerTileX = joint.width;
   shape.texelsPerTileY = joint.height;
-  store(joint, maps, coefficients, options.bits, bake);
+  const TextonOfMaps whole{std::move(coefficients), joint.mean};
+  storeMaps({&whole, 1}, maps, options.bits, bake.noise, bake.tables);
   progress.reach(1.0);
   return bake;
 }

@@ -2,6 +2,7 @@
 // Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
 // names are those of shaders_glsl/noise/texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
+#include "mixed_map.h"
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 
@@ -159,23 +160,12 @@ float gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
   return noise.contrast * ratio * texton.amplitude;
 }
 
-/// The constants of a map where its mean is that of the place in a mix.
-shader::LichenMap mixed(shader::LichenMap map, const shader::LichenTexton& texton,
-                        const MixPlace& mix) {
-  if (texton.steps <= 1)
-    return map;
-  const float weight = std::clamp(mix.weight, 0.0f, 1.0f);
-  map.row0.w += weight * (map.endMean.x - map.row0.w);
-  map.row1.w += weight * (map.endMean.y - map.row1.w);
-  map.row2.w += weight * (map.endMean.z - map.row2.w);
-  return map;
-}
-
 } // namespace
 
 struct TextonEvaluator::Map {
   shader::LichenMap constants{};
   RepeatingImage image;
+  texton::MixRows mix;
 };
 
 Result<TextonEvaluator> TextonEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
@@ -192,8 +182,9 @@ Result<TextonEvaluator> TextonEvaluator::create(const Bundle& bundle, std::size_
                                          std::string(nameOf(noise.method)) + ", not texton"};
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m)
-      maps->push_back(
-          {shaderMap(bundle, noise, m), RepeatingImage(bundle.tables[noise.maps[m].image])});
+      maps->push_back({shaderMap(bundle, noise, m),
+                       RepeatingImage(bundle.tables[noise.maps[m].image]),
+                       texton::MixRows(noise.maps[m])});
     return TextonEvaluator(std::move(maps));
   });
 }
@@ -212,10 +203,12 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
     for (std::size_t c = 0; c < 3; ++c)
       sum[c] += sign * h[c];
   });
-  const float gain = gainOf(impacts, noise, texton, map.constants);
+  const shader::LichenMap here = map.mix.at(map.constants, mix);
+  const float gain = gainOf(impacts, noise, texton, here);
+  const std::array<float, 3> factor{here.sumFactor.x, here.sumFactor.y, here.sumFactor.z};
   for (std::size_t c = 0; c < 3; ++c)
-    sum[c] = 0.5f + gain * sum[c];
-  sum[3] = 1.0f - levelKept(map.constants, knownLevel(impacts));
+    sum[c] = 0.5f + gain * factor[c] * sum[c];
+  sum[3] = 1.0f - levelKept(here, knownLevel(impacts));
   return sum;
 }
 
@@ -225,8 +218,8 @@ Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
   const Value value = gaussian(mapIndex, noise, texton, at, mix);
   // Contrast scales what is missing with what is there.
   const float lost = std::min(1.0f, noise.contrast * noise.contrast * value[3]);
-  return decodedGaussian(mixed((*maps_)[mapIndex].constants, texton, mix),
-                         {value[0], value[1], value[2]}, lost);
+  const Map& map = (*maps_)[mapIndex];
+  return decodedGaussian(map.mix.at(map.constants, mix), {value[0], value[1], value[2]}, lost);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
@@ -243,9 +236,11 @@ std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
     for (std::size_t k = 0; k < 3; ++k)
       sum[k] += sign * h[k];
   });
-  const float scale = map.constants.row0.x * gainOf(impacts, noise, texton, map.constants);
-  return {mixed(map.constants, texton, mix).row0.w + scale * sum[0],
-          scale * sum[1] * texton.texelsPerTileX, scale * sum[2] * texton.texelsPerTileY};
+  const shader::LichenMap here = map.mix.at(map.constants, mix);
+  const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, noise, texton, here);
+  const std::array<float, 2> meanSlope = map.mix.meanSlope(mix);
+  return {here.row0.w + scale * sum[0], scale * sum[1] * texton.texelsPerTileX + meanSlope[0],
+          scale * sum[2] * texton.texelsPerTileY + meanSlope[1]};
 }
 
 } // namespace lichen

@@ -56,7 +56,7 @@ TexelFormat formatOf(std::size_t channels, int bits) {
 }
 
 /// Frames of one channel, one above the other.
-Plane stacked(std::span<const TextonCoefficients> steps, const TextonShape& shape,
+Plane stacked(std::span<const TextonCoefficients* const> steps, const TextonShape& shape,
               std::size_t channel, double scale) {
   Plane plane{int(shape.frameWidth()), int(shape.frameHeight()) * shape.steps, {}};
   plane.values.resize(std::size_t(plane.width) * std::size_t(plane.height));
@@ -68,7 +68,7 @@ Plane stacked(std::span<const TextonCoefficients> steps, const TextonShape& shap
                                      std::size_t(shape.coefficientsX) +
                                  std::size_t(x);
         plane.values[row * std::size_t(plane.width) + std::size_t(x)] =
-            float(double(steps[step].values[from]) / scale);
+            float(double(steps[step]->values[from]) / scale);
       }
   return plane;
 }
@@ -90,6 +90,21 @@ std::vector<double> keptShares(std::vector<Plane> mips, int order) {
   return kept;
 }
 
+/// One channel of one step, as the table's levels have it.
+std::vector<Plane> mipsOf(const Table& table, std::span<const std::vector<float>> levels,
+                          const TextonShape& shape, int step, std::size_t channel) {
+  const auto stride = std::size_t(channelCount(table.format));
+  std::vector<Plane> mips;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    Plane mip{int(table.width >> level), int(shape.frameHeight() >> level), {}};
+    const std::size_t texels = std::size_t(mip.width) * std::size_t(mip.height);
+    for (std::size_t i = 0; i < texels; ++i)
+      mip.values.push_back(levels[level][(std::size_t(step) * texels + i) * stride + channel]);
+    mips.push_back(std::move(mip));
+  }
+  return mips;
+}
+
 } // namespace
 
 int mipLevelsOf(int coefficientsX, int coefficientsY) {
@@ -97,7 +112,7 @@ int mipLevelsOf(int coefficientsX, int coefficientsY) {
   return int(std::bit_width(unsigned(std::max(1, shorter / kFewestTexels))));
 }
 
-Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& shape,
+Table textonTable(std::span<const TextonCoefficients* const> steps, const TextonShape& shape,
                   std::size_t firstChannel, std::span<const double> scale, int bits) {
   assert(int(steps.size()) == shape.steps);
   const std::size_t channels = scale.size();
@@ -122,34 +137,29 @@ Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& 
   return table;
 }
 
-std::vector<double> mipLosses(const Table& table, const TextonShape& shape, std::size_t channels) {
-  const auto stride = std::size_t(channelCount(table.format));
+std::vector<std::vector<double>> mipLosses(const Table& table, const TextonShape& shape,
+                                           std::size_t channels) {
   std::vector<std::vector<float>> levels;
   for (std::uint32_t level = 0; level < table.mipLevels; ++level)
     levels.push_back(decodeLevel(table, level));
-  std::vector<double> kept(kMaxTextonLosses, 0.0);
-  std::size_t count = 0;
-  for (int step = 0; step < shape.steps; ++step)
+  std::vector<std::vector<double>> losses;
+  for (int step = 0; step < shape.steps; ++step) {
+    std::vector<double> kept(kMaxTextonLosses, 0.0);
+    std::size_t count = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-      std::vector<Plane> mips;
-      for (std::size_t level = 0; level < levels.size(); ++level) {
-        Plane mip{int(table.width >> level), int(shape.frameHeight() >> level), {}};
-        const std::size_t texels = std::size_t(mip.width) * std::size_t(mip.height);
-        for (std::size_t i = 0; i < texels; ++i)
-          mip.values.push_back(levels[level][(std::size_t(step) * texels + i) * stride + c]);
-        mips.push_back(std::move(mip));
-      }
-      const std::vector<double> shares = keptShares(std::move(mips), shape.order);
+      const std::vector<double> shares =
+          keptShares(mipsOf(table, levels, shape, step, c), shape.order);
       count += shares.empty() ? 0u : 1u;
       for (std::size_t level = 0; level < shares.size(); ++level)
         kept[level] += shares[level];
     }
-  std::vector<double> losses;
-  double loss = 0.0;
-  for (std::size_t level = 0; level < kept.size(); ++level) {
-    // Without variation nothing is lost; rounding may make the losses of small ones decrease.
-    const double here = count > 0 && level > 0 ? 1.0 - kept[level] / double(count) : 0.0;
-    losses.push_back(loss = std::clamp(here, loss, 1.0));
+    std::vector<double>& lost = losses.emplace_back();
+    double loss = 0.0;
+    for (std::size_t level = 0; level < kept.size(); ++level) {
+      // Without variation nothing is lost; rounding may make the losses of small ones decrease.
+      const double here = count > 0 && level > 0 ? 1.0 - kept[level] / double(count) : 0.0;
+      lost.push_back(loss = std::clamp(here, loss, 1.0));
+    }
   }
   return losses;
 }

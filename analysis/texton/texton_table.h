@@ -18,12 +18,13 @@ namespace lichen::texton {
 /// The table of some channels, 1 to 3, of one texton for each step: frames one above the other,
 /// with mips of box averages. Each channel is divided by its `scale`; one of scale 0 is 0. `bits`
 /// 16 or 32, of floats.
-[[nodiscard]] Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& shape,
-                                std::size_t firstChannel, std::span<const double> scale, int bits);
+[[nodiscard]] Table textonTable(std::span<const TextonCoefficients* const> steps,
+                                const TextonShape& shape, std::size_t firstChannel,
+                                std::span<const double> scale, int bits);
 
-/// NoiseMap::mipLoss of such a table, kMaxTextonLosses values: the mean over its channels that
-/// vary, and over the steps.
-[[nodiscard]] std::vector<double> mipLosses(const Table& table, const TextonShape& shape,
-                                            std::size_t channels);
+/// NoiseMap::mipLoss of each step of such a table, kMaxTextonLosses values: the mean over its
+/// channels that vary.
+[[nodiscard]] std::vector<std::vector<double>>
+mipLosses(const Table& table, const TextonShape& shape, std::size_t channels);
 
 } // namespace lichen::texton

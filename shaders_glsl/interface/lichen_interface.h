@@ -31,6 +31,12 @@
 #define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 
+// Rows (z) of a mix's table, whose columns (x) are its steps.
+#define LICHEN_MIX_MEAN 0      // of stored values, less that of the first step
+#define LICHEN_MIX_DEVIATION 1 // times six, over what a texel is multiplied with
+#define LICHEN_MIX_KEPT 2      // amplitudes that mips keep, of four in each of four rows
+#define LICHEN_MIX_ROWS 6
+
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
 // the noise, in order, its image (Gaussian image or texton) and its inverse table.
 #define LICHEN_BINDING_NOISE 0
@@ -87,7 +93,7 @@ struct LichenMap {
   // The affine map of separable and Gaussian decoding: channel c is dot(row c, (input, 1)), the
   // input a separable table's values, or the Gaussian value less its mean.
   vec4 row0, row1, row2;
-  vec4 endMean; // of a mix of textons: stored values at the last step, row0.w .. row2.w at the first
+  vec4 sumFactor; // of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix; w unused
 };
 
 /// What the textons of all maps of a noise share; zeros for tiling.
@@ -101,6 +107,10 @@ struct LichenTexton {
   uint pointProcess;                    // LICHEN_POINTS_*
   float amplitude;                      // [texels] of one impact: the root of a cell's area
   float surfaceCellTexels;              // side of the cubic cells of surface noise
+  // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
+  // mask or vertex colours say it.
+  float mixWeight, mixPerU, mixPerV;
+  float reserved0; // 0: to a multiple of 16 bytes
 };
 
 /// The uniform block.
@@ -108,7 +118,7 @@ struct LichenUniforms {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
   LichenTexton texton;
-  vec4 reserved[6]; // 0: to 1024 bytes
+  vec4 reserved[5]; // 0: to 1024 bytes
 };
 
 #ifdef __cplusplus

@@ -14,20 +14,39 @@ vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
               noise.uvToTileYX * uv.x + noise.uvToTileYY * uv.y);
 }
 
+/// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
+/// lichenSetMix and lichenMixByMask are for.
+void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenNoise noise, LichenTexton texton) {
+  vec2 perUv = vec2(texton.mixPerU, texton.mixPerV);
+  impacts.mixWeight = texton.mixWeight + dot(perUv, uv);
+  // By tile coordinates: the transposed inverse of a rotation with a scale is itself over the
+  // scale's square.
+  vec2 row = vec2(noise.uvToTileXX, noise.uvToTileXY);
+  impacts.mixGradient = lichenUvToTile(perUv, noise) / dot(row, row);
+}
+
 /// The place at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
 LichenPlace lichenPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenNoise noise,
                               LichenTexton texton) {
   vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
-  return lichenPlaceAt(position, lichenUvToTile(uvGradientX, noise),
-                       lichenUvToTile(uvGradientY, noise), noise, texton);
+  LichenPlace place = lichenPlaceAt(position, lichenUvToTile(uvGradientX, noise),
+                                    lichenUvToTile(uvGradientY, noise), noise, texton);
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsMix(texton))
+    lichenMixByUv(place.impacts, uv, noise, texton);
+#endif
+  return place;
 }
 
 /// The impacts for lichenTextonGradient at `uv`, likewise.
 LichenImpacts lichenGradientPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
                                         LichenNoise noise, LichenTexton texton) {
   vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
-  return lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, noise),
-                                 lichenUvToTile(uvGradientY, noise), noise, texton);
+  LichenImpacts impacts =
+      lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, noise),
+                              lichenUvToTile(uvGradientY, noise), noise, texton);
+  lichenMixByUv(impacts, uv, noise, texton);
+  return impacts;
 }
 
 /// Slopes as the map holds them (in the exemplar's frame) -> in the frame of the texture

@@ -55,7 +55,7 @@ vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNois
                  LichenMap map, LichenTexton texton) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
-    return lichenTexton(image, place.impacts, noise, map, texton);
+    return lichenTexton(image, table, place.impacts, noise, map, texton);
 #endif
   return lichenTiling(image, table, place.taps, noise, map);
 }

@@ -10,28 +10,13 @@
 #include "../interface/lichen_interface.h"
 #include "impacts.glsl"
 #include "mip_variance.glsl"
+#include "texton_mix.glsl"
 #include "tiling_decode.glsl"
 
-// 0 where no noise is a mix. A literal, or the host's specialization constant.
-#ifndef LICHEN_MIXED_TEXTONS
-#define LICHEN_MIXED_TEXTONS 1
-#endif
-// 0 where no texton is of order 0. Likewise.
+// 0 where no texton is of order 0. A literal, or the host's specialization constant.
 #ifndef LICHEN_NEAREST_TEXTONS
 #define LICHEN_NEAREST_TEXTONS 1
 #endif
-
-/// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
-float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
-  if (bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u) {
-    // [GLM17] section 7.
-    vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
-    vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
-    float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
-    return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
-  }
-  return 0.0;
-}
 
 /// One fetch at `texel` of the image.
 vec3 lichenTextonFetch(sampler2D image, vec2 texel, float level, LichenTexton texton) {
@@ -118,10 +103,11 @@ float lichenTextonGain(LichenImpacts impacts, LichenNoise noise, LichenMap map) 
   return noise.contrast * (kept > 0.0 ? sqrt(rest / kept) : 0.0);
 }
 
-/// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified.
+/// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified. Of a mix, `map`
+/// is what lichenMixedMap makes of it; likewise below.
 vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenNoise noise,
                           LichenMap map, LichenTexton texton) {
-  return 0.5 + lichenTextonGain(impacts, noise, map) *
+  return 0.5 + lichenTextonGain(impacts, noise, map) * map.sumFactor.rgb *
                    lichenTextonSum(image, impacts, noise, texton);
 }
 
@@ -130,27 +116,17 @@ float lichenTextonLostVariance(LichenImpacts impacts, LichenMap map) {
   return 1.0 - lichenLevelKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
 }
 
-/// The map where its mean is that of the place in a mix.
-LichenMap lichenMixedMap(LichenImpacts impacts, LichenMap map, LichenTexton texton) {
-  if (bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u) {
-    // [GLM17] section 7: means are interpolated.
-    float weight = clamp(impacts.mixWeight, 0.0, 1.0);
-    map.row0.w = mix(map.row0.w, map.endMean.x, weight);
-    map.row1.w = mix(map.row1.w, map.endMean.y, weight);
-    map.row2.w = mix(map.row2.w, map.endMean.z, weight);
-  }
-  return map;
-}
-
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
-/// the variance of a slope that the footprint hides, for lichenRoughness.
-vec4 lichenTexton(sampler2D image, LichenImpacts impacts, LichenNoise noise, LichenMap map,
-                  LichenTexton texton) {
-  float lost = lichenTextonLostVariance(impacts, map);
+/// the variance of a slope that the footprint hides, for lichenRoughness. `table` is that of the
+/// map's binding, fetched of mixes only.
+vec4 lichenTexton(sampler2D image, sampler3D table, LichenImpacts impacts, LichenNoise noise,
+                  LichenMap map, LichenTexton texton) {
+  LichenMap here = lichenMixedMap(table, impacts, map, texton);
+  float lost = lichenTextonLostVariance(impacts, here);
   // Contrast scales what is missing with what is there.
   float scaled = min(1.0, noise.contrast * noise.contrast * lost);
-  return lichenDecodeGaussian(lichenTextonGaussian(image, impacts, noise, map, texton), scaled,
-                              lichenMixedMap(impacts, map, texton));
+  return lichenDecodeGaussian(lichenTextonGaussian(image, impacts, noise, here, texton), scaled,
+                              here);
 }
 
 #endif

@@ -84,9 +84,9 @@ LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradie
 }
 
 /// The stored value of a map's first channel, not clamped, and its derivatives along x and y
-/// [1 / tile].
-vec3 lichenTextonGradient(sampler2D image, LichenImpacts impacts, LichenNoise noise, LichenMap map,
-                          LichenTexton texton) {
+/// [1 / tile]. `table` is that of the map's binding, fetched of mixes only.
+vec3 lichenTextonGradient(sampler2D image, sampler3D table, LichenImpacts impacts,
+                          LichenNoise noise, LichenMap map, LichenTexton texton) {
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, noise);
   while (lichenGoesOn(walk, impacts)) {
@@ -94,10 +94,11 @@ vec3 lichenTextonGradient(sampler2D image, LichenImpacts impacts, LichenNoise no
     float sign = walk.isReached ? walk.sign : 0.0;
     sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, texton);
   }
-  float scale = map.row0.x * texton.amplitude * lichenTextonGain(impacts, noise, map);
+  LichenMap here = lichenMixedMap(table, impacts, map, texton);
+  float scale = here.row0.x * here.sumFactor.x * texton.amplitude *
+                lichenTextonGain(impacts, noise, here);
   vec3 gradient = scale * sum * vec3(1.0, texton.texelsPerTileX, texton.texelsPerTileY);
-  gradient.x += lichenMixedMap(impacts, map, texton).row0.w;
-  return gradient;
+  return gradient + vec3(here.row0.w, lichenMixMeanSlope(table, impacts, texton));
 }
 
 #endif

@@ -19,7 +19,7 @@ layout(constant_id = 0) const int kQuantity = kValue;
 struct Point {
   vec4 uvAndGradientX;
   vec4 gradientY; // zw unused
-  vec4 mixPlace;  // weight, its derivatives per tile; w unused
+  vec4 mixPlace;  // weight, its derivatives per tile; w is 0 where the material says them
 };
 
 layout(local_size_x = 64) in;
@@ -30,9 +30,9 @@ vec4 gradientAt(Point point) {
   LichenImpacts impacts =
       lichenGradientPlaceUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
                                 point.gradientY.xy, lichenUniforms.noise, lichenUniforms.texton);
-  impacts.mixWeight = point.mixPlace.x;
-  impacts.mixGradient = point.mixPlace.yz;
-  return vec4(lichenTextonGradient(lichenImage0, impacts, lichenUniforms.noise,
+  if (point.mixPlace.w != 0.0)
+    lichenSetMix(impacts, point.mixPlace.x, point.mixPlace.yz);
+  return vec4(lichenTextonGradient(lichenImage0, lichenTable0, impacts, lichenUniforms.noise,
                                    lichenUniforms.maps[0], lichenUniforms.texton),
               0.0);
 }
@@ -47,11 +47,12 @@ void main() {
   LichenTexton texton = lichenUniforms.texton;
   LichenPlace place =
       LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  place.impacts.mixWeight = point.mixPlace.x;
-  place.impacts.mixGradient = point.mixPlace.yz;
+  if (point.mixPlace.w != 0.0)
+    lichenSetMix(place.impacts, point.mixPlace.x, point.mixPlace.yz);
+  LichenMap here = lichenMixedMap(lichenTable0, place.impacts, map, texton);
   if (kQuantity == kGaussian)
-    values[index] = vec4(lichenTextonGaussian(lichenImage0, place.impacts, noise, map, texton),
-                         lichenTextonLostVariance(place.impacts, map));
+    values[index] = vec4(lichenTextonGaussian(lichenImage0, place.impacts, noise, here, texton),
+                         lichenTextonLostVariance(place.impacts, here));
   else if (kQuantity == kGradient)
     values[index] = gradientAt(point);
   else if (kQuantity == kImpacts)

@@ -24,9 +24,9 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
   failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
-  failures += KEEPS(LichenNoiseProperties, reserved, 48, 44);
+  failures += KEEPS(LichenNoiseProperties, mixSteps, 48, 44);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
-  failures += KEEPS(LichenMaterialProperties, unknownRevision, 32, 28);
+  failures += KEEPS(LichenMaterialProperties, mixChannel, 48, 44);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);

@@ -58,8 +58,14 @@ void checkTexton(const NoiseMap& map, const TextonShape& shape, const Table& ima
           "shape of a texton's image");
   require(std::size_t(channelCount(image.format)) >= n, "channels of a texton");
   require(map.scale.size() == n && areFinite(map.scale), "a scale for each channel");
-  require(map.endMean.size() == (shape.steps > 1 ? n : 0) && areFinite(map.endMean),
-          "the mean of the last step");
+  require(map.laterSteps.size() + 1 == std::size_t(shape.steps), "statistics of every step");
+  for (const MapStatistics& step : map.laterSteps) {
+    require(step.mean.size() == n && step.covariance.size() == n * n &&
+                step.mipLoss.size() == map.mipLoss.size(),
+            "size of a step's statistics");
+    require(areFinite(step.mean) && areFinite(step.covariance) && areFinite(step.mipLoss),
+            "a number of a step that is not finite");
+  }
   require(map.mipLoss.size() >= image.mipLevels && map.mipLoss.size() <= kMaxTextonLosses,
           "number of a texton's losses");
   require(!map.inverseTable && map.levels.empty(), "an inverse table of a texton");
@@ -68,7 +74,7 @@ void checkTexton(const NoiseMap& map, const TextonShape& shape, const Table& ima
 void checkGaussian(const NoiseMap& map, const Table& image) {
   require(map.mipLoss.size() == image.mipLevels, "number of mip losses");
   require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
-  require(map.scale.empty() && map.endMean.empty(), "a texton's members of a Gaussian image");
+  require(map.scale.empty() && map.laterSteps.empty(), "a texton's members of a Gaussian image");
 }
 
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
@@ -104,6 +110,10 @@ void checkContract(const Bundle& bundle) {
             "a mapping that the noise has not");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
+    require(!use || use->mix.source != MixSource::direction || use->mix.start != use->mix.end,
+            "a direction without length");
+    require(!use || (use->mix.weight >= 0.0 && use->mix.weight <= 1.0), "a weight");
+    require(!use || isWithin(use->mix.channel, 0, 3), "a channel");
   }
   for (const IgnoredNoise& noise : bundle.ignoredNoises) {
     require(noise.revision > kNoiseRevision, "a known revision that is ignored");

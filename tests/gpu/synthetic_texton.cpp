@@ -174,7 +174,7 @@ std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int ste
   const double variance =
       trace(quadraticForm(plane, texton.order, 0, 0), plane.channels) / texton.channels;
   for (double& value : plane.values)
-    value *= texton.deviation / std::sqrt(variance);
+    value *= texton.deviation * (1.0 + 0.5 * step) / std::sqrt(variance);
   return plane.values;
 }
 
@@ -199,13 +199,21 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
                  : n == 2 ? std::vector{slopeX, slopeY}
                           : std::vector{height};
   map.mean.assign(n, n == 2 ? 0.1 : 0.5);
-  if (texton.steps > 1)
-    map.endMean.assign(n, 0.3);
-  const Plane first = planeOf(texton, 0);
-  map.covariance = quadraticForm(first, texton.order, 0, 0);
-  for (std::size_t c = 0; c < n; ++c)
-    map.scale.push_back(6.0 * std::sqrt(map.covariance[c * n + c]));
-  map.mipLoss = mipLosses(first, texton.order);
+  map.scale.assign(n, 0.0);
+  for (int k = 0; k < texton.steps; ++k) {
+    const Plane step = planeOf(texton, k);
+    MapStatistics statistics{std::vector<double>(n, map.mean[0] - 0.1 * k),
+                             quadraticForm(step, texton.order, 0, 0),
+                             mipLosses(step, texton.order)};
+    for (std::size_t c = 0; c < n; ++c)
+      map.scale[c] = std::max(map.scale[c], 6.0 * std::sqrt(statistics.covariance[c * n + c]));
+    if (k > 0) {
+      map.laterSteps.push_back(std::move(statistics));
+    } else {
+      map.covariance = std::move(statistics.covariance);
+      map.mipLoss = std::move(statistics.mipLoss);
+    }
+  }
 
   BundleFile file;
   Noise noise;

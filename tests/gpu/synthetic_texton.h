@@ -21,7 +21,7 @@ struct SyntheticTexton {
   int channels = 3; ///< of the one map: 3 baseColor, sRGB; 2 normal, slopes; 1 height, linear
   bool wholeFloats = false; ///< 32-bit texels instead of 16-bit ones
   int smoothings = 0;       ///< how often coefficients are averaged with their neighbours
-  double deviation = 0.08;  ///< of the stored values
+  double deviation = 0.08;  ///< of the stored values at the first step; each has half of it more
 };
 
 /// The coefficients of a step, without scale: channel c of (x, y) at ((y * X) + x) * channels + c.

@@ -25,7 +25,8 @@ enum Quantity { kValue, kGaussian, kGradient, kImpacts };
 
 struct MixedPoint {
   Point point;
-  std::array<float, 4> mixPlace{}; ///< weight, its derivatives per tile
+  /// Weight, its derivatives per tile, and 0 where the material says them.
+  std::array<float, 4> mixPlace{0.0f, 0.0f, 0.0f, 1.0f};
 };
 
 constexpr double kStrict = 1.0 / 1024.0;
@@ -56,7 +57,7 @@ std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t 
     const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
     point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
     point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
-    mixed.mixPlace = {weight(generator), weight(generator), weight(generator), 0.0f};
+    mixed.mixPlace = {weight(generator), weight(generator), weight(generator), 1.0f};
   }
   return points;
 }
@@ -109,9 +110,9 @@ MixPlace mixOf(const MixedPoint& mixed) {
 
 /// A device, a noise on it and its twin.
 struct Twins {
-  explicit Twins(const SyntheticTexton& texton)
-      : bundle(parseBundle(syntheticTextonGlb(texton), "synthetic").value()),
-        host(*device, syntheticTextonGlb(texton)),
+  explicit Twins(const SyntheticTexton& texton) : Twins(syntheticTextonGlb(texton)) {}
+  explicit Twins(const std::vector<std::byte>& glb)
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb),
         twin(TextonEvaluator::create(bundle, 0).value()) {}
   ~Twins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
@@ -168,7 +169,7 @@ TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and al
 }
 
 TEST_CASE("textons of order 0 agree but for points on the border of a coefficient") {
-  Twins twins({.order = 0});
+  Twins twins(SyntheticTexton{.order = 0});
   const std::vector<MixedPoint> points = samplePoints({}, 600);
   for (const LichenUniformInfo& info : manyUniforms()) {
     const auto values = twins.shader(kGaussian, info, points);
@@ -213,6 +214,19 @@ std::vector<OracleCase> oracleCases() {
   return all;
 }
 
+/// The deviation of a channel at a place of a mix: linear between the steps.
+double deviationAt(const NoiseMap& map, float weight, std::size_t channel) {
+  const std::size_t diagonal = channel * (map.channels.size() + 1);
+  const auto ofStep = [&](std::size_t step) {
+    return std::sqrt((step == 0 ? map.covariance : map.laterSteps[step - 1].covariance)[diagonal]);
+  };
+  const double at = std::clamp(double(weight), 0.0, 1.0) * double(map.laterSteps.size());
+  const auto below = std::size_t(at);
+  return below == map.laterSteps.size()
+             ? ofStep(below)
+             : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
+}
+
 } // namespace
 
 TEST_CASE("shader and twin sum what the oracle sums over all impacts of a periodic domain") {
@@ -237,7 +251,7 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
           reference.at(double(at.position[0]), double(at.position[1]), one.mip, double(mix.weight),
                        {double(mix.gradient[0]), double(mix.gradient[1])});
       for (std::size_t c = 0; c < 3; ++c) {
-        const double gaussian = 0.5 + expected.value[c] / map.scale[c];
+        const double gaussian = 0.5 + expected.value[c] / (6.0 * deviationAt(map, mix.weight, c));
         // 30 impacts at coordinates of 100 texels rounded to 2^-17, slopes up to 0.2 a texel: less
         // than 5e-5. Order 0 and steps of a mix have borders, where a texton may be another's.
         constexpr double kTolerance = 1e-4;
@@ -304,4 +318,93 @@ TEST_CASE("differences of a minified height agree in shader and twin") {
     CHECK(difference.largest <= 1.0 / 255.0);
     CHECK(difference.fractionBeyond() <= 0.001);
   }
+}
+
+TEST_CASE("the gradient of a mix agrees in shader and twin, and is that of the value") {
+  // A mix of heights whose mean falls by 0.2 over the way, against differences of its own values:
+  // where the weight is linear, an impact keeps its texton, and the cubic spline has no steps.
+  const SyntheticTexton texton{.order = 3, .steps = 3, .channels = 1, .wholeFloats = true};
+  Twins twins(texton);
+  std::vector<MixedPoint> points = samplePoints(texton, 200);
+  for (MixedPoint& mixed : points)
+    mixed.point.gradientX = mixed.point.gradientY = {0.0f, 0.0f};
+  const auto gradients = twins.shader(kGradient, uniformInfo(), points);
+  const shader::LichenUniforms& u = twins.host.uniforms();
+  std::size_t strangers = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TileFootprint at = footprintOf(points[k].point, u.noise);
+    const MixPlace mix = mixOf(points[k]);
+    const auto twin = twins.twin.gradient(0, u.noise, u.texton, at, mix);
+    const auto valueAt = [&](std::size_t axis, float tiles) {
+      TileFootprint moved = at;
+      MixPlace movedMix = mix;
+      moved.position[axis] += tiles;
+      movedMix.weight += mix.gradient[axis] * tiles;
+      return double(twins.twin.gradient(0, u.noise, u.texton, moved, movedMix)[0]);
+    };
+    REQUIRE(double(gradients[k][0]) == Approx(double(twin[0])).margin(kStrict));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      constexpr float kStep = 1.0f / 2048.0f; // tiles, 1/32 of a texel
+      const double difference =
+          (valueAt(axis, kStep) - valueAt(axis, -kStep)) / (2.0 * double(kStep));
+      REQUIRE(double(gradients[k][axis + 1]) == Approx(double(twin[axis + 1])).margin(2e-3));
+      // Values rounded to 5e-6, 1024 differences a tile, and the third derivative of the spline,
+      // about 0.3 a cubic texel, over six times 1024: 0.01. Without the slope of the mean up to
+      // 0.24 a tile would lack. Of 30 impacts one takes another texton in between at 4 % of the
+      // points: 1/1024 of a tile, half a weight a tile, two borders of steps a weight.
+      strangers += std::abs(difference - double(twin[axis + 1])) > 0.03 ? 1u : 0u;
+    }
+  }
+  CHECK(strangers <= 2 * points.size() / 10);
+}
+
+TEST_CASE("the weight of a direction is the material's, whatever its placement") {
+  const SyntheticTexton texton{.order = 1, .steps = 5};
+  BundleFile file = syntheticTextonBundle(texton);
+  MixWeight& mix = file.bundle.materials[0]->mix;
+  SECTION("a constant") { mix.weight = 0.3; }
+  SECTION("a direction") {
+    mix.source = MixSource::direction;
+    mix.start = {0.5, -2.0};
+    mix.end = {3.0, 1.0};
+  }
+  Twins twins(encodeGlb(file).value());
+  std::vector<MixedPoint> points = samplePoints(texton, 200);
+  for (MixedPoint& mixed : points)
+    mixed.mixPlace = {};
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET;
+  info.scale = 0.8;
+  info.rotation = 0.6;
+  info.offset[0] = 2.25;
+  info.tileOrigin[0] = 2;
+  info.tileOrigin[1] = -1;
+  const auto gaussians = twins.shader(kGaussian, info, points);
+  const shader::LichenUniforms& u = twins.host.uniforms();
+  // Texture coordinates of a tile coordinate: the inverse of the rotation over the scale.
+  const auto weightAt = [&](double tileX, double tileY) {
+    if (mix.source == MixSource::constant)
+      return mix.weight;
+    const double x = info.scale * (tileX - info.offset[0]), y = info.scale * tileY;
+    const double uv[] = {std::cos(info.rotation) * x - std::sin(info.rotation) * y,
+                         std::sin(info.rotation) * x + std::cos(info.rotation) * y};
+    const double way[] = {mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
+    return ((uv[0] - mix.start[0]) * way[0] + (uv[1] - mix.start[1]) * way[1]) /
+           (way[0] * way[0] + way[1] * way[1]);
+  };
+  Difference difference;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const TileFootprint at = footprintOf(points[k].point, u.noise);
+    // Relative to the host's origin, but for the whole tiles of the offset.
+    const double x = double(at.position[0]) + double(info.tileOrigin[0]) + 2.0;
+    const double y = double(at.position[1]) + double(info.tileOrigin[1]);
+    const MixPlace place{float(weightAt(x, y)),
+                         {float(weightAt(x + 1.0, y) - weightAt(x, y)),
+                          float(weightAt(x, y + 1.0) - weightAt(x, y))}};
+    const auto expected = twins.twin.gaussian(0, u.noise, u.texton, at, place);
+    for (std::size_t c = 0; c < 3; ++c)
+      difference.note(std::abs(double(gaussians[k][c]) - double(expected[c])));
+  }
+  // A weight rounded to the other step is another texton: of 30 impacts at 200 points, few.
+  CHECK(difference.fractionBeyond() <= 0.01);
 }

@@ -193,9 +193,16 @@ BundleFile textonMix() {
   noise.texton = {9, 17, 3, 2, 100, 50, 3};
   const auto addMap = [&](NoiseMap map, TexelFormat format) {
     map.image = addTable(bundle, patternTexton(noise.texton, format));
-    map.endMean.assign(map.channels.size(), 0.25);
     map.scale.assign(map.channels.size(), 0.6);
     map.mipLoss = {0.0, 0.25, 0.5, 1.0};
+    for (const double share : {0.75, 0.5}) { // of mean and deviation
+      MapStatistics step{map.mean, map.covariance, {0.0, 0.375, 0.75, 1.0}};
+      for (double& mean : step.mean)
+        mean *= share;
+      for (double& covariance : step.covariance)
+        covariance *= share * share;
+      map.laterSteps.push_back(std::move(step));
+    }
     noise.maps.push_back(std::move(map));
   };
   addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 1),
@@ -209,6 +216,9 @@ BundleFile textonMix() {
   use.mapping = Mapping::surface;
   use.impacts = 12.5;
   use.pointProcess = PointProcess::poisson;
+  use.mix.source = MixSource::vertexColor;
+  use.mix.colorSet = 1;
+  use.mix.channel = 2;
   bundle.materials.push_back(use);
   file.previews.emplace_back();
   return file;

@@ -39,7 +39,12 @@ void checkSameMap(const NoiseMap& a, const NoiseMap& b) {
   CHECK(a.levels == b.levels);
   CHECK(a.mipLoss == b.mipLoss);
   CHECK(a.scale == b.scale);
-  CHECK(a.endMean == b.endMean);
+  REQUIRE(a.laterSteps.size() == b.laterSteps.size());
+  for (std::size_t k = 0; k < a.laterSteps.size(); ++k) {
+    CHECK(a.laterSteps[k].mean == b.laterSteps[k].mean);
+    CHECK(a.laterSteps[k].covariance == b.laterSteps[k].covariance);
+    CHECK(a.laterSteps[k].mipLoss == b.laterSteps[k].mipLoss);
+  }
 }
 
 void checkSameShape(const TextonShape& a, const TextonShape& b) {
@@ -84,6 +89,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(x.contrast == y.contrast);
     CHECK(x.impacts == y.impacts);
     CHECK(x.pointProcess == y.pointProcess);
+    CHECK(x.mix == y.mix);
   }
 }
 

@@ -118,12 +118,6 @@ TEST_CASE("every disagreement of a map with its texton is found") {
           {"a negative scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = -0.5; }},
           {"a huge scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = 1e7; }},
           {"a scale in text", "type", [](GlbParts& p) { p.map(1, 0)["scale"] = "0.6"; }},
-          {"steps without an end", "map-end-mean",
-           [](GlbParts& p) { p.map(1, 0).erase("endMean"); }},
-          {"an end without steps", "map-end-mean", [](GlbParts& p) { shapeOf(p)["steps"] = 1; }},
-          {"a short end", "map-end-mean", [](GlbParts& p) { p.map(1, 0)["endMean"].erase(2); }},
-          {"an end out of range", "range", [](GlbParts& p) { p.map(1, 0)["endMean"][1] = 2.0; }},
-          {"an end in text", "type", [](GlbParts& p) { p.map(1, 0)["endMean"] = "white"; }},
           {"no losses", "required", [](GlbParts& p) { p.map(1, 0).erase("mipLoss"); }},
           {"fewer losses than mips", "map-mip-loss",
            [](GlbParts& p) { p.map(1, 0)["mipLoss"] = {0.0}; }},
@@ -134,6 +128,118 @@ TEST_CASE("every disagreement of a map with its texton is found") {
           {"a texton where tiling has a Gaussian image", "required",
            [](GlbParts& p) { p.extension()["noises"][1]["method"] = "tiling"; }},
       });
+}
+
+TEST_CASE("every fault of a mix's later steps is found") {
+  const auto steps = [](GlbParts& p) -> json& { return p.map(1, 0)["laterSteps"]; };
+  example::checkFaults(
+      soundFile(),
+      {
+          {"a mix without later steps", "map-later-steps",
+           [](GlbParts& p) { p.map(1, 0).erase("laterSteps"); }},
+          {"later steps without a mix", "map-later-steps",
+           [](GlbParts& p) { shapeOf(p)["steps"] = 1; }},
+          {"a step too few", "map-later-steps", [&](GlbParts& p) { steps(p).erase(1); }},
+          {"a step too many", "map-later-steps",
+           [&](GlbParts& p) { steps(p).push_back(steps(p)[0]); }},
+          {"no steps", "count", [&](GlbParts& p) { steps(p) = json::array(); }},
+          {"more steps than there can be", "count",
+           [&](GlbParts& p) { steps(p) = json::array_t(65, steps(p)[0]); }},
+          {"steps in text", "type", [&](GlbParts& p) { steps(p) = "fast"; }},
+          {"a step that is a number", "type", [&](GlbParts& p) { steps(p)[1] = 7; }},
+          {"a step without a mean", "required", [&](GlbParts& p) { steps(p)[1].erase("mean"); }},
+          {"a short mean", "map-mean", [&](GlbParts& p) { steps(p)[1]["mean"].erase(2); }},
+          {"a mean out of range", "range", [&](GlbParts& p) { steps(p)[0]["mean"][1] = 2.0; }},
+          {"a step without a covariance", "required",
+           [&](GlbParts& p) { steps(p)[0].erase("covariance"); }},
+          {"a covariance of one channel", "map-covariance",
+           [&](GlbParts& p) { steps(p)[0]["covariance"] = {0.01}; }},
+          {"a covariance that is not symmetric", "map-covariance",
+           [&](GlbParts& p) { steps(p)[0]["covariance"][1] = 0.004; }},
+          {"a negative variance", "map-covariance",
+           [&](GlbParts& p) { steps(p)[0]["covariance"][0] = -0.01; }},
+          {"a step without losses", "required", [&](GlbParts& p) { steps(p)[1].erase("mipLoss"); }},
+          {"other levels than the first step's", "map-mip-loss",
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"].erase(3); }},
+          {"a loss at level 0", "map-mip-loss",
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"][0] = 0.1; }},
+          {"losses that decrease", "map-mip-loss",
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"][3] = 0.1; }},
+      });
+}
+
+TEST_CASE("every fault of a mix's weight is found") {
+  const auto mix = [](GlbParts& p) -> json& { return p.use(1)["mix"]; };
+  const auto withTexture = [&](GlbParts& p, const json& info) {
+    p.json["textures"] = {json::object(), json::object()};
+    mix(p) = {{"source", "texture"}, {"texture", info}};
+  };
+  example::checkFaults(
+      soundFile(),
+      {
+          {"a mix in text", "type", [&](GlbParts& p) { mix(p) = "moss"; }},
+          {"no source", "required", [&](GlbParts& p) { mix(p).erase("source"); }},
+          {"an unknown source", "mix-source", [&](GlbParts& p) { mix(p)["source"] = "height"; }},
+          {"a source that is a number", "type", [&](GlbParts& p) { mix(p)["source"] = 1; }},
+          {"a weight above 1", "range",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "constant"}, {"weight", 1.5}};
+           }},
+          {"a weight below 0", "range",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "constant"}, {"weight", -0.5}};
+           }},
+          {"a direction without length", "mix-direction",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "direction"}, {"start", {0.0, 1.0}}};
+           }},
+          {"a start of one number", "count",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "direction"}, {"start", {0.5}}};
+           }},
+          {"an end far away", "range",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "direction"}, {"end", {0.0, 1e7}}};
+           }},
+          {"no texture", "required",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "texture"}};
+           }},
+          {"no textures", "mix-texture-index",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "texture"}, {"texture", {{"index", 0}}}};
+           }},
+          {"a texture out of range", "mix-texture-index",
+           [&](GlbParts& p) {
+             withTexture(p, {{"index", 2}});
+           }},
+          {"a texture without index", "required",
+           [&](GlbParts& p) { withTexture(p, json::object()); }},
+          {"a texture that is a number", "type", [&](GlbParts& p) { withTexture(p, 1); }},
+          {"texture coordinates 16", "range",
+           [&](GlbParts& p) {
+             withTexture(p, {{"index", 1}, {"texCoord", 16}});
+           }},
+          {"a fifth channel", "range", [&](GlbParts& p) { mix(p)["channel"] = 4; }},
+          {"a channel in text", "type", [&](GlbParts& p) { mix(p)["channel"] = "red"; }},
+          {"vertex colours 16", "range", [&](GlbParts& p) { mix(p)["set"] = 16; }},
+      });
+}
+
+TEST_CASE("the weight of a mix comes back from every source") {
+  for (MixWeight mix :
+       {MixWeight{.weight = 0.25},
+        MixWeight{.source = MixSource::direction, .start = {0.5, 2.0}, .end = {-1.0, 0.0}},
+        MixWeight{.source = MixSource::texture, .texture = 1, .texCoord = 1, .channel = 3},
+        MixWeight{.source = MixSource::vertexColor, .colorSet = 2, .channel = 1}}) {
+    BundleFile file = example::textonMix();
+    file.previews.front().baseColor = file.previews.front().normal = example::tinyPng();
+    file.bundle.materials[1]->mix = mix;
+    const auto parsed = parseBundle(encodeGlb(file).value(), "mix.glb");
+    if (!parsed)
+      FAIL(parsed.error().message);
+    CHECK(parsed.value().materials[1]->mix == mix);
+  }
 }
 
 TEST_CASE("every fault of a material's use of textons is found") {

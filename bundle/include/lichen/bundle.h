@@ -98,6 +98,9 @@ enum class Mapping { uv, triplanar, surface, solid };
 enum class Method { tiling, texton };
 /// How the impacts of a texton noise lie: one in each cell of a grid, or a Poisson process.
 enum class PointProcess { stratified, poisson };
+/// Where the weight of a mix comes from: a number, a way along texture coordinates, a texture, or
+/// vertex colours.
+enum class MixSource { constant, direction, texture, vertexColor };
 
 /// The names that the JSON uses, for both directions.
 [[nodiscard]] std::string_view nameOf(MapTarget value);
@@ -106,12 +109,21 @@ enum class PointProcess { stratified, poisson };
 [[nodiscard]] std::string_view nameOf(Mapping value);
 [[nodiscard]] std::string_view nameOf(Method value);
 [[nodiscard]] std::string_view nameOf(PointProcess value);
+[[nodiscard]] std::string_view nameOf(MixSource value);
 [[nodiscard]] std::optional<MapTarget> mapTargetFrom(std::string_view name);
 [[nodiscard]] std::optional<MapChannel> mapChannelFrom(std::string_view name);
 [[nodiscard]] std::optional<ValueEncoding> valueEncodingFrom(std::string_view name);
 [[nodiscard]] std::optional<Mapping> mappingFrom(std::string_view name);
 [[nodiscard]] std::optional<Method> methodFrom(std::string_view name);
 [[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
+[[nodiscard]] std::optional<MixSource> mixSourceFrom(std::string_view name);
+
+/// Of an exemplar's stored values, or of one step of a mix of textons; members as NoiseMap's.
+struct MapStatistics {
+  std::vector<double> mean;
+  std::vector<double> covariance;
+  std::vector<double> mipLoss;
+};
 
 /// One map of a noise.
 ///
@@ -132,7 +144,6 @@ struct NoiseMap {
   ValueEncoding encoding = ValueEncoding::srgb;
   std::vector<double> mean;                ///< n = channels.size() values
   std::vector<double> covariance;          ///< n x n, row-major, symmetric
-  std::vector<double> endMean;             ///< of a mix, that of the last step; otherwise empty
   std::size_t image = 0;                   ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
@@ -140,12 +151,16 @@ struct NoiseMap {
   /// row-major, and n. Empty for a joint table and without a table.
   std::vector<double> tableBasis;
   std::vector<double> tableOffset;
-  /// Of a texton noise: a factor >= 0 for each channel, six times its deviation. Empty otherwise.
+  /// Of a texton noise: a factor >= 0 for each channel, six times its deviation, of a mix its
+  /// greatest. Empty otherwise.
   std::vector<double> scale;
   /// Share of the variance that each mip level of the image has lost; in [0, 1], not decreasing.
   /// One value per mip level; of a texton also for the box averages beyond the last mip, up to
   /// kMaxTextonLosses.
   std::vector<double> mipLoss;
+  /// Of a mix, whose first step mean, covariance and mipLoss are of, the others in order:
+  /// TextonShape::steps - 1. Empty otherwise.
+  std::vector<MapStatistics> laterSteps;
 };
 
 /// Levels of averaging for which a texton's losses are known.
@@ -170,7 +185,7 @@ struct TextonShape {
   int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int texelsPerTileY = 0; ///< likewise
-  int steps = 1;          ///< textons from one exemplar to another; 1 of a single exemplar
+  int steps = 1;          ///< of a mix, textons from its first exemplar to the last; otherwise 1
 
   /// As many as keep four texels of the last mip, 2^(mipLevels - 1) coefficients wide, inside the
   /// texton: wider ones would reach far beyond it and make a pixel pay for impacts that it hardly
@@ -225,6 +240,25 @@ inline constexpr NumberRange kRotationRange{-1e6, 1e6};
 inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
+inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
+inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
+
+/// The weight of a mix at a point: 0 is its first step, 1 the last, and it is clamped to them.
+struct MixWeight {
+  MixSource source = MixSource::constant;
+  double weight = 0.0; ///< of MixSource::constant, in kMixWeightRange
+  /// Of MixSource::direction: the texture coordinates, of the noise's set, where the weight is 0
+  /// and 1; another place has that of the nearest point of the line through them. In
+  /// kMixPlaceRange, and not the same.
+  std::array<double, 2> start{0.0, 0.0};
+  std::array<double, 2> end{0.0, 1.0};
+  std::size_t texture = 0; ///< of MixSource::texture: glTF's index; its stored value counts
+  int texCoord = 0;        ///< of the texture, [0, 15]
+  int colorSet = 0;        ///< of MixSource::vertexColor: the n of COLOR_n, [0, 15]
+  int channel = 0;         ///< of a texture or vertex colours: 0 red to 3 alpha
+
+  [[nodiscard]] bool operator==(const MixWeight&) const = default;
+};
 
 /// How a material uses a noise: everything that may change without a new bake.
 struct MaterialNoise {
@@ -242,6 +276,7 @@ struct MaterialNoise {
   /// Of texton noises: the mean number of impacts that a point sees, in kImpactsRange.
   double impacts = 30.0;
   PointProcess pointProcess = PointProcess::stratified;
+  MixWeight mix; ///< of a mix of textons
 };
 
 /// A noise of a revision that this version does not know. Materials that use it have no noise: they

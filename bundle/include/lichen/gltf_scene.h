@@ -64,6 +64,11 @@ public:
   /// Adds or replaces an attribute. Throws std::bad_alloc.
   void setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor);
 
+  /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which repeats; returns
+  /// the texture's index. Throws std::bad_alloc.
+  std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
+  [[nodiscard]] std::size_t textureCount() const; ///< with those that were added
+
   /// Gives materials a noise of a bundle with the parameters of `use`, whose index of a noise is
   /// not used. A noise that the asset has already, from an earlier call too, is shared, and so are
   /// tables; a name that another noise has gets a number. What a material said about a noise is

@@ -16,6 +16,10 @@ namespace lichen {
 [[nodiscard]] shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise,
                                           std::size_t map);
 
+/// The table of a map of a mix, with `laterSteps`, which the shader has at the binding of an
+/// inverse table. Throws std::bad_alloc.
+[[nodiscard]] Table mixTable(const NoiseMap& map);
+
 /// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
 /// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, [0, 1], is
 /// missing.

@@ -159,7 +159,8 @@ typedef struct LichenNoiseProperties {
   uint32_t uniformBufferCount; /* UNIFORM_BUFFER_DYNAMIC with LICHEN_VULKAN_DYNAMIC_UNIFORMS */
   uint32_t combinedImageSamplerCount;
   LichenNoiseMethod method;
-  uint32_t reserved; /* 0 */
+  uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
+                        shader library may be 0 where no noise is a mix */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -209,7 +210,8 @@ typedef struct LichenMapProperties {
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t image;            /* image indices, < imageCount: Gaussian image or texton */
-  uint32_t tableImage;       /* of a map without a table one of two texels, which is not read */
+  uint32_t tableImage; /* of a mix that of its steps; of other maps without an inverse table one
+                        * of two texels, which is not read */
   LichenTableKind tableKind;
 } LichenMapProperties;
 
@@ -227,6 +229,16 @@ typedef enum LichenMapping {
   LICHEN_MAPPING_MAX_ENUM = 0x7FFFFFFF
 } LichenMapping;
 
+/* Where a material takes the weight of a mix from. LICHEN_PLACE knows the first two; a host gives
+ * the others by lichenMixByMask or lichenSetMix. */
+typedef enum LichenMixSource {
+  LICHEN_MIX_CONSTANT = 0, /* what a material of a noise that is no mix has too */
+  LICHEN_MIX_DIRECTION = 1,
+  LICHEN_MIX_TEXTURE = 2,
+  LICHEN_MIX_VERTEX_COLOR = 3,
+  LICHEN_MIX_SOURCE_MAX_ENUM = 0x7FFFFFFF
+} LichenMixSource;
+
 typedef struct LichenMaterialProperties {
   LichenStructureType type;
   uint32_t size;
@@ -237,6 +249,11 @@ typedef struct LichenMaterialProperties {
   /* 0, or the revision of the material's noise, which is then one that this library does not know:
    * `noise` is LICHEN_NO_NOISE, and the material is to be drawn with its core textures. */
   uint32_t unknownRevision;
+  LichenMixSource mixSource;
+  uint32_t mixTexture; /* of LICHEN_MIX_TEXTURE, the glTF texture; its stored value is the weight,
+                        * whatever KHR_texture_transform it has is the host's to read */
+  uint32_t mixSet;     /* [0, 15] of LICHEN_MIX_TEXTURE the TEXCOORD_n, of vertex colours COLOR_n */
+  uint32_t mixChannel; /* [0, 3] of the texture or the colour, red to alpha */
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */

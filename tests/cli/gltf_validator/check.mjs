@@ -86,6 +86,9 @@ function compileSchemas() {
   ajv.addSchema({ type: 'object', properties: { ...property.properties, name: { type: 'string' } } },
     'glTFChildOfRootProperty.schema.json');
   ajv.addSchema({ type: 'integer', minimum: 0 }, 'glTFid.schema.json');
+  ajv.addSchema({ type: 'object', required: ['index'], properties: { ...property.properties,
+    index: { $ref: 'glTFid.schema.json' }, texCoord: { type: 'integer', minimum: 0 } } },
+  'textureInfo.schema.json');
   const folder = path.join(extensionFolder, 'schema');
   for (const file of fs.readdirSync(folder).sort())
     ajv.addSchema(JSON.parse(fs.readFileSync(path.join(folder, file))), file);

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// Maps of n exemplars -> a texton noise with a frame for each step between them.
+//
+// Maps of one kind are brought to units of their deviation, the same in all exemplars, so that none
+// of a set is neglected in the joint fit and contrasts between exemplars stay what they are.
+// Sources: [GLM17] section 7; docs/decisions/016-mixing.md.
+#include "joint_exemplar.h"
+#include "mixing.h"
+#include "model_covariance.h"
+#include "option_ranges.h"
+#include "texton_maps.h"
+#include "tiling/map_ranges.h"
+
+#include <lichen/texton_mix.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace lichen {
+namespace {
+
+using namespace texton;
+
+Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
+
+Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options) {
+  if (exemplars < 2 || exemplars > kMaxMixedExemplars)
+    return usage(
+        fmt::format("{} exemplars to mix; 2 to {} are accepted", exemplars, kMaxMixedExemplars));
+  if (Result<void> checked = checkTextonOptions(options.texton); !checked)
+    return checked;
+  if (options.texton.fit != TextonFit::transport)
+    return usage("a mix by projections; the fit by transport distance is accepted");
+  if (!options.weights.empty())
+    return {}; // which the fit checks
+  const int legs = int(exemplars) - 1;
+  const int most = (kMaxTextonSteps - 1) / legs + 1;
+  if (options.steps < int(kMixStepsRange.least) || options.steps > most)
+    return usage(fmt::format("{} steps from an exemplar to the next; {} to {} are accepted for {} "
+                             "exemplars, {} textons in all at the most",
+                             options.steps, kMixStepsRange.least, most, exemplars,
+                             kMaxTextonSteps));
+  return {};
+}
+
+/// A map's channels by name.
+std::string channelsOf(const MapExemplar& map) {
+  std::vector<std::string_view> names;
+  for (const MapChannel channel : map.channels)
+    names.push_back(nameOf(channel));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Whether two exemplars have the same maps, channels and encodings.
+Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) {
+  const auto refuse = [&](const std::string& what) {
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {}; exemplars of a mix have the same maps", other.name, what)};
+  };
+  const auto find = [](const MixedExemplar& exemplar, MapTarget target) {
+    return std::find_if(exemplar.maps.begin(), exemplar.maps.end(),
+                        [&](const MapExemplar& map) { return map.target == target; });
+  };
+  for (const MapExemplar& map : first.maps)
+    if (find(other, map.target) == other.maps.end())
+      return refuse(fmt::format("has no {}, which {} has", nameOf(map.target), first.name));
+  for (std::size_t m = 0; m < other.maps.size(); ++m) {
+    const MapExemplar& map = other.maps[m];
+    const auto same = find(first, map.target);
+    if (same == first.maps.end())
+      return refuse(fmt::format("has {}, which {} has not", nameOf(map.target), first.name));
+    if (same->channels != map.channels)
+      return refuse(fmt::format("{} has {}, in {} it has {}", nameOf(map.target), channelsOf(map),
+                                first.name, channelsOf(*same)));
+    if (same->encoding != map.encoding)
+      return refuse(fmt::format("{} is stored as {}, in {} as {}", nameOf(map.target),
+                                nameOf(map.encoding), first.name, nameOf(same->encoding)));
+    if (first.maps[m].target != map.target)
+      return usage(other.name + ": maps in another order; that of their targets is accepted");
+  }
+  return {};
+}
+
+Result<void> checkMaps(std::span<const MixedExemplar> exemplars) {
+  for (const MixedExemplar& exemplar : exemplars) {
+    if (exemplar.maps.empty())
+      return usage(exemplar.name + ": no maps; at least one is accepted");
+    std::set<MapTarget> targets;
+    for (const MapExemplar& map : exemplar.maps) {
+      if (Result<void> checked = tiling::checkRanges(map); !checked)
+        return checked.error();
+      if (!targets.insert(map.target).second)
+        return usage(
+            fmt::format("{}: two maps of {}; one is accepted", exemplar.name, nameOf(map.target)));
+    }
+    if (Result<void> alike = checkAlike(exemplars.front(), exemplar); !alike)
+      return alike.error();
+  }
+  return {};
+}
+
+/// Width and height of the largest map along each axis.
+std::array<int, 2> sizeOf(const MixedExemplar& exemplar) {
+  std::array<int, 2> size{};
+  for (const MapExemplar& map : exemplar.maps)
+    size = {std::max(size[0], map.width), std::max(size[1], map.height)};
+  return size;
+}
+
+/// The tile that all of these span, as onOneGrid() makes it.
+Result<std::array<int, 2>> tileOf(std::span<const MixedExemplar> exemplars) {
+  std::array<int, 2> tile{};
+  for (const MixedExemplar& exemplar : exemplars)
+    tile[0] = std::max(tile[0], sizeOf(exemplar)[0]);
+  for (const MixedExemplar& exemplar : exemplars) {
+    const auto [width, height] = sizeOf(exemplar);
+    const double rows = std::round(double(height) * double(tile[0]) / double(width));
+    if (rows > double(kMaxTableSide))
+      return Error{ErrorKind::badInput,
+                   fmt::format("{}: {} x {} pixels are {} x {:.0f} beside the widest exemplar; a "
+                               "height of up to {} is accepted",
+                               exemplar.name, width, height, tile[0], rows, kMaxTableSide)};
+    tile[1] = std::max(tile[1], int(rows));
+  }
+  return tile;
+}
+
+TextonShape shapeOf(const std::array<int, 2>& tile, std::size_t exemplars,
+                    const TextonMixOptions& options) {
+  const TextonOptions& texton = options.texton;
+  TextonShape shape;
+  shape.coefficientsX = std::clamp(texton.support - texton.order, 1, tile[0]);
+  shape.coefficientsY = std::clamp(texton.support - texton.order, 1, tile[1]);
+  shape.order = texton.order;
+  shape.mipLevels = shape.mostMipLevels();
+  shape.texelsPerTileX = tile[0];
+  shape.texelsPerTileY = tile[1];
+  if (options.weights.empty())
+    shape.steps = int(exemplars - 1) * (options.steps - 1) + 1;
+  return shape;
+}
+
+Result<void> checkFrames(const TextonShape& shape) {
+  const std::uint64_t rows = std::uint64_t(shape.frameHeight()) * std::uint64_t(shape.steps);
+  if (rows <= kMaxTableSide)
+    return {};
+  return usage(fmt::format("{} steps of {} rows each make an image of {}; up to {} are accepted, "
+                           "with fewer steps or a smaller support",
+                           shape.steps, shape.frameHeight(), rows, kMaxTableSide));
+}
+
+/// The deviation of each channel's map, its channels and all exemplars taken together; 1 where it
+/// does not vary.
+Eigen::VectorXd mapUnits(std::span<const JointExemplar> exemplars,
+                         std::span<const MapExemplar> maps) {
+  Eigen::VectorXd units(Eigen::Index(exemplars.front().channels));
+  Eigen::Index first = 0;
+  for (const MapExemplar& map : maps) {
+    const auto n = Eigen::Index(map.channels.size());
+    double variance = 0.0;
+    for (const JointExemplar& exemplar : exemplars)
+      variance += exemplar.covariance.diagonal().segment(first, n).mean();
+    variance /= double(exemplars.size());
+    units.segment(first, n).setConstant(variance > 0.0 ? std::sqrt(variance) : 1.0);
+    first += n;
+  }
+  return units;
+}
+
+MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eigen::VectorXd& units,
+                     TextonVariance variance) {
+  for (std::size_t i = 0; i < exemplar.values.size(); ++i)
+    exemplar.values[i] /= float(units[Eigen::Index(i % exemplar.channels)]);
+  MixExemplar result{
+      name,
+      gaussianModel(exemplar.values, exemplar.width, exemplar.height, int(exemplar.channels)),
+      {}};
+  const Eigen::VectorXd inverse = units.cwiseInverse();
+  result.covariance = variance == TextonVariance::periodic
+                          ? modelCovariance(result.model)
+                          : inverse.asDiagonal() * exemplar.covariance * inverse.asDiagonal();
+  return result;
+}
+
+/// Length of the difference over the root of the mean square of both.
+double relativeDistance(const TextonCoefficients& a, const TextonCoefficients& b) {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double x = double(a.values[i]), y = double(b.values[i]);
+    difference += (x - y) * (x - y);
+    size += (x * x + y * y) / 2.0;
+  }
+  return size > 0.0 ? std::sqrt(difference / size) : 0.0;
+}
+
+TextonMixQuality qualityOf(const TextonMix& mix) {
+  TextonMixQuality quality;
+  for (std::size_t k = 0; k < mix.steps.size(); ++k) {
+    quality.modelErrors.push_back(mix.steps[k].modelError);
+    quality.rankError = std::max(quality.rankError, mix.steps[k].rankError);
+    if (k > 0)
+      quality.largestStep = std::max(
+          quality.largestStep, relativeDistance(mix.steps[k - 1].texton, mix.steps[k].texton));
+  }
+  return quality;
+}
+
+/// The steps in the units of the maps, with the mean of each.
+std::vector<TextonOfMaps> inMapUnits(TextonMix mix, std::span<const Eigen::VectorXd> means,
+                                     const Eigen::VectorXd& units) {
+  std::vector<TextonOfMaps> steps;
+  for (MixStep& step : mix.steps) {
+    TextonOfMaps& result = steps.emplace_back();
+    result.coefficients = std::move(step.texton);
+    std::vector<float>& values = result.coefficients.values;
+    const std::size_t texels = values.size() / std::size_t(units.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] *= float(units[Eigen::Index(i / texels)]);
+    result.mean = Eigen::VectorXd::Zero(units.size());
+    for (std::size_t k = 0; k < means.size(); ++k)
+      result.mean += step.weights[k] * means[k];
+  }
+  return steps;
+}
+
+Result<TextonMix> fitted(std::span<const MixExemplar> exemplars, const TextonShape& shape,
+                         const TextonMixOptions& options) {
+  MixOptions fit;
+  fit.width = shape.coefficientsX;
+  fit.height = shape.coefficientsY;
+  fit.order = shape.order;
+  fit.seed = options.texton.fitSeed;
+  fit.progress = options.texton.progress;
+  if (!options.weights.empty())
+    return fitTextonBarycenter(exemplars, options.weights, fit);
+  fit.stepsPerLeg = options.steps - 1;
+  return fitTextonPath(exemplars, fit);
+}
+
+Result<TextonMixBake> baked(std::string name, std::span<const MixedExemplar> exemplars,
+                            const TextonShape& shape, const TextonMixOptions& options) {
+  const std::span<const MapExemplar> maps = exemplars.front().maps;
+  std::vector<JointExemplar> joints;
+  std::vector<Eigen::VectorXd> means;
+  for (const MixedExemplar& exemplar : exemplars) {
+    joints.push_back(joined(exemplar.maps));
+    means.push_back(joints.back().mean);
+  }
+  const Eigen::VectorXd units = mapUnits(joints, maps);
+  std::vector<MixExemplar> models;
+  for (std::size_t k = 0; k < exemplars.size(); ++k)
+    models.push_back(
+        modelled(exemplars[k].name, std::move(joints[k]), units, options.texton.variance));
+  Result<TextonMix> mix = fitted(models, shape, options);
+  if (!mix)
+    return mix.error();
+  TextonMixBake bake;
+  bake.quality = qualityOf(mix.value());
+  bake.noise.name = std::move(name);
+  bake.noise.method = Method::texton;
+  bake.noise.texton = shape;
+  storeMaps(inMapUnits(std::move(mix).value(), means, units), maps, options.texton.bits, bake.noise,
+            bake.tables);
+  return bake;
+}
+
+} // namespace
+
+Result<TextonMixBake> bakeTextonMix(std::string name, std::span<const MixedExemplar> exemplars,
+                                    const TextonMixOptions& options) {
+  if (Result<void> checked = checkOptions(exemplars.size(), options); !checked)
+    return checked.error();
+  if (Result<void> checked = checkMaps(exemplars); !checked)
+    return checked.error();
+  const Result<std::array<int, 2>> tile = tileOf(exemplars);
+  if (!tile)
+    return tile.error();
+  const TextonShape shape = shapeOf(tile.value(), exemplars.size(), options);
+  if (Result<void> checked = checkFrames(shape); !checked)
+    return checked.error();
+  return withinMemory([] { return "not enough memory to fit the textons of a mix"; },
+                      [&] { return baked(std::move(name), exemplars, shape, options); });
+}
+
+} // namespace lichen

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The steps of a mix of textons as the shader reads them: a 3-D table of steps x 1 x
+// LICHEN_MIX_ROWS half floats, linear along the steps.
+#include <lichen/shader_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+/// The shader divides by a ratio of deviations and multiplies with it: any but 0 will do.
+constexpr double kLeastRatio = 0x1p-14; // the smallest normal half float
+
+/// Six deviations of a channel over what its texels are multiplied with.
+double deviationRatio(const MapStatistics& step, const std::vector<double>& scale, std::size_t c) {
+  constexpr double kScaleDeviations = 6.0;
+  const double variance = step.covariance[c * scale.size() + c];
+  const double ratio =
+      scale[c] > 0.0 ? kScaleDeviations * std::sqrt(std::max(0.0, variance)) / scale[c] : 1.0;
+  return std::clamp(ratio, kLeastRatio, double(kHalfMax));
+}
+
+} // namespace
+
+Table mixTable(const NoiseMap& map) {
+  constexpr std::size_t kComponents = 4; // of a texel
+  std::vector<MapStatistics> steps{{map.mean, map.covariance, map.mipLoss}};
+  steps.insert(steps.end(), map.laterSteps.begin(), map.laterSteps.end());
+  Table table{"mix", TexelFormat::rgba16Sfloat, std::uint32_t(steps.size()), 1, LICHEN_MIX_ROWS, 1,
+              {}};
+  std::vector<float> texels(LICHEN_MIX_ROWS * steps.size() * kComponents, 0.0f);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const auto texel = [&](std::size_t row) {
+      return &texels[(row * steps.size() + s) * kComponents];
+    };
+    for (std::size_t c = 0; c < map.mean.size(); ++c) {
+      texel(LICHEN_MIX_MEAN)[c] = float(steps[s].mean[c] - map.mean[c]);
+      texel(LICHEN_MIX_DEVIATION)[c] = float(deviationRatio(steps[s], map.scale, c));
+    }
+    for (std::size_t c = map.mean.size(); c < kComponents; ++c)
+      texel(LICHEN_MIX_DEVIATION)[c] = 1.0f;
+    const std::vector<double>& losses = steps[s].mipLoss;
+    for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS; ++mip)
+      texel(LICHEN_MIX_KEPT + mip / kComponents)[mip % kComponents] =
+          float(std::sqrt(1.0 - losses[std::min(mip, losses.size() - 1)]));
+  }
+  appendTexels(table.texels, table.format, texels);
+  return table;
+}
+
+} // namespace lichen

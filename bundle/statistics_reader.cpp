@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Mean, covariance and lost variance of an exemplar's stored values, or of one step of a mix. n is
+// the number of channels.
+#include "extension_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+/// Whether the n x n matrix plus a little of its trace has a Cholesky factor, which it has exactly
+/// when no eigenvalue is below minus that little.
+bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    trace += c[i * n + i];
+  if (trace <= 0.0)
+    return std::all_of(c.begin(), c.end(), [](double v) { return v == 0.0; });
+  for (std::size_t k = 0; k < n; ++k) {
+    double& pivot = c[k * n + k];
+    pivot += kCovarianceTolerance * trace;
+    if (pivot <= 0.0)
+      return false;
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j)
+        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
+  }
+  return true;
+}
+
+bool isSymmetric(const std::vector<double>& c, std::size_t n) {
+  double largest = 0.0;
+  for (const double value : c)
+    largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::abs(c[i * n + j] - c[j * n + i]) > kCovarianceTolerance * largest)
+        return false;
+  return true;
+}
+
+/// Where a mean of stored values can lie, with room for rounding.
+NumberRange meanRange(ValueEncoding encoding) {
+  constexpr double kRounding = 1e-6;
+  constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz
+  constexpr double kBrightestLog = 129; // log2(1 + x) of the largest float
+  switch (encoding) {
+  case ValueEncoding::slope:
+    return {-kSteepest, kSteepest};
+  case ValueEncoding::log2:
+    return {0.0, kBrightestLog};
+  default:
+    return {-kRounding, 1.0 + kRounding};
+  }
+}
+
+std::vector<double> readMean(ObjectReader& reader, ValueEncoding encoding, std::size_t n) {
+  std::optional<std::vector<double>> mean = reader.numbers("mean", meanRange(encoding));
+  if (!mean)
+    return {};
+  if (n != 0 && mean->size() != n)
+    reader.error("map-mean", "mean",
+                 std::to_string(mean->size()) + " values; " + std::to_string(n) +
+                     ", one a channel, are accepted");
+  return std::move(*mean);
+}
+
+std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
+  constexpr NumberRange kCovarianceRange{-1e6, 1e6};
+  std::optional<std::vector<double>> covariance = reader.numbers("covariance", kCovarianceRange);
+  if (!covariance)
+    return {};
+  if (n != 0 && covariance->size() != n * n)
+    reader.error("map-covariance", "covariance",
+                 std::to_string(covariance->size()) + " values; " + std::to_string(n * n) +
+                     ", a row of the matrix a channel, are accepted");
+  else if (n != 0 && !isSymmetric(*covariance, n))
+    reader.error("map-covariance", "covariance", "not symmetric");
+  else if (n != 0 && !isPositiveSemidefinite(*covariance, n))
+    reader.error("map-covariance", "covariance", "not positive semidefinite");
+  return std::move(*covariance);
+}
+
+/// Shares of lost variance; how many is for the kind of image to say.
+std::vector<double> readLosses(ObjectReader& reader) {
+  std::optional<std::vector<double>> loss = reader.numbers("mipLoss", {0.0, 1.0});
+  if (!loss)
+    return {};
+  if (!loss->empty() && loss->front() != 0.0)
+    reader.error("map-mip-loss", "mipLoss",
+                 json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
+  if (!std::is_sorted(loss->begin(), loss->end()))
+    reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
+  return std::move(*loss);
+}
+
+} // namespace
+
+MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding, std::size_t n) {
+  MapStatistics statistics;
+  statistics.mean = readMean(reader, encoding, n);
+  statistics.covariance = readCovariance(reader, n);
+  statistics.mipLoss = readLosses(reader);
+  return statistics;
+}
+
+} // namespace lichen

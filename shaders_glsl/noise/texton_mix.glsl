@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Mixes of textons: place in a mix -> the step of an impact, and the map's constants at a point.
+// Each impact takes the texton of its own place; mean, deviation and what mips keep are
+// interpolated between the two nearest steps, from a table of them. The CPU twin is
+// analysis/texton/mixed_map. [GLM17] Galerne, Leclaire and Moisan 2017, section 7.
+#ifndef LICHEN_TEXTON_MIX_GLSL
+#define LICHEN_TEXTON_MIX_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "impacts.glsl"
+
+// 0 where no noise is a mix. A literal, or the host's specialization constant.
+#ifndef LICHEN_MIXED_TEXTONS
+#define LICHEN_MIXED_TEXTONS 1
+#endif
+
+bool lichenIsMix(LichenTexton texton) { return bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u; }
+
+/// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
+float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
+  if (!lichenIsMix(texton))
+    return 0.0;
+  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+  float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
+  return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
+}
+
+/// A row of a mix's table at a step, [0, steps - 1], linear between whole ones.
+vec4 lichenMixRow(sampler3D table, float atStep, int row, LichenTexton texton) {
+  vec3 place = vec3((atStep + 0.5) / float(int(texton.steps)), 0.5,
+                    (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
+  return textureLod(table, place, 0.0);
+}
+
+/// The step of the point itself, [0, steps - 1].
+float lichenMixStep(LichenImpacts impacts, LichenTexton texton) {
+  return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(texton.steps)) - 1.0);
+}
+
+/// The map at its place in a mix; without a mix, as it is. `table` is that of the map's binding.
+LichenMap lichenMixedMap(sampler3D table, LichenImpacts impacts, LichenMap map,
+                         LichenTexton texton) {
+  if (!lichenIsMix(texton))
+    return map;
+  float atStep = lichenMixStep(impacts, texton);
+  vec3 mean = lichenMixRow(table, atStep, LICHEN_MIX_MEAN, texton).rgb;
+  vec3 deviation = lichenMixRow(table, atStep, LICHEN_MIX_DEVIATION, texton).rgb; // above 0
+  map.row0.w += mean.x;
+  map.row1.w += mean.y;
+  map.row2.w += mean.z;
+  map.row0.x *= deviation.x;
+  map.row1.y *= deviation.y;
+  map.row2.z *= deviation.z;
+  // What is divided here is multiplied with above: the stored value does not depend on it.
+  map.sumFactor = vec4(1.0 / deviation, 0.0);
+  map.mipKept = uvec4(packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT, texton)),
+                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 1, texton)),
+                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 2, texton)),
+                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 3, texton)));
+  return map;
+}
+
+/// The derivative of the mean of a map's first channel along x and y [1 / tile]: 0 without a mix.
+vec2 lichenMixMeanSlope(sampler3D table, LichenImpacts impacts, LichenTexton texton) {
+  if (!lichenIsMix(texton) || impacts.mixWeight < 0.0 || impacts.mixWeight > 1.0)
+    return vec2(0.0);
+  float last = float(int(texton.steps)) - 1.0;
+  float below = min(floor(lichenMixStep(impacts, texton)), last - 1.0);
+  float rise = lichenMixRow(table, below + 1.0, LICHEN_MIX_MEAN, texton).x -
+               lichenMixRow(table, below, LICHEN_MIX_MEAN, texton).x;
+  return rise * last * impacts.mixGradient;
+}
+
+#endif

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// Baked mixes: statistics of their steps, sets of maps, what is seen along the way, and refusals.
+#include "example_exemplar.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+#include <lichen/texton_mix.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+using Eigen::MatrixXd;
+
+namespace {
+
+MixedExemplar exemplarOf(const std::string& name, std::uint64_t seed, int blurRadius = 3,
+                         int side = 48) {
+  return {name, {threeMaterials(side, side, seed, blurRadius)}};
+}
+
+TextonMixOptions smallOptions(int steps) {
+  TextonMixOptions options;
+  options.texton.support = 12;
+  options.steps = steps;
+  return options;
+}
+
+TextonMixBake bakeOf(std::span<const MixedExemplar> exemplars, const TextonMixOptions& options) {
+  Result<TextonMixBake> bake = bakeTextonMix("mix", exemplars, options);
+  INFO((bake ? "" : bake.error().message));
+  REQUIRE(bake);
+  return std::move(bake).value();
+}
+
+MatrixXd matrixOf(const std::vector<double>& values) {
+  const auto n = Eigen::Index(std::lround(std::sqrt(double(values.size()))));
+  return Eigen::Map<const MatrixXd>(values.data(), n, n);
+}
+
+/// Mean and covariance of a map's own pixels.
+struct PixelStatistics {
+  explicit PixelStatistics(const MapExemplar& map) {
+    const auto n = Eigen::Index(map.channels.size());
+    const MatrixXd values =
+        Eigen::Map<const Eigen::MatrixXf>(map.values.data(), n, Eigen::Index(map.values.size()) / n)
+            .cast<double>();
+    mean = values.rowwise().mean();
+    const MatrixXd centred = values.colwise() - mean;
+    covariance = centred * centred.transpose() / double(values.cols());
+  }
+  Eigen::VectorXd mean;
+  MatrixXd covariance;
+};
+
+void checkStatistics(const std::vector<double>& mean, const std::vector<double>& covariance,
+                     const MapExemplar& map) {
+  const PixelStatistics expected(map);
+  for (Eigen::Index c = 0; c < expected.mean.size(); ++c)
+    CHECK(mean[std::size_t(c)] == Approx(expected.mean[c]).epsilon(1e-9));
+  const MatrixXd difference = matrixOf(covariance) - expected.covariance;
+  for (Eigen::Index c = 0; c < expected.mean.size(); ++c)
+    for (Eigen::Index d = 0; d < expected.mean.size(); ++d)
+      CHECK(std::abs(difference(c, d)) <=
+            1e-4 * std::sqrt(expected.covariance(c, c) * expected.covariance(d, d)));
+}
+
+/// The noise of a bake, its twin and its parameters.
+struct Evaluation {
+  Evaluation(Noise noise, std::vector<Table> tables, std::uint32_t seed = 1)
+      : bundle{std::move(tables), {std::move(noise)}, {}, {}, {}},
+        twin(TextonEvaluator::create(bundle, 0).value()) {
+    MaterialNoise material;
+    material.seed = seed;
+    parameters = shaderNoise(bundle, material, {});
+    texton = shaderTexton(bundle, material, {});
+  }
+
+  Bundle bundle;
+  TextonEvaluator twin;
+  shader::LichenNoise parameters{};
+  shader::LichenTexton texton{};
+};
+
+} // namespace
+
+TEST_CASE("the ends of a mix have the statistics of their exemplars, and means lie between") {
+  const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1),
+                                             exemplarOf("c", 9)};
+  const TextonMixBake bake = bakeOf(exemplars, smallOptions(5));
+  CHECK(bake.noise.texton.steps == 9);
+  CHECK(bake.quality.modelErrors.size() == 9);
+  CHECK(bake.quality.largestStep > 0.0);
+  const NoiseMap& map = bake.noise.maps.at(0);
+  REQUIRE(map.laterSteps.size() == 8);
+  checkStatistics(map.mean, map.covariance, exemplars[0].maps[0]);
+  checkStatistics(map.laterSteps[3].mean, map.laterSteps[3].covariance, exemplars[1].maps[0]);
+  checkStatistics(map.laterSteps[7].mean, map.laterSteps[7].covariance, exemplars[2].maps[0]);
+  std::vector<double> greatest(3, 0.0);
+  for (std::size_t c = 0; c < 3; ++c) {
+    CHECK(map.laterSteps[0].mean[c] ==
+          Approx(0.75 * map.mean[c] + 0.25 * map.laterSteps[3].mean[c]));
+    CHECK(map.laterSteps[5].mean[c] ==
+          Approx(0.5 * map.laterSteps[3].mean[c] + 0.5 * map.laterSteps[7].mean[c]));
+    greatest[c] = map.covariance[4 * c];
+    for (const MapStatistics& step : map.laterSteps)
+      greatest[c] = std::max(greatest[c], step.covariance[4 * c]);
+    CHECK(map.scale[c] == Approx(6.0 * std::sqrt(greatest[c])));
+  }
+}
+
+TEST_CASE("weights make one texton of the exemplars' mean") {
+  const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1),
+                                             exemplarOf("c", 9)};
+  TextonMixOptions options = smallOptions(21);
+  options.weights = {2.0, 1.0, 1.0};
+  const TextonMixBake bake = bakeOf(exemplars, options);
+  CHECK(bake.noise.texton.steps == 1);
+  CHECK(bake.noise.maps[0].laterSteps.empty());
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      mean += (k == 0 ? 0.5 : 0.25) * PixelStatistics(exemplars[k].maps[0]).mean[c];
+    CHECK(bake.noise.maps[0].mean[std::size_t(c)] == Approx(mean));
+  }
+  options.weights = {0.0, 1.0, 0.0};
+  const TextonMixBake alone = bakeOf(exemplars, options);
+  checkStatistics(alone.noise.maps[0].mean, alone.noise.maps[0].covariance, exemplars[1].maps[0]);
+}
+
+TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud one") {
+  std::vector<MixedExemplar> exemplars;
+  for (const std::uint64_t seed : {7u, 8u}) {
+    const MapExemplar color = threeMaterials(48, 48, seed);
+    MapExemplar height{MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 24, 24, {}};
+    for (int y = 0; y < 24; ++y) // of another size, and of 1e-4 of the variance
+      for (int x = 0; x < 24; ++x)
+        height.values.push_back(0.5f + 0.01f * color.values[std::size_t(3 * (2 * y * 48 + 2 * x))]);
+    exemplars.push_back({"set " + std::to_string(seed), {color, height}});
+  }
+  const TextonMixBake bake = bakeOf(exemplars, smallOptions(3));
+  REQUIRE(bake.noise.maps.size() == 2);
+  for (std::size_t m = 0; m < 2; ++m) {
+    const NoiseMap& map = bake.noise.maps[m];
+    checkStatistics(map.mean, map.covariance, exemplars[0].maps[m]);
+    checkStatistics(map.laterSteps[1].mean, map.laterSteps[1].covariance, exemplars[1].maps[m]);
+  }
+}
+
+TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what that step keeps") {
+  // Steps of deviations 1, 1.5 and 2 of the first, of unrelated white coefficients.
+  BundleFile file = syntheticTextonBundle(
+      {.coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .steps = 3, .channels = 1});
+  const Evaluation noise(file.bundle.noises[0], file.bundle.tables);
+  const NoiseMap& map = noise.bundle.noises[0].maps[0];
+  constexpr int kSide = 64; // places of 40 x 40 texels each, further apart than textons reach
+  for (int step = 0; step < 3; ++step)
+    for (const double level : {0.0, 1.0, 2.0}) {
+      const float texel = float(std::exp2(level));
+      double sum = 0.0, squares = 0.0, lost = 0.0;
+      for (int k = 0; k < kSide * kSide; ++k) {
+        TileFootprint at;
+        at.position = {(float(k % kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileX,
+                       (float(k / kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileY};
+        at.dx = {texel / noise.texton.texelsPerTileX, 0.0f};
+        at.dy = {0.0f, texel / noise.texton.texelsPerTileY};
+        const auto value =
+            noise.twin.gaussian(0, noise.parameters, noise.texton, at, {float(step) / 2.0f, {}});
+        sum += double(value[0]) - 0.5;
+        squares += std::pow(double(value[0]) - 0.5, 2);
+        lost = double(value[3]);
+      }
+      INFO("step " << step << ", level " << level);
+      const double count = kSide * kSide;
+      const std::vector<double>& losses =
+          step == 0 ? map.mipLoss : map.laterSteps[std::size_t(step) - 1].mipLoss;
+      // Amplitudes are kept as bytes.
+      CHECK(lost == Approx(losses[std::size_t(level)]).margin(2.0 / 255.0));
+      // In units of the step's own variance: 4,096 independent values, of a kurtosis up to 4, have
+      // a variance of relative standard error sqrt(3 / 4096); five of them.
+      CHECK(36.0 * squares / count == Approx(1.0 - lost).epsilon(0.14));
+      CHECK(std::abs(sum / count) <= 5.0 / 6.0 / std::sqrt(count));
+    }
+}
+
+TEST_CASE("along a ramp local mean and variance stay those between the steps") {
+  const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1)};
+  TextonMixBake bake = bakeOf(exemplars, smallOptions(9));
+  constexpr int kSteps = 9, kWindow = 24, kRows = 480, kSeeds = 4; // pixels of a texel
+  constexpr double kTiles = double(kSteps * kWindow) / 48.0;
+  std::vector<double> sums(2 * kSteps, 0.0), squares(2 * kSteps, 0.0), counts(2 * kSteps, 0.0);
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    const Evaluation noise(bake.noise, bake.tables, seed);
+    for (int y = 0; y < kRows; y += 2)
+      for (int x = 0; x < kSteps * kWindow; x += 2) {
+        TileFootprint at;
+        at.position = {(float(x) + 0.5f) / 48.0f, (float(y) + 0.5f) / 48.0f};
+        at.dx = {1.0f / 48.0f, 0.0f};
+        at.dy = {0.0f, 1.0f / 48.0f};
+        const MixPlace mix{float(x) / float(kSteps * kWindow), {float(1.0 / kTiles), 0.0f}};
+        const auto value = noise.twin.gaussian(0, noise.parameters, noise.texton, at, mix);
+        // Half windows: in every other one textons of two steps overlap.
+        const auto window = std::size_t(2 * x / kWindow);
+        for (std::size_t c = 0; c < 3; ++c) {
+          sums[window] += double(value[c]) - 0.5;
+          squares[window] += std::pow(double(value[c]) - 0.5, 2);
+          counts[window] += 1.0;
+        }
+      }
+  }
+  // Values of one texton's square, 12 x 12 pixels, go together: 160 independent ones a half window
+  // and colour axis of which there is hardly more than one, with a relative standard error of the
+  // variance of sqrt(2 / 160); four of them, and what neighbouring steps differ by.
+  const double tolerance = 4.0 * std::sqrt(2.0 / 160.0) + bake.quality.largestStep;
+  for (std::size_t w = 0; w < sums.size(); ++w) {
+    INFO("half window " << w);
+    CHECK(36.0 * squares[w] / counts[w] == Approx(1.0).margin(tolerance));
+    CHECK(std::abs(6.0 * sums[w] / counts[w]) <= 4.0 / std::sqrt(160.0));
+  }
+}
+
+TEST_CASE("what cannot be mixed is refused by name") {
+  const MixedExemplar moss = exemplarOf("moss", 7), rock = exemplarOf("rock", 8);
+  const auto message = [](const std::vector<MixedExemplar>& exemplars,
+                          const TextonMixOptions& options, ErrorKind kind) {
+    const Result<TextonMixBake> bake = bakeTextonMix("mix", exemplars, options);
+    REQUIRE(!bake);
+    CHECK(bake.error().kind == kind);
+    return bake.error().message;
+  };
+  CHECK(message({moss}, smallOptions(3), ErrorKind::usage) ==
+        "1 exemplars to mix; 2 to 16 are accepted");
+  CHECK(message(std::vector<MixedExemplar>(17, moss), smallOptions(3), ErrorKind::usage) ==
+        "17 exemplars to mix; 2 to 16 are accepted");
+  CHECK(message({moss, rock}, smallOptions(1), ErrorKind::usage) ==
+        "1 steps from an exemplar to the next; 2 to 64 are accepted for 2 exemplars, 64 textons in "
+        "all at the most");
+  CHECK(message({moss, rock, moss}, smallOptions(33), ErrorKind::usage) ==
+        "33 steps from an exemplar to the next; 2 to 32 are accepted for 3 exemplars, 64 textons "
+        "in all at the most");
+  MixedExemplar set = rock;
+  set.maps.push_back({MapTarget::height,
+                      {MapChannel::height},
+                      ValueEncoding::linear,
+                      2,
+                      2,
+                      {0.0f, 0.5f, 0.5f, 1.0f}});
+  CHECK(message({moss, set}, smallOptions(3), ErrorKind::badInput) ==
+        "rock: has height, which moss has not; exemplars of a mix have the same maps");
+  CHECK(message({set, moss}, smallOptions(3), ErrorKind::badInput) ==
+        "moss: has no height, which rock has; exemplars of a mix have the same maps");
+  MixedExemplar bright = rock;
+  bright.maps[0].encoding = ValueEncoding::log2;
+  CHECK(message({moss, bright}, smallOptions(3), ErrorKind::badInput) ==
+        "rock: baseColor is stored as log2, in moss as srgb; exemplars of a mix have the same "
+        "maps");
+  MixedExemplar tall = rock;
+  tall.maps[0] = cropped(rock.maps[0], 0, 0, 1, 48);
+  MixedExemplar wide{"wide", {threeMaterials(400, 4, 1)}};
+  CHECK(message({wide, tall}, smallOptions(3), ErrorKind::badInput) ==
+        "rock: 1 x 48 pixels are 400 x 19200 beside the widest exemplar; a height of up to 16384 "
+        "is accepted");
+  TextonMixOptions large = smallOptions(64);
+  large.texton.support = 300;
+  const MixedExemplar big = exemplarOf("big", 1, 3, 300);
+  CHECK(message({big, big}, large, ErrorKind::usage) ==
+        "64 steps of 384 rows each make an image of 24576; up to 16384 are accepted, with fewer "
+        "steps or a smaller support");
+  TextonMixOptions unfit = smallOptions(3);
+  unfit.texton.fit = TextonFit::projections;
+  CHECK(message({moss, rock}, unfit, ErrorKind::usage) ==
+        "a mix by projections; the fit by transport distance is accepted");
+  TextonMixOptions weights = smallOptions(3);
+  weights.weights = {1.0};
+  CHECK(message({moss, rock}, weights, ErrorKind::usage) ==
+        "1 weights for 2 exemplars; one each is accepted");
+}
