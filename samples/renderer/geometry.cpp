@@ -289,6 +289,16 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   for (const Result<bool>& result : present)
     if (!result)
       return result.error();
+  if (material.mixColorSet) {
+    const std::string colors = "COLOR_" + std::to_string(*material.mixColorSet);
+    const Result<bool> mixed =
+        read(colors.c_str(), [&](Vertex& v, const float* p, std::size_t components) {
+          const auto channel = std::size_t(material.mixChannel);
+          v.mixWeight = channel < components ? p[channel] : 1.0f; // opaque without alpha
+        });
+    if (!mixed)
+      return mixed.error();
+  }
   const bool hasNormals = present[1].value();
   const bool hasTangents = present[2].value();
   if (!hasNormals)

@@ -112,6 +112,7 @@ std::array<const TextureSlot*, MATERIAL_TEXTURES> slotsOf(const Material& materi
   slots[TEXTURE_NORMAL] = &material.normalTexture;
   slots[TEXTURE_OCCLUSION] = &material.occlusionTexture;
   slots[TEXTURE_EMISSIVE] = &material.emissiveTexture;
+  slots[TEXTURE_MIX] = &material.mixTexture;
   return slots;
 }
 
@@ -141,6 +142,10 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
                 int(noise.texCoord)};
   data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
   data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
+  data.mixSource = {material.mixTexture.image ? MIX_FROM_MASK
+                    : material.mixColorSet    ? MIX_FROM_VERTICES
+                                              : MIX_FROM_BLOCK,
+                    material.mixTexture.texCoord, material.mixChannel, 0};
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
     // KHR_texture_transform: translation * rotation * scale.
     const TextureSlot& slot = *slots[k];

@@ -90,6 +90,49 @@ std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinyg
   return std::nullopt;
 }
 
+/// Where a material's noise has the weight of its mix, if the renderer is to give it. As above, a
+/// fault counts as absence.
+void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material& result) {
+  const tinygltf::Value& mix = at(use, "mix");
+  const tinygltf::Value& source = at(mix, "source");
+  const auto integer = [](const tinygltf::Value& value, int most) {
+    const int number = value.IsInt() ? value.GetNumberAsInt() : 0;
+    return number >= 0 && number <= most ? number : 0;
+  };
+  constexpr int kAlpha = 3;
+  constexpr int kLastColorSet = 15;
+  if (!source.IsString())
+    return;
+  result.mixChannel = integer(at(mix, "channel"), kAlpha);
+  if (source.Get<std::string>() == nameOf(MixSource::vertexColor))
+    result.mixColorSet = integer(at(mix, "set"), kLastColorSet);
+  if (source.Get<std::string>() != nameOf(MixSource::texture))
+    return;
+  const tinygltf::Value& info = at(mix, "texture");
+  const tinygltf::Value& index = at(info, "index");
+  if (!index.IsInt() || index.GetNumberAsInt() < 0 ||
+      std::size_t(index.GetNumberAsInt()) >= model.textures.size())
+    return;
+  const tinygltf::Texture& texture = model.textures[std::size_t(index.GetNumberAsInt())];
+  if (texture.source < 0)
+    return;
+  TextureSlot& slot = result.mixTexture;
+  slot.image = std::size_t(texture.source);
+  slot.sampler = readSampler(model, texture.sampler);
+  const tinygltf::Value& transform = at(at(info, "extensions"), "KHR_texture_transform");
+  const auto pair = [&](const char* key, glm::vec2 absent) {
+    const tinygltf::Value& values = at(transform, key);
+    const bool isPair = values.IsArray() && values.ArrayLen() == 2;
+    return isPair ? glm::vec2(at(values, 0).GetNumberAsDouble(), at(values, 1).GetNumberAsDouble())
+                  : absent;
+  };
+  slot.offset = pair("offset", slot.offset);
+  slot.scale = pair("scale", slot.scale);
+  slot.rotation = float(at(transform, "rotation").GetNumberAsDouble());
+  const tinygltf::Value& other = at(transform, "texCoord");
+  slot.texCoord = integer(other.IsInt() ? other : at(info, "texCoord"), 1);
+}
+
 /// Info is one of tinygltf's three textureInfo structs. An image's index stays that of the file.
 template <class Info>
 TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
@@ -140,6 +183,7 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
     result.noiseNormalTexCoord = noiseNormalTexCoord(model, *use);
+    readMix(model, *use, result);
   }
   return result;
 }
@@ -201,7 +245,7 @@ Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
   for (Material& material : scene.materials) {
     for (TextureSlot* slot :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissiveTexture}) {
+          &material.occlusionTexture, &material.emissiveTexture, &material.mixTexture}) {
       if (!slot->image)
         continue;
       std::optional<std::size_t>& place = placeOf[*slot->image];

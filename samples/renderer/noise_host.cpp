@@ -120,6 +120,10 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
                                               std::to_string(material.texCoord) +
                                               " of the noise is not accepted, 0 or 1 is"}};
+    if (material.mixSource == LICHEN_MIX_TEXTURE && material.mixSet > 1)
+      throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
+                                              std::to_string(material.mixSet) +
+                                              " of the mix's mask is not accepted, 0 or 1 is"}};
     roles_[m] = rolesOf(material.noise, material.texCoord);
   }
 }
@@ -131,6 +135,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   check(lichenGetNoiseProperties(bundle_.get(), noise, &properties));
   const bool isTiling = properties.method == LICHEN_NOISE_TILING;
   (isTiling ? hasTilingNoises_ : hasTextonNoises_) = true;
+  hasMixes_ = hasMixes_ || properties.mixSteps > 1;
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));

@@ -54,6 +54,7 @@ struct SurfaceConstants {
   bool otherTables = false;  ///< some tiling noise has a separable table, or none
   bool tilingNoises = false; ///< some noise is one of tiling
   bool textonNoises = false; ///< some noise is one of textons
+  bool mixedTextons = false; ///< some noise is a mix of textons
 };
 
 /// Culling and front face are dynamic.

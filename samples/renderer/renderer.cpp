@@ -78,8 +78,8 @@ public:
     createAccumulateSet();
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-        {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(),
-         noises_.hasTextonNoises()});
+        {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(), noises_.hasTextonNoises(),
+         noises_.hasMixes()});
   }
 
   void renderFrame(std::uint32_t index) {

@@ -21,7 +21,8 @@ struct Vertex {
   glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; unset without a normal map
   glm::vec2 texCoord0{0.0f};
   glm::vec2 texCoord1{0.0f};
-  glm::vec4 color{1.0f}; ///< linear
+  glm::vec4 color{1.0f};  ///< linear
+  float mixWeight = 0.0f; ///< of a noise's mix, where its material takes it from vertex colours
 };
 
 /// Triangles of one material. Never empty; every index is below vertices.size().
@@ -88,6 +89,11 @@ struct Material {
   TextureSlot emissiveTexture;
   /// Carries LICHEN_materials_exemplar_noise; NoiseHost tells whether it is drawn with a noise.
   bool hasNoise = false;
+  /// Where the noise's mix has its weight, if from a mask or from vertex colours COLOR_n: the
+  /// image is then none, or nothing is here.
+  TextureSlot mixTexture;
+  std::optional<int> mixColorSet;
+  int mixChannel = 0; ///< of either, 0 to 3
   /// Texture coordinates of the noise, where it has normals.
   std::optional<int> noiseNormalTexCoord;
 };

@@ -259,7 +259,7 @@ private:
       require(accessor.type == "VEC4" && notWord, "VEC4 of float, byte or short");
     else if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
       require(accessor.type == "VEC2" && notWord, "VEC2 of float, byte or short");
-    else if (name == "COLOR_0")
+    else if (name.starts_with("COLOR_"))
       require((accessor.type == "VEC3" || accessor.type == "VEC4") &&
                   (isFloat || accessor.componentType == 5121 || accessor.componentType == 5123),
               "VEC3 or VEC4 of float, unsigned byte or unsigned short");

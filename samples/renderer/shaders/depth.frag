@@ -7,11 +7,12 @@
 
 layout(location = 0) in vec4 texCoords;
 layout(location = 1) in float vertexAlpha;
+layout(location = 2) in float mixWeight;
 
 const float kBlendedCutoff = 0.5;
 
 void main() {
-  Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords));
+  Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords), mixWeight);
   LichenPlace place;
   if (kHasNoise)
     place = noisePlace(footprint);

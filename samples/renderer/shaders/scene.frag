@@ -21,6 +21,7 @@ layout(location = 1) in vec3 worldNormal;
 layout(location = 2) in vec4 worldTangent;
 layout(location = 3) in vec4 texCoords;
 layout(location = 4) in vec4 vertexColor;
+layout(location = 5) in float mixWeight;
 layout(location = 0) out vec4 color;
 
 vec3 shadingNormal(vec3 n, vec3 tangentNormal) {
@@ -89,8 +90,9 @@ vec3 textonDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
   return shownGaussian(
-      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
+      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, here, noiseData.texton), map);
 }
 
 vec3 noiseDebug(Footprint footprint) {
@@ -123,7 +125,8 @@ vec3 noiseDebug(Footprint footprint) {
 
 void main() {
   float scale = frame.environment.z;
-  Footprint footprint = Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale);
+  Footprint footprint =
+      Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale, mixWeight);
   vec3 normal = normalize(worldNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   Surface surface = surfaceAt(footprint, vertexColor);
   if (material.flags.y == ALPHA_OPAQUE)

@@ -13,12 +13,14 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
+layout(location = 6) in float vertexMixWeight;
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
 layout(location = 2) out vec4 worldTangent;
 layout(location = 3) out vec4 texCoords;
 layout(location = 4) out vec4 vertexColor;
+layout(location = 5) out float mixWeight;
 
 void main() {
   vec4 world = draw.worldFromObject * vec4(position, 1.0);
@@ -32,5 +34,6 @@ void main() {
   worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
   texCoords = vec4(texCoord0, texCoord1);
   vertexColor = color;
+  mixWeight = vertexMixWeight;
   gl_Position = frame.clipFromWorld * world;
 }

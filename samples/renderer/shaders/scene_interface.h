@@ -26,7 +26,8 @@
 #define TEXTURE_NORMAL 2
 #define TEXTURE_OCCLUSION 3
 #define TEXTURE_EMISSIVE 4
-#define MATERIAL_TEXTURES 5
+#define TEXTURE_MIX 5
+#define MATERIAL_TEXTURES 6
 
 #define SET_NOISE 2
 #define BINDING_NOISE 0
@@ -38,6 +39,11 @@
 #define NOISE_EMISSIVE 3
 #define NOISE_OPACITY 4
 #define NOISE_ROLES 5
+
+// Who gives the weight of a mix: the noise's uniform block, a mask or the vertices.
+#define MIX_FROM_BLOCK 0
+#define MIX_FROM_MASK 1
+#define MIX_FROM_VERTICES 2
 
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
@@ -74,7 +80,7 @@ struct LightData {
 struct FrameData {
   mat4 clipFromWorld;
   mat4 worldFromClip; // as if the camera stood at the origin
-  mat4 sunFromWorld; // to [0, 1]^3 of the sun's depth map
+  mat4 sunFromWorld;  // to [0, 1]^3 of the sun's depth map
   mat4 skyFromWorld[SKY_DIRECTIONS];
   vec4 skyDirection[SKY_DIRECTIONS]; // toward the sky
   vec4 cameraPosition;               // w is 0 for an orthographic camera
@@ -89,15 +95,16 @@ struct FrameData {
 
 struct MaterialData {
   vec4 baseColor;
-  vec4 emissive;                            // w is the alpha cutoff, 0 when it does not apply
-  vec4 factors;                             // metallic, roughness, normal scale, occlusion strength
-  ivec4 texCoords;                          // of textures 0 to 3
-  ivec4 flags;                              // x texCoord of texture 4, y ALPHA_*,
-                                            // z map of the noise's opacity, -1 for none,
-                                            // w texCoord of the noise
-  ivec4 noiseMaps;                          // map of each other role, -1 for none
-  ivec4 ormComponents;                      // of the noise's value: occlusion, roughness, metallic;
-                                            // -1 for none
+  vec4 emissive;       // w is the alpha cutoff, 0 when it does not apply
+  vec4 factors;        // metallic, roughness, normal scale, occlusion strength
+  ivec4 texCoords;     // of textures 0 to 3
+  ivec4 flags;         // x texCoord of texture 4, y ALPHA_*,
+                       // z map of the noise's opacity, -1 for none,
+                       // w texCoord of the noise
+  ivec4 noiseMaps;     // map of each other role, -1 for none
+  ivec4 ormComponents; // of the noise's value: occlusion, roughness, metallic;
+                       // -1 for none
+  ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
 };
 

@@ -8,8 +8,9 @@
 // Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
+layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
 #define LICHEN_TILING_NOISES kTilingNoises
-#define LICHEN_MIXED_TEXTONS 0 // the mixing weight has no source yet
+#define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"
@@ -28,6 +29,8 @@ layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_OCCLUSION)
     uniform sampler2D occlusionTexture;
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_EMISSIVE)
     uniform sampler2D emissiveTexture;
+layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_MIX)
+    uniform sampler2D mixTexture;
 
 layout(std140, set = SET_NOISE, binding = BINDING_NOISE) uniform NoiseBlock {
   LichenNoise noise;
@@ -62,23 +65,57 @@ struct Footprint {
   vec4 texCoords; // two sets
   vec4 dx;        // their screen-space gradients, scaled for averaging frames
   vec4 dy;
+  float mixWeight; // of the vertices
 };
 
-vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
+/// A texture's own coordinates and, as columns, their gradients.
+struct TexturePlace {
+  vec2 uv;
+  mat2 gradients;
+};
+
+TexturePlace texturePlace(int slot, int set, Footprint f) {
   vec2 uv = set == 0 ? f.texCoords.xy : f.texCoords.zw;
   vec2 dx = set == 0 ? f.dx.xy : f.dx.zw;
   vec2 dy = set == 0 ? f.dy.xy : f.dy.zw;
   vec3 row0 = material.transformRows[2 * slot].xyz;
   vec3 row1 = material.transformRows[2 * slot + 1].xyz;
   mat2 linear = mat2(row0.x, row1.x, row0.y, row1.y);
-  return textureGrad(image, linear * uv + vec2(row0.z, row1.z), linear * dx, linear * dy);
+  return TexturePlace(linear * uv + vec2(row0.z, row1.z), linear * mat2(dx, dy));
+}
+
+vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
+  TexturePlace place = texturePlace(slot, set, f);
+  return textureGrad(image, place.uv, place.gradients[0], place.gradients[1]);
+}
+
+/// The weight of a mix that is not in the noise's uniform block. dx and dy are the gradients of the
+/// noise's own texture coordinates.
+void setMix(inout LichenImpacts impacts, Footprint f, vec2 dx, vec2 dy) {
+  if (material.mixSource.x == MIX_FROM_VERTICES)
+    lichenSetMix(impacts, f.mixWeight, vec2(0.0));
+  if (material.mixSource.x != MIX_FROM_MASK)
+    return;
+  TexturePlace mask = texturePlace(TEXTURE_MIX, material.mixSource.y, f);
+  vec4 channel = vec4(equal(ivec4(0, 1, 2, 3), ivec4(material.mixSource.z)));
+  mat2 tileGradients =
+      mat2(lichenUvToTile(dx, noiseData.noise), lichenUvToTile(dy, noiseData.noise));
+  lichenMixByMask(impacts, mixTexture, channel, mask.uv, mask.gradients, tileGradients,
+                  noiseData.texton);
 }
 
 /// The place in the noise, which all its maps share.
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
-  return lichenPlaceUvGrad(second ? f.texCoords.zw : f.texCoords.xy, second ? f.dx.zw : f.dx.xy,
-                           second ? f.dy.zw : f.dy.xy, noiseData.noise, noiseData.texton);
+  vec2 dx = second ? f.dx.zw : f.dx.xy;
+  vec2 dy = second ? f.dy.zw : f.dy.xy;
+  LichenPlace place = lichenPlaceUvGrad(second ? f.texCoords.zw : f.texCoords.xy, dx, dy,
+                                        noiseData.noise, noiseData.texton);
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsMix(noiseData.texton))
+    setMix(place.impacts, f, dx, dy);
+#endif
+  return place;
 }
 
 int noiseMap(int role) {
