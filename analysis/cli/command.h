@@ -36,6 +36,7 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addInspect(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMerge(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addMix(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);
 
 /// What can be refused before the work is done: a name with none of the two extensions (usage), a

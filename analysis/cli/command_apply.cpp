@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: a noise on the materials of an existing scene.
+#include "apply_mix.h"
 #include "command.h"
 #include "noise_choice.h"
 #include "options.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string material;
   Mapping mapping{};
   std::optional<double> scale;
+  MixOptions mix;
   std::string output;
 };
 
@@ -260,7 +262,11 @@ Result<Outcome> apply(const Arguments& arguments) {
   const Result<std::vector<std::size_t>> materials = findMaterials(scene, arguments.material);
   if (!materials)
     return materials.error();
-  const MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
+  MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
+  const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use.mix, materials.value(), scene);
+  if (!mix)
+    return mix.error();
+  use.mix = mix.value();
   Outcome outcome;
   if (use.mapping == Mapping::uv)
     if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
@@ -323,6 +329,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
            "width [default: the bundle's]");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       ->required();
+  addMixOptions(verb, arguments->mix);
   return [arguments] { return run(*arguments); };
 }
 

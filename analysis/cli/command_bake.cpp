@@ -6,6 +6,7 @@
 #include "exemplar_options.h"
 #include "html_report.h"
 #include "method_options.h"
+#include "noise_name.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
@@ -37,23 +38,6 @@ struct Arguments {
   PreviewShape preview{};
   std::string report;
 };
-
-/// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
-std::string asUtf8(const std::string& text) {
-  constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD, as toText() puts it
-  std::string valid = nlohmann::json::parse(toText(text));
-  if (valid == text)
-    return text;
-  for (std::size_t at; (at = valid.find(kReplacement)) != std::string::npos;)
-    valid.replace(at, kReplacement.size(), "_");
-  return valid;
-}
-
-Accepted<std::string> nameText() {
-  return {"NAME", "UTF-8 text", [](const std::string& text) {
-            return asUtf8(text) == text ? std::optional(text) : std::nullopt;
-          }};
-}
 
 /// What is said of a bake beside its report; in JSON a part of that.
 class Notes {

@@ -131,6 +131,28 @@ Result<std::size_t> bytesOnDisk(const std::string& path) {
 
 // ---- JSON --------------------------------------------------------------------------------------
 
+Json describe(const MixWeight& mix) {
+  Json json{{"source", nameOf(mix.source)}};
+  switch (mix.source) {
+  case MixSource::constant:
+    json["weight"] = mix.weight;
+    return json;
+  case MixSource::direction:
+    json["start"] = mix.start;
+    json["end"] = mix.end;
+    return json;
+  case MixSource::texture:
+    json["texture"] = mix.texture;
+    json["texCoord"] = mix.texCoord;
+    break;
+  case MixSource::vertexColor:
+    json["set"] = mix.colorSet;
+    break;
+  }
+  json["channel"] = mix.channel;
+  return json;
+}
+
 Json describe(const MaterialNoise& use, std::size_t index, const std::string& name) {
   return {{"index", index},
           {"name", name},
@@ -143,7 +165,8 @@ Json describe(const MaterialNoise& use, std::size_t index, const std::string& na
           {"blendSharpness", use.blendSharpness},
           {"contrast", use.contrast},
           {"impacts", use.impacts},
-          {"pointProcess", nameOf(use.pointProcess)}};
+          {"pointProcess", nameOf(use.pointProcess)},
+          {"mix", describe(use.mix)}};
 }
 
 Json describe(const TextonShape& shape) {
@@ -152,6 +175,13 @@ Json describe(const TextonShape& shape) {
           {"support", {shape.coefficientsX + shape.order, shape.coefficientsY + shape.order}},
           {"mipLevels", shape.mipLevels},
           {"steps", shape.steps}};
+}
+
+Json describe(const std::vector<MapStatistics>& steps) {
+  Json json = Json::array();
+  for (const MapStatistics& step : steps)
+    json.push_back({{"mean", step.mean}, {"covariance", step.covariance}});
+  return json;
 }
 
 Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
@@ -173,6 +203,7 @@ Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
           {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
           {"table", nameOf(tableKindOf(map))},
           {"levels", map.levels.size()},
+          {"laterSteps", describe(map.laterSteps)},
           {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
 }
 
@@ -228,6 +259,22 @@ std::string counted(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+/// "mix along (0, 0) to (0, 1)".
+std::string mixOf(const MixWeight& mix) {
+  switch (mix.source) {
+  case MixSource::constant:
+    return fmt::format("mix {:g}", mix.weight);
+  case MixSource::direction:
+    return fmt::format("mix along ({:g}) to ({:g})", fmt::join(mix.start, ", "),
+                       fmt::join(mix.end, ", "));
+  case MixSource::texture:
+    return fmt::format("mix by channel {} of texture {}", mix.channel, mix.texture);
+  case MixSource::vertexColor:
+    return fmt::format("mix by channel {} of COLOR_{}", mix.channel, mix.colorSet);
+  }
+  return "";
+}
+
 /// What differs from the format's defaults, after mapping and seed, which always matter.
 std::string parametersOf(const MaterialNoise& use) {
   const MaterialNoise defaults;
@@ -244,6 +291,7 @@ std::string parametersOf(const MaterialNoise& use) {
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
   add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
   add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
+  add(use.mix == defaults.mix, mixOf(use.mix));
   return text;
 }
 
@@ -265,21 +313,29 @@ std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables
                      counted(levels, "level"));
 }
 
+/// "mean 0.310, 0.360; deviation 0.140, 0.130".
+std::string statisticsOf(const std::vector<double>& mean, const std::vector<double>& covariance) {
+  std::vector<double> deviations;
+  for (std::size_t c = 0; c < mean.size(); ++c)
+    deviations.push_back(std::sqrt(std::max(0.0, covariance[c * (mean.size() + 1)])));
+  return fmt::format("mean {:.3f}; deviation {:.3f}", fmt::join(mean, ", "),
+                     fmt::join(deviations, ", "));
+}
+
 void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise,
             const NoiseMap& map) {
   std::vector<std::string_view> channels;
-  std::vector<double> deviations;
-  for (std::size_t c = 0; c < map.channels.size(); ++c) {
-    channels.push_back(nameOf(map.channels[c]));
-    deviations.push_back(std::sqrt(std::max(0.0, map.covariance[c * (map.channels.size() + 1)])));
-  }
+  for (const MapChannel channel : map.channels)
+    channels.push_back(nameOf(channel));
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
   say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
                           formatName(bundle.tables[map.image].format).bits, nameOf(map.encoding),
                           fetchesPerPixel(bundle, noise, map)));
-  say(shared, fmt::format("    mean {:.3f}; deviation {:.3f}", fmt::join(map.mean, ", "),
-                          fmt::join(deviations, ", ")));
+  say(shared, "    " + statisticsOf(map.mean, map.covariance));
+  if (!map.laterSteps.empty())
+    say(shared, "    at the last step " +
+                    statisticsOf(map.laterSteps.back().mean, map.laterSteps.back().covariance));
   if (bundle.noises[noise].method == Method::texton)
     return say(shared, fmt::format("    texton: table {}", map.image));
   say(shared, fmt::format("    Gaussian image: table {}", map.image));

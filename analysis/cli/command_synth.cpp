@@ -29,8 +29,22 @@ struct Arguments {
   std::string map;
   std::array<int, 2> size{};
   std::optional<std::uint32_t> seed;
+  std::optional<std::array<double, 2>> mix;
   SynthesisOptions synthesis;
 };
+
+/// "0.3", or "0,1" from the left to the right.
+Accepted<std::array<double, 2>> mixWeights() {
+  constexpr std::size_t kBorders = 2;
+  const Accepted<std::vector<double>> list = numbers(kMixWeightRange, kBorders);
+  return {"W|W0,W1", "a weight from 0 to 1, or two with a comma between them",
+          [read = list.read](const std::string& text) -> std::optional<std::array<double, 2>> {
+            const std::optional<std::vector<double>> weights = read(text);
+            if (!weights)
+              return std::nullopt;
+            return std::array{weights->front(), weights->back()};
+          }};
+}
 
 /// Finds the noise and the map that were named, and the seed.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
@@ -48,6 +62,13 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   arguments.synthesis.noise = noise.value();
   arguments.synthesis.map = chosen.maps[map.value()].target;
   arguments.synthesis.seed = arguments.seed.value_or(seedOf(bundle, noise.value()));
+  if (arguments.mix && chosen.texton.steps == 1)
+    return Error{ErrorKind::usage,
+                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                             chosen.name)};
+  constexpr std::array<double, 2> kWholeWay{0.0, 1.0}, kMiddle{0.5, 0.5};
+  arguments.synthesis.mix =
+      arguments.mix.value_or(arguments.synthesis.tileable ? kMiddle : kWholeWay);
   return {};
 }
 
@@ -121,6 +142,9 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   verb.add_flag("--tileable", synthesis.tileable,
                 "Opposite borders of the image continue each other")
       ->disable_flag_override();
+  addValue(verb, "--mix", arguments->mix, optional(mixWeights()), "",
+           "The place in a mix, from 0 to 1; or those at the left and the right border [default: "
+           "0,1; of a tileable image 0.5]");
   addValue(verb, "--sharpness", synthesis.blendSharpness, number(kBlendSharpnessRange), "1",
            "Exponent of the blend weights");
   addValue(verb, "--contrast", synthesis.contrast, number(kContrastRange), "1",

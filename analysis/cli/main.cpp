@@ -24,6 +24,7 @@ struct Verb {
 };
 constexpr Verb kVerbs[] = {
     {"bake", "Turn a photograph of a material into noise", addBake},
+    {"mix", "Turn photographs into noise that changes from one to the next", addMix},
     {"synth", "Make an image of a noise, without a GPU", addSynth},
     {"inspect", "Show what a bundle holds and what it costs", addInspect},
     {"check", "Look for faults in a bundle", addCheck},

@@ -31,6 +31,8 @@ void addTilingOptions(CLI::App& verb, TilingOptions& tiling) {
       ->group(kTilingGroup);
 }
 
+} // namespace
+
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material) {
   addValue(verb, "--support", texton.support,
            wholeNumber(int(kTextonSupportRange.least), int(kTextonSupportRange.most)), "64",
@@ -52,14 +54,7 @@ void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& mate
   addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
            "Whose contrast the noise has: the exemplar's, or its periodic component's")
       ->group(kTextonGroup);
-  const Choices<TextonFit> fits{{"transport", TextonFit::transport},
-                                {"projections", TextonFit::projections}};
-  addValue(verb, "--fit", texton.fit, oneOf(fits), "transport",
-           "By least transport distance, or by the paper's alternating projections")
-      ->group(kTextonGroup);
 }
-
-} // namespace
 
 void addMethodOptions(CLI::App& verb, MethodOptions& options) {
   const Choices<Method> methods{{"tiling", Method::tiling}, {"texton", Method::texton}};
@@ -68,6 +63,11 @@ void addMethodOptions(CLI::App& verb, MethodOptions& options) {
            "Bits per channel of the tables; a texton's are floats of twice as many");
   addTilingOptions(verb, options.tiling);
   addTextonOptions(verb, options.texton, options.material);
+  const Choices<TextonFit> fits{{"transport", TextonFit::transport},
+                                {"projections", TextonFit::projections}};
+  addValue(verb, "--fit", options.texton.fit, oneOf(fits), "transport",
+           "By least transport distance, or by the paper's alternating projections")
+      ->group(kTextonGroup);
 }
 
 Result<void> checkMethodOptions(const CLI::App& verb, const MethodOptions& options) {

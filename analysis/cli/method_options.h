@@ -25,6 +25,9 @@ struct MethodOptions {
   MaterialNoise material; ///< what the method leaves to the material
 };
 
+/// The options of textons that mixes have too, but for --precision.
+void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material);
+
 /// --method, and the options of each method in a group of its own.
 void addMethodOptions(CLI::App& verb, MethodOptions& options);
 

@@ -104,6 +104,25 @@ Accepted<std::array<double, 2>> coordinates(NumberRange range) {
           [=](const std::string& text) { return parsePair(text, ',', range.least, range.most); }};
 }
 
+Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most) {
+  const auto read = [=](const std::string& text) -> std::optional<std::vector<double>> {
+    std::vector<double> values;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+      end = text.find(',', begin);
+      const auto value =
+          parseNumber(std::string_view(text).substr(begin, end - begin), range.least, range.most);
+      if (!value || values.size() == most)
+        return std::nullopt;
+      values.push_back(*value);
+    }
+    return values;
+  };
+  return {"N,N,...",
+          fmt::format("1 to {} numbers from {} to {}, with commas between them", most, range.least,
+                      range.most),
+          read};
+}
+
 Accepted<std::array<int, 4>> pixelRectangle(int largest) {
   return {
       "X,Y,W,H",

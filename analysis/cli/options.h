@@ -39,6 +39,8 @@ struct Accepted {
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
 /// "10,-2.5" -> {10.0, -2.5}. Both in `range`.
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
+/// "0.2,0.5,0.3" -> {0.2, 0.5, 0.3}: 1 to `most` numbers in `range`.
+[[nodiscard]] Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most);
 /// "16,0,256,128" -> {16, 0, 256, 128}: a corner from 0 and a size from 1 to `largest`.
 [[nodiscard]] Accepted<std::array<int, 4>> pixelRectangle(int largest);
 

@@ -18,6 +18,7 @@ namespace lichen {
 namespace {
 
 constexpr int kMaxPreviewSide = 1024;
+constexpr double kMiddle = 0.5; // of a mix
 /// Evaluated between two calls of the progress: up to a second's work, rows enough for many
 /// threads.
 constexpr int kPixelsPerStrip = 1 << 20;
@@ -64,6 +65,12 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
     return checked;
   if (Result<void> checked = checkRange("impacts", options.impacts, kImpactsRange); !checked)
     return checked;
+  for (const double weight : options.mix)
+    if (Result<void> checked = checkRange("mix", weight, kMixWeightRange); !checked)
+      return checked;
+  if (options.tileable && options.mix[0] != options.mix[1])
+    return usage("mix " + text(options.mix[0]) + "," + text(options.mix[1]) +
+                 " of a tileable image: one weight is accepted");
   for (const double coordinate : options.origin)
     if (Result<void> checked = checkRange("origin", coordinate, kOriginRange); !checked)
       return checked;
@@ -89,8 +96,8 @@ double startOf(double origin, double periodTiles, bool periodic) {
   return start < 0.0 ? start + periodTiles : start;
 }
 
-/// The decoded value of a map at a footprint.
-using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&)>;
+/// The decoded value of a map at a footprint and, of a mix, a place in it.
+using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&, const MixPlace&)>;
 
 Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
                                          const shader::LichenNoise& parameters, std::size_t map) {
@@ -98,7 +105,7 @@ Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOp
   if (!created)
     return created.error();
   return PointEvaluation([evaluator = std::move(created).value(), parameters, map,
-                          blend = options.blend](const TileFootprint& at) {
+                          blend = options.blend](const TileFootprint& at, const MixPlace&) {
     return evaluator.evaluate(map, parameters, at, blend);
   });
 }
@@ -109,10 +116,10 @@ Result<PointEvaluation> textonEvaluation(const Bundle& bundle, const SynthesisOp
   Result<TextonEvaluator> created = TextonEvaluator::create(bundle, options.noise);
   if (!created)
     return created.error();
-  return PointEvaluation(
-      [evaluator = std::move(created).value(), parameters, texton, map](const TileFootprint& at) {
-        return evaluator.evaluate(map, parameters, texton, at);
-      });
+  return PointEvaluation([evaluator = std::move(created).value(), parameters, texton,
+                          map](const TileFootprint& at, const MixPlace& mix) {
+    return evaluator.evaluate(map, parameters, texton, at, mix);
+  });
 }
 
 /// As synthesize(), with pixels per tile along each axis; the options are in range. Throws
@@ -153,9 +160,15 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
     at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
     at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
     at.position[1] = float(start[1] + (double(y) * options.stride + 0.5) / pixelsPerTile[1]);
+    const double mixRise = options.mix[1] - options.mix[0];
+    MixPlace mix;
+    mix.gradient[0] = float(mixRise * pixelsPerTile[0] / (double(options.width) * options.stride));
     for (int x = 0; x < image.width; ++x) {
+      const double along =
+          (double(x) * options.stride + 0.5) / (double(options.width) * options.stride);
+      mix.weight = float(options.mix[0] + mixRise * along);
       at.position[0] = float(start[0] + (double(x) * options.stride + 0.5) / pixelsPerTile[0]);
-      const std::array<float, 4> value = evaluation.value()(at);
+      const std::array<float, 4> value = evaluation.value()(at, mix);
       std::copy_n(value.begin(), image.channels, image.pixel(x, y));
     }
   };
@@ -231,6 +244,7 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, M
     options.map = target;
     options.seed = seed;
     options.tileable = true;
+    options.mix = {kMiddle, kMiddle};
     options.width = side(width);
     options.height = side(height);
     return evaluatePixels(bundle, options,

@@ -47,11 +47,11 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 
 TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
   checkRefusal({}, kUsage,
-               {"a verb is missing; bake, synth, inspect, check, compare, merge or apply",
+               {"a verb is missing; bake, mix, synth, inspect, check, compare, merge or apply",
                 "'lichen --help'"});
   checkRefusal(
       {"chek"}, kUsage,
-      {"lichen: chek: no such verb; bake, synth, inspect, check, compare, merge or apply is "
+      {"lichen: chek: no such verb; bake, mix, synth, inspect, check, compare, merge or apply is "
        "accepted; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }

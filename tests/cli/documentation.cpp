@@ -39,7 +39,7 @@ std::string section(const std::string& page, const std::string& title) {
 std::map<std::string, std::pair<std::filesystem::path, Arguments>> commands() {
   const std::filesystem::path bin = std::filesystem::path(LICHEN_BINARY_DIR) / "bin";
   std::map<std::string, std::pair<std::filesystem::path, Arguments>> all;
-  for (const char* verb : {"bake", "synth", "inspect", "check", "compare", "merge", "apply"})
+  for (const char* verb : {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "apply"})
     all[std::string("lichen ") + verb] = {bin / "lichen", {verb}};
   for (const char* program : {"lichen-exemplars", "lichen-render"})
     if (std::filesystem::exists(bin / program)) // not part of every build

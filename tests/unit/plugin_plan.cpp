@@ -261,6 +261,51 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
   CHECK(map.tableKind == LICHEN_TABLE_SEPARABLE);
 }
 
+TEST_CASE(
+    "each map of a mix has a table of its steps, and the material says who gives the weight") {
+  const OwnedBundle bundle(example::textonMix());
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.mixSteps == 1);
+  REQUIRE(lichenGetNoiseProperties(bundle.handle, 1, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.mixSteps == 3);
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
+  CHECK(map.tableKind == LICHEN_TABLE_NONE);
+  LichenImageProperties image;
+  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  CHECK(image.vkFormat == 97); // VK_FORMAT_R16G16B16A16_SFLOAT, which every device filters
+  CHECK(image.dimensionality == 3);
+  CHECK(image.width == 3);
+  CHECK(image.height == 1);
+  CHECK(image.depth == LICHEN_MIX_ROWS);
+  // Means of 0.5, 0.375 and 0.25 less the first; deviations of 0.1 times 1, 0.75 and 0.5, sixfold
+  // over a scale of 0.6; of the losses 0.25 and 0.375 at mip 1 the amplitudes.
+  Table table{"mix", TexelFormat::rgba16Sfloat, 3, 1, LICHEN_MIX_ROWS, 1, {}};
+  const auto* bytes = static_cast<const std::byte*>(image.bytes);
+  table.texels.assign(bytes, bytes + image.byteCount);
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto texel = [&](std::size_t row, std::size_t step, std::size_t component) {
+    return double(texels.at((row * 3 + step) * 4 + component));
+  };
+  for (std::size_t step = 0; step < 3; ++step) {
+    CHECK(texel(LICHEN_MIX_MEAN, step, 1) == Approx(-0.125 * double(step)).margin(1e-6));
+    CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) == Approx(1.0 - 0.25 * double(step)).epsilon(1e-3));
+    const double loss = step == 0 ? 0.25 : 0.375;
+    CHECK(texel(LICHEN_MIX_KEPT, step, 1) == Approx(std::sqrt(1.0 - loss)).epsilon(1e-3));
+    CHECK(texel(LICHEN_MIX_KEPT + 3, step, 3) == 0.0); // the last loss, 1, repeats
+  }
+  LichenMaterialProperties material;
+  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+  REQUIRE(lichenGetMaterialProperties(bundle.handle, 1, &material) == LICHEN_SUCCESS);
+  CHECK(material.mixSource == LICHEN_MIX_VERTEX_COLOR);
+  CHECK(material.mixSet == 1);
+  CHECK(material.mixChannel == 2);
+}
+
 TEST_CASE("what is no bundle is refused") {
   const std::vector<std::byte> noise(100, std::byte(7));
   CHECK(parse(parseInfo(noise)).result == LICHEN_ERROR_BAD_BUNDLE);

@@ -39,7 +39,10 @@ struct SynthesisOptions {
   BlendOperator blend = BlendOperator::histogramPreserving; ///< of tiling
   double impacts = 30.0;                                    ///< of textons, in kImpactsRange
   PointProcess pointProcess = PointProcess::stratified;     ///< of textons
-  Progress progress;                                        ///< empty: nobody watches
+  /// Of a mix, the weight at the left and the right border, linear between; in kMixWeightRange,
+  /// the same where the image is tileable.
+  std::array<double, 2> mix{0.0, 0.0};
+  Progress progress; ///< empty: nobody watches
 };
 
 /// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
@@ -51,8 +54,8 @@ struct SynthesisOptions {
 
 /// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
 /// glTF material. It has the texels of the noise's widest and highest map, so that the images of
-/// all maps have one size; at most 1024 pixels a side. Errors: usage for an index out of range, a
-/// map that the noise has not, or tiles outside [1, 1024].
+/// all maps have one size; at most 1024 pixels a side. A mix is shown in its middle. Errors: usage
+/// for an index out of range, a map that the noise has not, or tiles outside [1, 1024].
 [[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
                                                     MapTarget map, std::uint32_t seed, int tiles);
 

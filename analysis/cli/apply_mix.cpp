@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Options -> the weight of a mix; see apply_mix.h.
+#include "apply_mix.h"
+
+#include <lichen/files.h>
+#include <lichen/image_io.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace lichen::cli {
+namespace {
+
+constexpr int kMostColorSet = 15;
+
+Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
+
+Accepted<std::array<double, 4>> twoPlaces() {
+  constexpr std::size_t kNumbers = 4;
+  const Accepted<std::vector<double>> list = numbers(kMixPlaceRange, kNumbers);
+  return {
+      "U0,V0,U1,V1",
+      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two different places",
+                  kMixPlaceRange.least, kMixPlaceRange.most),
+      [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
+        const std::optional<std::vector<double>> values = read(text);
+        if (!values || values->size() != kNumbers)
+          return std::nullopt;
+        const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+        const bool isSame = places[0] == places[2] && places[1] == places[3];
+        return isSame ? std::nullopt : std::optional(places);
+      }};
+}
+
+/// Whether options go together, and with the noise.
+Result<void> check(const MixOptions& options, const Noise& noise) {
+  if (noise.texton.steps == 1)
+    return usage(fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                             noise.name));
+  const int sources = int(options.weight.has_value()) + int(options.direction.has_value()) +
+                      int(!options.texture.empty()) + int(options.colorSet.has_value());
+  if (sources > 1)
+    return usage("--mix: several sources of the weight; one of --mix, --mix-direction, "
+                 "--mix-texture or --mix-vertex-color is accepted");
+  if (options.channel && options.texture.empty() && !options.colorSet)
+    return usage("--mix-channel: no texture and no vertex colours; --mix-texture or "
+                 "--mix-vertex-color is accepted with it");
+  return {};
+}
+
+/// Whether all that has one of the materials has an attribute.
+Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t> materials,
+                            const std::string& attribute, const char* option) {
+  for (const std::size_t material : materials)
+    for (const PrimitivePlace place : scene.primitivesOf(material))
+      if (!scene.attribute(place, attribute))
+        return Error{ErrorKind::badInput,
+                     fmt::format("{}: {} with {} has no {}, which {} needs; another source of the "
+                                 "weight is accepted",
+                                 scene.path().string(), scene.primitiveTitle(place),
+                                 scene.materialTitle(material), attribute, option)};
+  return {};
+}
+
+/// The scene's texture that was named by its index, or a new one of a file.
+Result<std::size_t> textureOf(const std::string& wanted, GltfScene& scene) {
+  std::size_t index = 0;
+  const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (code == std::errc{} && end == wanted.data() + wanted.size()) {
+    if (index < scene.textureCount())
+      return index;
+    return usage(fmt::format("--mix-texture {}: {} has {} textures; an index of one, or a file, is "
+                             "accepted",
+                             wanted, scene.path().string(), scene.textureCount()));
+  }
+  const Result<std::vector<std::byte>> file = readFile(wanted);
+  if (!file)
+    return file.error();
+  const Result<ImageFile> image = decodeImage(file.value(), wanted);
+  if (!image)
+    return image.error();
+  if (!std::holds_alternative<SrgbImage>(image.value().pixels))
+    return Error{ErrorKind::badInput,
+                 wanted + ": an EXR, which glTF has not; a PNG or JPEG is accepted"};
+  constexpr std::byte kFirstOfPng{0x89};
+  return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
+                      [&]() -> Result<std::size_t> {
+                        return scene.addTexture(file.value(), file.value().front() == kFirstOfPng
+                                                                  ? "image/png"
+                                                                  : "image/jpeg");
+                      });
+}
+
+} // namespace
+
+void addMixOptions(CLI::App& verb, MixOptions& options) {
+  constexpr const char* kGroup = "Mix";
+  addValue(verb, "--mix", options.weight, optional(number(kMixWeightRange)), "",
+           "The place in a mix: 0 is its first input, 1 its last [default: the bundle's]")
+      ->group(kGroup);
+  addValue(verb, "--mix-direction", options.direction, optional(twoPlaces()), "",
+           "Texture coordinates at which it is 0 and 1")
+      ->group(kGroup);
+  addText(verb, "--mix-texture", options.texture, "IMAGE|INDEX",
+          "A mask in texture coordinates 0: a PNG or JPEG, or a texture of the scene")
+      ->group(kGroup);
+  addValue(verb, "--mix-vertex-color", options.colorSet, optional(wholeNumber(0, kMostColorSet)),
+           "", "The vertex colours COLOR_N")
+      ->group(kGroup);
+  const Choices<int> channels{{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}};
+  addValue(verb, "--mix-channel", options.channel, optional(oneOf(channels)), "",
+           "Which channel of the mask or the colours [default: red]")
+      ->group(kGroup);
+}
+
+Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const MixWeight& preset,
+                            std::span<const std::size_t> materials, GltfScene& scene) {
+  if (!options.isGiven())
+    return preset.source == MixSource::texture ? MixWeight{} : preset; // of another file
+  if (Result<void> checked = check(options, noise); !checked)
+    return checked.error();
+  MixWeight mix;
+  mix.channel = options.channel.value_or(0);
+  if (options.weight) {
+    mix.weight = *options.weight;
+  } else if (options.direction) {
+    const auto [startU, startV, endU, endV] = *options.direction;
+    mix.source = MixSource::direction;
+    mix.start = {startU, startV};
+    mix.end = {endU, endV};
+  } else if (options.colorSet) {
+    mix.source = MixSource::vertexColor;
+    mix.colorSet = *options.colorSet;
+    if (Result<void> there = checkAttribute(scene, materials, fmt::format("COLOR_{}", mix.colorSet),
+                                            "--mix-vertex-color");
+        !there)
+      return there.error();
+  } else {
+    mix.source = MixSource::texture;
+    if (Result<void> there = checkAttribute(scene, materials, "TEXCOORD_0", "--mix-texture");
+        !there)
+      return there.error();
+    const Result<std::size_t> texture = textureOf(options.texture, scene);
+    if (!texture)
+      return texture.error();
+    mix.texture = texture.value();
+  }
+  return mix;
+}
+
+} // namespace lichen::cli

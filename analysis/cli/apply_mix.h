@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Where a material of a scene takes the weight of a mix from: the options of `lichen apply`.
+#pragma once
+
+#include "options.h"
+
+#include <lichen/gltf_scene.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace lichen::cli {
+
+struct MixOptions {
+  std::optional<double> weight;
+  std::optional<std::array<double, 4>> direction; ///< start and end
+  std::string texture;                            ///< a file, or the index of one of the scene's
+  std::optional<int> colorSet;
+  std::optional<int> channel;
+
+  [[nodiscard]] bool isGiven() const {
+    return weight || direction || !texture.empty() || colorSet || channel;
+  }
+};
+
+void addMixOptions(CLI::App& verb, MixOptions& options);
+
+/// The source that was chosen, or without one `preset`. A file becomes a texture of the scene.
+/// Errors: usage for options that do not go together or with the noise, badInput where the scene or
+/// the file is not what they need.
+[[nodiscard]] Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise,
+                                          const MixWeight& preset,
+                                          std::span<const std::size_t> materials, GltfScene& scene);
+
+} // namespace lichen::cli

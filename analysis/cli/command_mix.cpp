@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// lichen mix: photographs to a glTF with a noise that changes from one to the next.
+#include "command.h"
+#include "exemplar_options.h"
+#include "method_options.h"
+#include "noise_name.h"
+#include "options.h"
+#include "preview_images.h"
+#include "progress_line.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/texton_mix.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace lichen::cli {
+namespace {
+
+/// More than any that is useful: of 10^6 to 1 the lesser does not show.
+constexpr NumberRange kWeightRange{0.0, 1e6};
+
+struct Arguments {
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string name;
+  std::uint32_t seed = 0;
+  double tileMetres = 0.0;
+  ExemplarOptions exemplar;
+  TextonMixOptions mix;
+  MaterialNoise material;
+  PreviewShape preview{};
+  const CLI::App* verb = nullptr;
+};
+
+/// What was read, and what is to be said of it.
+struct Inputs {
+  std::vector<MixedExemplar> exemplars;
+  std::vector<std::string> names; ///< without folder and extension
+  std::vector<std::string> notes;
+};
+
+Result<void> check(const Arguments& arguments) {
+  if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked;
+  const std::size_t count = arguments.inputs.size();
+  if (count < 2 || count > kMaxMixedExemplars)
+    return Error{ErrorKind::usage,
+                 fmt::format("INPUT: {} given; 2 to {} are accepted", count, kMaxMixedExemplars)};
+  const std::vector<double>& weights = arguments.mix.weights;
+  if (weights.empty())
+    return {};
+  if (arguments.verb->get_option("--steps")->count() > 0)
+    return Error{ErrorKind::usage, "--steps: with --weights one texton is made; one of the two is "
+                                   "accepted"};
+  if (weights.size() != count)
+    return Error{ErrorKind::usage, fmt::format("--weights: {} for {} inputs; one each is accepted",
+                                               weights.size(), count)};
+  if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; }))
+    return Error{ErrorKind::usage, "--weights: all are 0; a positive sum is accepted"};
+  return {};
+}
+
+Result<Inputs> readInputs(const Arguments& arguments) {
+  Inputs inputs;
+  for (const std::string& path : arguments.inputs) {
+    Result<ReadExemplar> read = readExemplar({path}, arguments.exemplar, arguments.shared);
+    if (!read)
+      return read.error();
+    MaterialSet& set = read.value().set;
+    for (const std::string& line : set.notes)
+      inputs.notes.push_back(path + ": " + line);
+    inputs.names.push_back(set.name);
+    inputs.exemplars.push_back({path, std::move(set.maps)});
+  }
+  return inputs;
+}
+
+/// "moss-rock", or as told.
+std::string nameOfMix(const Arguments& arguments, const std::vector<std::string>& names) {
+  return arguments.name.empty() ? asUtf8(fmt::format("{}", fmt::join(names, "-"))) : arguments.name;
+}
+
+Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake) {
+  // Texture coordinates that the ball and the ground before it show: the ball's middle is 0.5.
+  constexpr std::array<double, 2> kPreviewStart{-1.0, 0.0};
+  constexpr std::array<double, 2> kPreviewEnd{2.0, 0.0};
+  BundleFile file;
+  file.shape = arguments.preview;
+  file.generator = "lichen " LICHEN_VERSION;
+  bake.noise.tileSizeMetres = arguments.tileMetres;
+  MaterialNoise material = arguments.material;
+  material.seed = arguments.seed;
+  if (bake.noise.texton.steps > 1)
+    material.mix = {.source = MixSource::direction, .start = kPreviewStart, .end = kPreviewEnd};
+  file.bundle.tables = std::move(bake.tables);
+  file.bundle.materialNames = {bake.noise.name};
+  file.bundle.noises = {std::move(bake.noise)};
+  file.bundle.materials = {material};
+  Result<PreviewImages> previews = previewImages(file.bundle, 0, arguments.seed);
+  if (!previews)
+    return previews.error();
+  file.previews.push_back(std::move(previews).value());
+  return file;
+}
+
+std::string qualityNote(const TextonMixQuality& quality) {
+  const auto [least, most] =
+      std::minmax_element(quality.modelErrors.begin(), quality.modelErrors.end());
+  if (quality.modelErrors.size() == 1)
+    return fmt::format("the texton's relative model error is {:.3f}; {:.3f} of the deviation is "
+                       "what one texton lacks",
+                       *least, quality.rankError);
+  return fmt::format(
+      "the textons' relative model errors are {:.3f} to {:.3f}; neighbours differ by "
+      "{:.3f} of their deviation at most",
+      *least, *most, quality.largestStep);
+}
+
+void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQuality& quality,
+            const std::vector<std::string>& notes, double seconds) {
+  const Noise& noise = bundle.noises.front();
+  const TextonShape& shape = noise.texton;
+  std::vector<std::string> targets;
+  for (const NoiseMap& map : noise.maps)
+    targets.emplace_back(nameOf(map.target));
+  if (arguments.shared.json) {
+    const nlohmann::ordered_json json{{"output", arguments.output},
+                                      {"name", noise.name},
+                                      {"inputs", arguments.inputs},
+                                      {"maps", targets},
+                                      {"width", shape.texelsPerTileX},
+                                      {"height", shape.texelsPerTileY},
+                                      {"steps", shape.steps},
+                                      {"modelErrors", quality.modelErrors},
+                                      {"largestStep", quality.largestStep},
+                                      {"rankError", quality.rankError},
+                                      {"tableBytes", texelBytes(bundle)},
+                                      {"notes", notes},
+                                      {"seconds", seconds}};
+    printLine(toText(json));
+    return;
+  }
+  constexpr std::size_t kKibi = 1024;
+  say(arguments.shared,
+      fmt::format("{}: {}, {} x {}, {} {}, {} KiB of tables, {:.2f} s", arguments.output,
+                  fmt::join(targets, ", "), shape.texelsPerTileX, shape.texelsPerTileY, shape.steps,
+                  shape.steps == 1 ? "texton" : "textons", texelBytes(bundle) / kKibi, seconds));
+}
+
+Result<int> run(Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (Result<void> checked = check(arguments); !checked)
+    return checked.error();
+  Result<Inputs> inputs = readInputs(arguments);
+  if (!inputs)
+    return inputs.error();
+  std::vector<std::string> notes = std::move(inputs.value().notes);
+  ProgressLine progress("mix", arguments.shared);
+  arguments.mix.texton.progress = progress.asProgress();
+  Result<TextonMixBake> baked = bakeTextonMix(nameOfMix(arguments, inputs.value().names),
+                                              inputs.value().exemplars, arguments.mix);
+  if (!baked)
+    return baked.error();
+  const TextonMixQuality quality = std::move(baked.value().quality);
+  notes.push_back(qualityNote(quality));
+  const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
+  if (!file)
+    return file.error();
+  if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
+    return written.error();
+  progress.erase();
+  if (!arguments.shared.json)
+    for (const std::string& line : notes)
+      note(arguments.shared, line);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report(arguments, file.value().bundle, quality, notes, seconds.count());
+  return kDone;
+}
+
+} // namespace
+
+Runner addMix(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addTexts(verb, "INPUT", arguments->inputs, "...",
+           "Photographs, or folders with the same maps of several materials: PNG, JPEG or EXR")
+      ->required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
+  addValue(verb, "--steps", arguments->mix.steps,
+           wholeNumber(int(kMixStepsRange.least), int(kMixStepsRange.most)), "21",
+           "Textons from each input to the next, both counted");
+  addValue(verb, "--weights", arguments->mix.weights, numbers(kWeightRange, kMaxMixedExemplars), "",
+           "One texture between all inputs, of these shares, instead of a way through them");
+  addValue(verb, "--name", arguments->name, nameText(), "",
+           "Name of noise and material [default: the inputs']");
+  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
+  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
+           "Width of the exemplars in metres");
+  addExemplarOptions(verb, arguments->exemplar);
+  addPreviewShape(verb, arguments->preview);
+  addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
+           "Half of the bits of a texton's floats");
+  addTextonOptions(verb, arguments->mix.texton, arguments->material);
+  arguments->verb = &verb;
+  return [arguments] { return run(*arguments); };
+}
+
+} // namespace lichen::cli

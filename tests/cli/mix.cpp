@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// What `lichen mix` makes of photographs, and what the other verbs make of that.
+#include "command_run.h"
+
+#include <lichen/bundle.h>
+#include <lichen/files.h>
+#include <lichen/gltf_scene.h>
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <tiny_scene.h>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kUsage = int(ErrorKind::usage);
+constexpr int kBadInput = int(ErrorKind::badInput);
+constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
+
+/// Colours about `level`, with a little of `of`.
+SrgbImage about(float level, SrgbImage of) {
+  for (float& value : of.values)
+    value = level + 0.3f * (value - 0.5f);
+  return of;
+}
+
+/// Two photographs and their mix, made once.
+struct Made {
+  Workplace workplace;
+  std::string dark = workplace.write("dark.png", about(0.3f, smooth(24)));
+  std::string light = workplace.write("light.png", about(0.7f, speckled(24, 24, 3)));
+  std::string grey = workplace.write("rough_roughness.png", smoothGrey(24));
+  std::string bundle = mixed("mix.glb");
+
+  [[nodiscard]] Ended mix(const std::string& output, const Arguments& more = {}) const {
+    Arguments arguments{"mix",       dark, light,     "-o", workplace.path(output),
+                        "--support", "8",  "--steps", "5",  "--preview",
+                        "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runLichen(arguments);
+  }
+  [[nodiscard]] std::string mixed(const std::string& output, const Arguments& more = {}) const {
+    const Ended ended = mix(output, more);
+    INFO(ended.errors);
+    REQUIRE(ended.code == 0);
+    return workplace.path(output);
+  }
+};
+
+const Made& made() {
+  static const Made made;
+  return made;
+}
+
+void checkMixRefuses(const Arguments& more, int code, const std::vector<std::string>& words) {
+  const Made& m = made();
+  Arguments arguments{"mix", "-o", m.workplace.path("new.glb"), "--support", "8"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  checkRefusal(arguments, code, words);
+  CHECK(!std::filesystem::exists(m.workplace.path("new.glb")));
+}
+
+/// The mean of a channel over columns [from, to) of a PNG, in code values of 0 to 1.
+double meanOf(const std::string& file, int from, int to) {
+  const auto image = std::get<SrgbImage>(readImage(file).value().pixels);
+  double sum = 0.0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = from; x < to; ++x)
+      sum += double(image.pixel(x, y)[0]);
+  return sum / double(image.height * (to - from));
+}
+
+} // namespace
+
+TEST_CASE("mix writes a sound bundle of its steps, whose ends are the photographs") {
+  const Made& m = made();
+  const Ended checked = runLichen({"check", m.bundle, "--json"});
+  CHECK(checked.code == 0);
+  CHECK(json::parse(checked.output).at("warnings") == 0);
+  const json noise =
+      json::parse(runLichen({"inspect", m.bundle, "--json"}).output).at("noises").at(0);
+  CHECK(noise.at("name") == "dark-light");
+  CHECK(noise.at("texton").at("steps") == 5);
+  const json& map = noise.at("maps").at(0);
+  REQUIRE(map.at("laterSteps").size() == 4);
+  const auto mean = [](const SrgbImage& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+      sum += double(image.values[3 * i]);
+    return sum / double(image.pixelCount());
+  };
+  constexpr double kRounding = 1.0 / 255.0;
+  CHECK(map.at("mean")[0].get<double>() == Approx(mean(about(0.3f, smooth(24)))).margin(kRounding));
+  CHECK(map.at("laterSteps")[3].at("mean")[0].get<double>() ==
+        Approx(mean(about(0.7f, speckled(24, 24, 3)))).margin(kRounding));
+  CHECK(noise.at("materials")[0].at("mix").at("source") == "direction");
+  const std::string page = runLichen({"inspect", m.bundle}).output;
+  for (const char* words : {"; 5 steps", "at the last step mean", "mix along (-1, 0) to (2, 0)"})
+    CHECK_THAT(page, Catch::Contains(words));
+}
+
+TEST_CASE("mix makes the same bytes on any number of threads") {
+  const Made& m = made();
+  for (const char* threads : {"1", "3"}) {
+    (void)m.mixed("again.glb", {"--threads", threads});
+    CHECK(m.workplace.read("again.glb") == m.workplace.read("mix.glb"));
+  }
+}
+
+TEST_CASE("mix reports what it made, as JSON too") {
+  const Made& m = made();
+  const Ended ended = m.mix("reported.glb", {"--json", m.dark});
+  const json report = json::parse(ended.output);
+  CHECK(report.at("steps") == 9);
+  CHECK(report.at("modelErrors").size() == 9);
+  CHECK(report.at("largestStep") > 0.0);
+  CHECK(report.at("width") == 24);
+  CHECK(report.at("inputs").size() == 3);
+  CHECK(report.at("maps") == std::vector<std::string>{"baseColor"});
+}
+
+TEST_CASE("with weights mix makes one texton between all") {
+  const Made& m = made();
+  const std::string bundle = m.workplace.path("between.gltf");
+  const Ended ended =
+      runLichen({"mix", m.dark, m.light, "-o", bundle, "--support", "8", "--weights", "3,1"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const json noise =
+      json::parse(runLichen({"inspect", bundle, "--json"}).output).at("noises").at(0);
+  CHECK(noise.at("texton").at("steps") == 1);
+  const json ends =
+      json::parse(runLichen({"inspect", m.bundle, "--json"}).output).at("noises")[0].at("maps")[0];
+  CHECK(noise.at("maps")[0].at("mean")[0].get<double>() ==
+        Approx(0.75 * ends.at("mean")[0].get<double>() +
+               0.25 * ends.at("laterSteps")[3].at("mean")[0].get<double>()));
+}
+
+TEST_CASE("mix takes folders with the same maps, and keeps them apart from others") {
+  const Workplace workplace;
+  const auto folder = [&](const std::string& name, bool hasRoughness) {
+    std::filesystem::create_directory(workplace.path(name));
+    workplace.write(name + "/color.png", smooth(16));
+    if (hasRoughness)
+      workplace.write(name + "/roughness.png", smoothGrey(8));
+    return workplace.path(name);
+  };
+  const std::string moss = folder("moss", true), rock = folder("rock", true),
+                    sand = folder("sand", false);
+  const std::string output = workplace.path("sets.glb");
+  const Ended ended =
+      runLichen({"mix", moss, rock, "-o", output, "--support", "6", "--steps", "3", "--json"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK(json::parse(ended.output).at("maps") ==
+        std::vector<std::string>{"baseColor", "occlusionRoughnessMetallic"});
+  CHECK(json::parse(ended.output).at("name") == "moss-rock");
+  CHECK(runLichen({"check", output}).code == 0);
+  checkRefusal({"mix", moss, sand, "-o", output}, kBadInput,
+               {"sand: has no occlusionRoughnessMetallic, which", "moss has",
+                "exemplars of a mix have the same maps"});
+}
+
+TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
+  const Made& m = made();
+  checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; 2 to 16 are accepted"});
+  checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; 2 to 16 are accepted"});
+  checkMixRefuses({}, kUsage, {"INPUT"});
+  checkMixRefuses({m.dark, m.light, "--steps", "1"}, kUsage,
+                  {"--steps 1: a whole number from 2 to 64 is accepted"});
+  checkMixRefuses({m.dark, m.light, "--steps", "65"}, kUsage,
+                  {"--steps 65: a whole number from 2 to 64 is accepted"});
+  checkMixRefuses({m.dark, m.light, m.dark, "--steps", "33"}, kUsage,
+                  {"33 steps", "2 to 32 are accepted for 3 exemplars"});
+  checkMixRefuses({m.dark, m.light, "--weights", "1,2,3"}, kUsage,
+                  {"--weights: 3 for 2 inputs; one each is accepted"});
+  checkMixRefuses({m.dark, m.light, "--weights", "0,0"}, kUsage,
+                  {"--weights: all are 0; a positive sum is accepted"});
+  checkMixRefuses({m.dark, m.light, "--weights", "1,-2"}, kUsage,
+                  {"--weights 1,-2: 1 to 16 numbers from 0 to 1000000"});
+  checkMixRefuses({m.dark, m.light, "--weights", "1,"}, kUsage, {"--weights 1,:"});
+  checkMixRefuses({m.dark, m.light, "--weights", "1,2", "--steps", "5"}, kUsage,
+                  {"--steps: with --weights one texton is made"});
+  checkMixRefuses({m.dark, m.light, "--fit", "projections"}, kUsage, {"--fit: no such option"});
+  checkMixRefuses({m.dark, m.workplace.path("absent.png")}, kBadInput, {"absent.png"});
+  checkMixRefuses({m.dark, m.workplace.write("no.png", std::string("no image"))}, kBadInput,
+                  {"no.png"});
+  checkRefusal({"mix", m.dark, m.light, "-o", m.workplace.path("new.png")}, kUsage,
+               {"new.png", ".glb or .gltf"});
+}
+
+TEST_CASE("synth shows a mix at a weight, or along a ramp") {
+  const Made& m = made();
+  const auto synth = [&](const Arguments& more) {
+    Arguments arguments{"synth", m.bundle, "-o", m.workplace.path("s.png"), "--size", "256x64"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = runLichen(arguments);
+    INFO(ended.errors);
+    REQUIRE(ended.code == 0);
+    return m.workplace.path("s.png");
+  };
+  // Means of 16 x 64 pixels and more, of 0.3 of a whole range: within 0.1.
+  const std::string ramp = synth({});
+  CHECK(meanOf(ramp, 0, 16) == Approx(0.3).margin(0.1));
+  CHECK(meanOf(ramp, 240, 256) == Approx(0.7).margin(0.1));
+  CHECK(meanOf(synth({"--mix", "1"}), 0, 128) == Approx(0.7).margin(0.06));
+  CHECK(meanOf(synth({"--mix", "0.5", "--tileable"}), 0, 256) == Approx(0.5).margin(0.06));
+  CHECK(meanOf(synth({"--tileable"}), 0, 256) == Approx(0.5).margin(0.06));
+  const std::string back = synth({"--mix", "1,0"});
+  CHECK(meanOf(back, 0, 16) > meanOf(back, 240, 256) + 0.2);
+  const Arguments base{"synth", m.bundle, "-o", m.workplace.path("new.png")};
+  const auto refuses = [&](Arguments more, const std::vector<std::string>& words) {
+    more.insert(more.begin(), base.begin(), base.end());
+    checkRefusal(more, kUsage, words);
+  };
+  refuses({"--mix", "1.5"}, {"--mix 1.5: a weight from 0 to 1"});
+  refuses({"--mix", "0,1,0"}, {"--mix 0,1,0: a weight from 0 to 1, or two"});
+  refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image: one weight is accepted"});
+  const Workplace other;
+  const std::string plain = bake(other, other.write("stone.png", smooth(16)), "stone.glb");
+  checkRefusal({"synth", plain, "-o", other.path("new.png"), "--mix", "0.5"}, kUsage,
+               {"--mix: noise 'stone' is no mix"});
+}
+
+TEST_CASE("apply gives a mix its weight from every source") {
+  const Made& m = made();
+  const Workplace workplace;
+  example::TinyScene scene = example::tableScene();
+  const std::size_t colors =
+      scene.addFloats(std::vector<float>(std::size_t(4 * 4), 0.5f), "VEC4", 4);
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_1"] = colors;
+  const std::string file = workplace.write("scene.glb", scene.glb());
+  const auto arguments = [&](const Arguments& more) {
+    Arguments all{"apply",      file,   "--noise", m.bundle,
+                  "--material", "wood", "-o",      workplace.path("out.glb")};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const auto mixOf = [&](const Arguments& more) {
+    const Ended ended = runLichen(arguments(more));
+    INFO(ended.errors);
+    REQUIRE(ended.code == 0);
+    const Ended checked = runLichen({"check", workplace.path("out.glb")});
+    INFO(checked.output);
+    CHECK(checked.code == 0);
+    const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+    return document["materials"][0]["extensions"][kExtension].value("mix", json());
+  };
+  CHECK(mixOf({}).at("source") == "direction"); // the bundle's
+  CHECK(mixOf({"--mix", "0.25"}) == json{{"source", "constant"}, {"weight", 0.25}});
+  CHECK(mixOf({"--mix-direction", "0,1,2,1"}) ==
+        json{{"source", "direction"}, {"start", {0.0, 1.0}}, {"end", {2.0, 1.0}}});
+  CHECK(mixOf({"--mix-vertex-color", "1", "--mix-channel", "alpha"}) ==
+        json{{"source", "vertexColor"}, {"set", 1}, {"channel", 3}});
+  const json mask = mixOf({"--mix-texture", m.grey, "--mix-channel", "green"});
+  CHECK(mask == json{{"source", "texture"}, {"texture", {{"index", 0}}}, {"channel", 1}});
+  const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+  REQUIRE(document["textures"].size() == 1);
+  const json& image = document["images"][document["textures"][0]["source"].get<std::size_t>()];
+  CHECK(image.at("mimeType") == "image/png");
+  const auto refuses = [&](const Arguments& more, int code, const std::vector<std::string>& words) {
+    checkRefusal(arguments(more), code, words);
+  };
+  refuses({"--mix", "2"}, kUsage, {"--mix 2: a number from 0 to 1 is accepted"});
+  refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage, {"several sources"});
+  refuses({"--mix-channel", "red"}, kUsage, {"--mix-channel: no texture and no vertex colours"});
+  refuses({"--mix-direction", "0,0,0,0"}, kUsage, {"two different places"});
+  refuses({"--mix-direction", "0,0,1"}, kUsage, {"--mix-direction 0,0,1:"});
+  refuses({"--mix-vertex-color", "2"}, kBadInput, {"has no COLOR_2, which --mix-vertex-color"});
+  refuses({"--mix-texture", "3"}, kUsage, {"--mix-texture 3:", "has 0 textures"});
+  refuses({"--mix-texture", workplace.path("absent.png")}, kBadInput, {"absent.png"});
+  refuses({"--mix-texture", workplace.write("no.png", std::string("no image"))}, kBadInput,
+          {"no.png"});
+  const std::string plain = bake(workplace, workplace.write("stone.png", smooth(16)), "stone.glb");
+  checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
+                workplace.path("new.glb"), "--mix", "0.5"},
+               kUsage, {"--mix: noise 'stone' is no mix"});
+}
