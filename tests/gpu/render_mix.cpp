@@ -5,7 +5,6 @@
 
 #include <lichen/image_io.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -17,102 +16,116 @@ namespace {
 
 constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 constexpr float kTiles = 4.0f;
-constexpr int kSide = 128;
+constexpr int kSide = 64; // pixels of a square
 
-/// A square that fills the picture, four tiles wide, with the weight of its mix from left to right
-/// in COLOR_1 and in texture 0.
-GltfScene squareOfMix() {
-  GltfScene scene(syntheticTextonGlb({.steps = 5, .smoothings = 1}));
-  const std::size_t positions = scene.addFloats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, 3);
-  const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
-  const std::size_t texCoords = scene.addFloats({0, kTiles, kTiles, kTiles, kTiles, 0, 0, 0}, 2);
-  const std::size_t colors =
-      scene.addFloats({1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1}, 4); // green
-  scene.addMesh({{"POSITION", positions},
-                 {"NORMAL", normals},
-                 {"TEXCOORD_0", texCoords},
-                 {"COLOR_1", colors}},
-                scene.addIndices({0, 1, 2, 0, 2, 3}, 2), 0);
-  scene.addCamera(10.0f, 2.0f * std::atan(0.1f));
-  constexpr int kTexels = 64;
-  SrgbImage mask(kTexels, 1, 1);
-  for (int x = 0; x < kTexels; ++x)
-    *mask.pixel(x, 0) = (float(x) + 0.5f) / float(kTexels);
-  const std::size_t view = scene.addView(encodePng(mask, 16).value());
-  constexpr int kClampToEdge = 33071;
-  scene.json["samplers"] = {{{"wrapS", kClampToEdge}}};
-  scene.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
-  scene.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-  return scene;
-}
+/// Squares of four tiles, one below the other, each with another source of the weight of its mix.
+/// COLOR_1 has it from left to right in green, and so has texture 0.
+class Squares {
+public:
+  Squares() : scene_(syntheticTextonGlb({.steps = 5, .smoothings = 1})) {
+    constexpr int kTexels = 64;
+    SrgbImage mask(kTexels, 1, 1);
+    for (int x = 0; x < kTexels; ++x)
+      *mask.pixel(x, 0) = (float(x) + 0.5f) / float(kTexels);
+    const std::size_t view = scene_.addView(encodePng(mask, 16).value());
+    constexpr int kClampToEdge = 33071;
+    scene_.json["samplers"] = {{{"wrapS", kClampToEdge}}};
+    scene_.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
+    scene_.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    scene_.json["extensionsUsed"].push_back("KHR_texture_transform");
+  }
 
-json& mixOf(GltfScene& scene) {
-  return scene.json["materials"][0]["extensions"][kExtension]["mix"];
-}
+  void add(const json& mix) {
+    const float top = -2.0f * float(count_++);
+    json material = scene_.json["materials"][0];
+    material["extensions"][kExtension]["mix"] = mix;
+    const std::size_t positions =
+        scene_.addFloats({-1, top - 2, 0, 1, top - 2, 0, 1, top, 0, -1, top, 0}, 3);
+    const std::size_t normals = scene_.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+    const std::size_t texCoords = scene_.addFloats({0, kTiles, kTiles, kTiles, kTiles, 0, 0, 0}, 2);
+    const std::size_t colors =
+        scene_.addFloats({1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1}, 4);
+    scene_.addMesh({{"POSITION", positions},
+                    {"NORMAL", normals},
+                    {"TEXCOORD_0", texCoords},
+                    {"COLOR_1", colors}},
+                   scene_.addIndices({0, 1, 2, 0, 2, 3}, 2), scene_.addMaterial(material));
+  }
 
-LinearImage baseColor(const GltfScene& scene) {
-  renderer::RenderSettings settings = settingsOf(kSide, kSide, 1);
-  settings.debugView = "base-color";
-  return render(scene.glb(), settings);
-}
+  /// The base colours of all squares.
+  LinearImage baseColors() {
+    constexpr float kDistance = 10.0f;
+    scene_.addCamera(kDistance, 2.0f * std::atan(float(count_) / kDistance), -float(count_));
+    renderer::RenderSettings settings =
+        settingsOf(kSide, std::uint32_t(kSide) * std::uint32_t(count_), 1);
+    settings.debugView = "base-color";
+    return render(scene_.glb(), settings);
+  }
 
-/// Means of all channels in eighths of the picture, from left to right.
-std::array<double, 8> columnMeans(const LinearImage& image) {
+private:
+  GltfScene scene_;
+  int count_ = 0;
+};
+
+/// Means of all channels in eighths of a square, from left to right.
+std::array<double, 8> columnMeans(const LinearImage& image, int square) {
   std::array<double, 8> means{};
   constexpr int kWidth = kSide / 8;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
       for (std::size_t c = 0; c < 3; ++c)
-        means[std::size_t(x / kWidth)] += double(image.pixel(x, y)[c]) / (3.0 * kWidth * kSide);
+        means[std::size_t(x / kWidth)] +=
+            double(image.pixel(x, square * kSide + y)[c]) / (3.0 * kWidth * kSide);
   return means;
 }
 
-const json kDirection{{"source", "direction"}, {"start", {0, 1}}, {"end", {kTiles, 1}}};
-const json kMask{{"source", "texture"},
-                 {"texture",
-                  {{"index", 0},
-                   {"extensions", {{"KHR_texture_transform", {{"scale", {1.0 / kTiles, 1.0}}}}}}}}};
-const json kVertexColor{{"source", "vertexColor"}, {"set", 1}, {"channel", 1}};
+/// The mean difference of two squares' values.
+double differenceOf(const LinearImage& image, int square, int other) {
+  double difference = 0.0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        difference += std::abs(double(image.pixel(x, square * kSide + y)[c]) -
+                               double(image.pixel(x, other * kSide + y)[c])) /
+                      (3.0 * kSide * kSide);
+  return difference;
+}
+
+json maskOf(int channel) {
+  return {{"source", "texture"},
+          {"channel", channel},
+          {"texture",
+           {{"index", 0},
+            {"extensions", {{"KHR_texture_transform", {{"scale", {1.0 / kTiles, 1.0}}}}}}}}};
+}
+
+json verticesOf(int channel) {
+  return {{"source", "vertexColor"}, {"set", 1}, {"channel", channel}};
+}
 
 } // namespace
 
 TEST_CASE("a direction, a mask and vertex colours of one weight draw one picture") {
-  GltfScene scene = squareOfMix();
-  mixOf(scene) = kDirection;
-  const LinearImage along = baseColor(scene);
-  const std::array<double, 8> expected = columnMeans(along);
+  Squares squares;
+  squares.add({{"source", "direction"}, {"start", {0, 1}}, {"end", {kTiles, 1}}});
+  squares.add(maskOf(0));
+  squares.add(verticesOf(1));
+  // Alpha of a picture without it, and red of the vertices, is 1 everywhere.
+  squares.add({{"source", "constant"}, {"weight", 1.0}});
+  squares.add(maskOf(3));
+  squares.add(verticesOf(0));
+  const LinearImage image = squares.baseColors();
+  const std::array<double, 8> expected = columnMeans(image, 0);
   // Stored means of 0.5 and 0.1: light of 0.21 and, with a deviation of 0.24, about 0.06.
   CHECK(expected.front() > expected.back() + 0.1);
-  scene.json["extensionsUsed"].push_back("KHR_texture_transform");
-  mixOf(scene) = kMask;
-  const LinearImage masked = baseColor(scene);
-  double difference = 0.0;
-  for (std::size_t i = 0; i < along.values.size(); ++i)
-    difference +=
-        std::abs(double(along.values[i]) - double(masked.values[i])) / double(along.values.size());
   // Weights of 8 bits put one impact in a hundred on another step; past the borders the mask stays.
-  CHECK(difference < 0.01);
+  CHECK(differenceOf(image, 0, 1) < 0.01);
   // Of vertex colours all impacts have the point's weight: other textons near the borders of steps,
-  // of the same statistics. Some 30 patches of noise an eighth.
-  mixOf(scene) = kVertexColor;
-  const std::array<double, 8> vertices = columnMeans(baseColor(scene));
+  // of the same statistics.
+  const std::array<double, 8> vertices = columnMeans(image, 2);
   for (std::size_t k = 0; k < vertices.size(); ++k)
     CHECK(vertices[k] == Approx(expected[k]).margin(0.03));
-}
-
-TEST_CASE("the channel of a mask counts, and a constant is the same everywhere") {
-  GltfScene scene = squareOfMix();
-  mixOf(scene) = {{"source", "constant"}, {"weight", 1.0}};
-  const std::array<double, 8> last = columnMeans(baseColor(scene));
-  CHECK(*std::max_element(last.begin(), last.end()) <
-        *std::min_element(last.begin(), last.end()) + 0.06);
-  // Alpha of a picture without it, and red of the vertices, is 1.
-  json mask = kMask;
-  mask["channel"] = 3;
-  mixOf(scene) = mask;
-  CHECK(columnMeans(baseColor(scene))[0] == Approx(last[0]).margin(1e-6));
-  json vertices = kVertexColor;
-  vertices["channel"] = 0;
-  mixOf(scene) = vertices;
-  CHECK(columnMeans(baseColor(scene))[0] == Approx(last[0]).margin(1e-6));
+  CHECK(differenceOf(image, 0, 3) > 0.05);
+  CHECK(differenceOf(image, 3, 4) < 1e-6);
+  CHECK(differenceOf(image, 3, 5) < 1e-6);
 }
