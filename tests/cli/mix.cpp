@@ -264,6 +264,16 @@ TEST_CASE("apply gives a mix its weight from every source") {
   REQUIRE(document["textures"].size() == 1);
   const json& image = document["images"][document["textures"][0]["source"].get<std::size_t>()];
   CHECK(image.at("mimeType") == "image/png");
+  // A mask belongs to its scene: another bundle's textures are others.
+  const Ended merged = runLichen({"merge", workplace.path("out.glb"), "-o",
+                                  workplace.path("merged.glb"), "--preview", "none"});
+  CHECK(merged.code == 0);
+  CHECK_THAT(merged.errors, Catch::Contains("the mask of its mix is left behind"));
+  CHECK(json::parse(runLichen({"inspect", workplace.path("merged.glb"), "--json"}).output)
+            .at("noises")[0]
+            .at("materials")[0]
+            .at("mix")
+            .at("source") == "constant");
   const auto refuses = [&](const Arguments& more, int code, const std::vector<std::string>& words) {
     checkRefusal(arguments(more), code, words);
   };
