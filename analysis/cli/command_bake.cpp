@@ -212,8 +212,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addTexts(verb, "INPUT", arguments->inputs, "...",
            "A photograph, or a folder or files with the maps of a material: PNG, JPEG or EXR")
-      ->required();
-  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of noise and material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");

@@ -194,10 +194,10 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addText(verb, "EXEMPLAR", arguments->exemplar, "",
           "The photograph, or a folder with the maps of a material")
-      ->required();
+      .required();
   addText(verb, "RESULT", arguments->result, "|BUNDLE",
           "An image made from it, or a .glb or .gltf of which one is made")
-      ->required();
+      .required();
   addText(verb, "--noise", arguments->noise, "NAME",
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",

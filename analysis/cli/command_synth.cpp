@@ -105,8 +105,8 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   SynthesisOptions& synthesis = arguments->synthesis;
   addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
-      ->required();
-  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image")->required();
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
   addText(verb, "--noise", arguments->noise, "NAME",
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
@@ -118,9 +118,8 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "The top left corner in tiles; large integer parts are exact");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
            "Another seed, another pattern [default: the material's]");
-  verb.add_flag("--tileable", synthesis.tileable,
-                "Opposite borders of the image continue each other")
-      ->disable_flag_override();
+  addFlag(verb, "--tileable", synthesis.tileable,
+          "Opposite borders of the image continue each other");
   addValue(verb, "--sharpness", synthesis.blendSharpness, number(kBlendSharpnessRange), "1",
            "Exponent of the blend weights");
   addValue(verb, "--contrast", synthesis.contrast, number(kContrastRange), "1",

@@ -18,45 +18,45 @@ void addTilingOptions(CLI::App& verb, TilingOptions& tiling) {
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
            "How near to optimal colours are matched")
-      ->group(kTilingGroup);
+      .group(kTilingGroup);
   const Choices<LookupTable> luts{{"joint", LookupTable::joint},
                                   {"separable", LookupTable::separable}};
   addValue(verb, "--lut", tiling.lut, oneOf(luts), "joint",
            "One table of all colours, or a small one for each axis of colour")
-      ->group(kTilingGroup);
+      .group(kTilingGroup);
   const Choices<GaussianOnly> gaussian{
       {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
   addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
            "Whether the exemplar's values are Gaussian, and need no table")
-      ->group(kTilingGroup);
+      .group(kTilingGroup);
 }
 
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material) {
   addValue(verb, "--support", texton.support,
            wholeNumber(int(kTextonSupportRange.least), int(kTextonSupportRange.most)), "64",
            "Texels a side that one impact reaches")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
   addValue(verb, "--order", texton.order, oneOf<int>({{"0", 0}, {"1", 1}, {"3", 3}}), "1",
            "Of the B-spline between texels: steps, linear, or smooth enough for bumps")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
   addValue(verb, "--impacts", material.impacts, number(kImpactsRange), "30",
            "How many impacts reach a point, in the mean")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
   const Choices<PointProcess> points{{"stratified", PointProcess::stratified},
                                      {"poisson", PointProcess::poisson}};
   addValue(verb, "--points", material.pointProcess, oneOf(points), "stratified",
            "One impact in each cell of a grid, or a Poisson process")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
   const Choices<TextonVariance> variances{{"exemplar", TextonVariance::exemplar},
                                           {"periodic", TextonVariance::periodic}};
   addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
            "Whose contrast the noise has: the exemplar's, or its periodic component's")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
   const Choices<TextonFit> fits{{"transport", TextonFit::transport},
                                 {"projections", TextonFit::projections}};
   addValue(verb, "--fit", texton.fit, oneOf(fits), "transport",
            "By least transport distance, or by the paper's alternating projections")
-      ->group(kTextonGroup);
+      .group(kTextonGroup);
 }
 
 } // namespace
@@ -72,11 +72,10 @@ void addMethodOptions(CLI::App& verb, MethodOptions& options) {
 
 Result<void> checkMethodOptions(const CLI::App& verb, const MethodOptions& options) {
   for (const Method other : {Method::tiling, Method::texton})
-    for (const CLI::Option* option : verb.get_options())
-      if (other != options.method && option->get_group() == groupOf(other) && option->count() > 0)
-        return Error{ErrorKind::usage,
-                     option->get_name() + ": belongs to --method " + std::string(nameOf(other)) +
-                         "; with " + std::string(nameOf(options.method)) + " it is not accepted"};
+    if (const auto given = givenOf(verb, groupOf(other)); given && other != options.method)
+      return Error{ErrorKind::usage,
+                   *given + ": belongs to --method " + std::string(nameOf(other)) + "; with " +
+                       std::string(nameOf(options.method)) + " it is not accepted"};
   return {};
 }
 

@@ -5,6 +5,7 @@
 
 #include <lichen/image_io.h>
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
@@ -81,7 +82,7 @@ int run(int argc, char** argv) {
   std::string folder;
   int side = 0;
   std::vector<std::string> names;
-  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent")->required();
+  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent").required();
   cli::addTexts(app, "NAME", names, "...",
                 "Which ones: " + cli::alternatives(known) + " [default: the " +
                     std::to_string(exemplars::kMaterials.size()) + " materials, which come first]");
