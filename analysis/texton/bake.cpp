@@ -241,7 +241,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   shape.coefficientsX = coefficients.width;
   shape.coefficientsY = coefficients.height;
   shape.order = options.order;
-  shape.mipLevels = mipLevelsOf(coefficients.width, coefficients.height);
+  shape.mipLevels = shape.mostMipLevels();
   shape.texelsPerTileX = joint.width;
   shape.texelsPerTileY = joint.height;
   store(joint, maps, coefficients, options.bits, bake);
