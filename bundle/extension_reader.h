@@ -24,6 +24,10 @@ using Tables = std::vector<std::optional<Table>>;
 void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
                 NoiseMap& map);
 
+/// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
+void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+                       const Table& image);
+
 /// Where a mean of stored values can lie, with room for rounding.
 [[nodiscard]] NumberRange meanRange(ValueEncoding encoding);
 /// The table that member `key` names, or null. An index that is out of range is recorded.

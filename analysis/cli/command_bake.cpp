@@ -138,7 +138,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake bake) {
   file.bundle.noises = {std::move(bake.noise)};
   file.bundle.materials = {material};
 
-  Result<PreviewImages> previews = previewImages(file.bundle, 0, arguments.seed);
+  Result<PreviewImages> previews = previewImages(file.bundle, material);
   if (!previews)
     return previews.error();
   file.previews.push_back(std::move(previews).value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
+#include "method_group.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
@@ -28,11 +29,17 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::array<int, 2> size{};
+  // In place of the material's.
   std::optional<std::uint32_t> seed;
+  std::optional<double> contrast;
+  std::optional<double> sharpness;
+  std::optional<double> impacts;
+  std::optional<PointProcess> points;
   SynthesisOptions synthesis;
+  const CLI::App* verb = nullptr;
 };
 
-/// Finds the noise and the map that were named, and the seed.
+/// Finds the noise and the map that were named, and the pattern.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   const Result<std::size_t> noise = findNoise(bundle, arguments.bundle, arguments.noise);
   if (!noise)
@@ -45,9 +52,21 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
       placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
-  arguments.synthesis.noise = noise.value();
-  arguments.synthesis.map = chosen.maps[map.value()].target;
-  arguments.synthesis.seed = arguments.seed.value_or(seedOf(bundle, noise.value()));
+  if (const auto foreign = foreignOption(*arguments.verb, chosen.method))
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of {}, with which "
+                             "it is not accepted",
+                             foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
+                             nameOf(chosen.method))};
+  const MaterialNoise material = materialOf(bundle, noise.value());
+  SynthesisOptions& synthesis = arguments.synthesis;
+  synthesis.noise = noise.value();
+  synthesis.map = chosen.maps[map.value()].target;
+  synthesis.seed = arguments.seed.value_or(material.seed);
+  synthesis.contrast = arguments.contrast.value_or(material.contrast);
+  synthesis.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
+  synthesis.impacts = arguments.impacts.value_or(material.impacts);
+  synthesis.pointProcess = arguments.points.value_or(material.pointProcess);
   return {};
 }
 
@@ -120,15 +139,24 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "Another seed, another pattern [default: the material's]");
   addFlag(verb, "--tileable", synthesis.tileable,
           "Opposite borders of the image continue each other");
-  addValue(verb, "--sharpness", synthesis.blendSharpness, number(kBlendSharpnessRange), "1",
-           "Exponent of the blend weights");
-  addValue(verb, "--contrast", synthesis.contrast, number(kContrastRange), "1",
-           "Scale of the variation");
+  addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
+           "Scale of the variation [default: the material's]");
+  addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
+           "Exponent of the blend weights [default: the material's]")
+      .group(groupOf(Method::tiling));
   const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
                                          {"variance", BlendOperator::variancePreserving},
                                          {"linear", BlendOperator::linear}};
   addValue(verb, "--blend", synthesis.blend, oneOf(operators), "histogram",
-           "histogram is the method; the others show what it mends");
+           "histogram is the method; the others show what it mends")
+      .group(groupOf(Method::tiling));
+  addValue(verb, "--impacts", arguments->impacts, optional(number(kImpactsRange)), "",
+           "How many impacts reach a point, in the mean [default: the material's]")
+      .group(groupOf(Method::texton));
+  addValue(verb, "--points", arguments->points, optional(pointProcess()), "",
+           "One impact in each cell of a grid, or a Poisson process [default: the material's]")
+      .group(groupOf(Method::texton));
+  arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }
 

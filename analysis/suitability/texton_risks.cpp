@@ -5,6 +5,7 @@
 // exemplar's histogram nor its outlines. What is slower than the support is not in it either.
 #include "calibration.h"
 #include "progress_part.h"
+#include "risk_of.h"
 #include "tiling/map_ranges.h"
 #include "tiling/normality.h"
 
@@ -130,17 +131,6 @@ double deviationOf(const MapExemplar& map) {
   return std::sqrt(sum / double(channels));
 }
 
-Risk risk(std::string_view name, double measure, const Calibration& at, std::string measured,
-          const std::string& consequence, std::string remedy) {
-  const double score = scoreOf(measure, at);
-  if (score < kMildScore)
-    return {name, score, Risk::Level::none, std::move(measured), {}};
-  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
-          measured + ", " + consequence, std::move(remedy)};
-}
-
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
 std::string oneDecimal(double value) {
   const long tenths = std::lround(10.0 * value);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
@@ -167,19 +157,19 @@ std::vector<Risk> risksOf(const MapExemplar& map, int support, ProgressPart prog
   progress.reach(kHistogramOfProgress);
   const Waves waves =
       varies ? wavesOf(map, support, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
-  return {risk("histogram", histogram, kTextonHistogram,
-               "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
-               "so that other colours than the exemplar's will appear",
-               "--method tiling, which keeps them"),
-          risk("outlines", waves.outlines, kTextonOutlines,
-               "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
-                   ", where Gaussian noise has 3",
-               "so that what stands out will be lost", "--method tiling, which keeps more of it"),
-          risk("low-frequency", waves.slow[0], kTextonSlow,
-               percent(waves.slow[0]) + " of the variation is slower than the texton's " +
-                   std::to_string(support) + " texels",
-               "and will be missing",
-               supportFor(map, support, waves) + "--flatten auto, or --method tiling")};
+  return {riskOf("histogram", scoreOf(histogram, kTextonHistogram),
+                 "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
+                 "so that other colours than the exemplar's will appear",
+                 "--method tiling, which keeps them"),
+          riskOf("outlines", scoreOf(waves.outlines, kTextonOutlines),
+                 "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
+                     ", where Gaussian noise has 3",
+                 "so that what stands out will be lost", "--method tiling, which keeps more of it"),
+          riskOf("low-frequency", scoreOf(waves.slow[0], kTextonSlow),
+                 percent(waves.slow[0]) + " of the variation is slower than the texton's " +
+                     std::to_string(support) + " texels",
+                 "and will be missing",
+                 supportFor(map, support, waves) + "--flatten auto, or --method tiling")};
 }
 
 } // namespace

@@ -90,12 +90,10 @@ JointExemplar joined(std::span<const MapExemplar> maps) {
   return joint;
 }
 
-/// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
-std::vector<float> seenWeights(const MapExemplar& first, std::size_t channels) {
-  std::vector<float> weights(channels, 0.0f);
-  std::fill_n(weights.begin(), first.channels.size(), 1.0f);
-  if (first.channels.front() == MapChannel::red)
-    std::copy(kLuminanceWeights.begin(), kLuminanceWeights.end(), weights.begin());
+/// Of all channels: those of the first map as an eye sees them.
+std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
+  std::vector<float> weights = seenWeights(first.channels);
+  weights.resize(channels, 0.0f);
   return weights;
 }
 
@@ -225,7 +223,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   bake.quality.modelError = relativeModelError(model, coefficients, options.order);
   for (std::size_t c = 0; c < joint.channels; ++c)
     bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
-  bake.quality.flatness = flatness(coefficients, seenWeights(maps.front(), joint.channels));
+  bake.quality.flatness = flatness(coefficients, firstMapWeights(maps.front(), joint.channels));
   bake.quality.heldOutError =
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);
@@ -241,7 +239,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   shape.coefficientsX = coefficients.width;
   shape.coefficientsY = coefficients.height;
   shape.order = options.order;
-  shape.mipLevels = mipLevelsOf(coefficients.width, coefficients.height);
+  shape.mipLevels = shape.mostMipLevels();
   shape.texelsPerTileX = joint.width;
   shape.texelsPerTileY = joint.height;
   store(joint, maps, coefficients, options.bits, bake);

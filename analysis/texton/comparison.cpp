@@ -6,11 +6,28 @@
 #include "comparison.h"
 
 #include "comparison_kernels.h"
+#include "interpolation.h"
+
+#include <lichen/spectrum.h>
 
 #include <cassert>
-#include <cmath>
 
 namespace lichen::texton {
+namespace {
+
+/// The model of coefficients whose B-spline interpolation has the given model. [GLM17] eq. 4.
+GaussianModel coefficientModel(const GaussianModel& model, int order) {
+  const std::vector<float> kernelX = kernelAmplitudes(order, model.width());
+  const std::vector<float> kernelY = kernelAmplitudes(order, model.height());
+  GaussianModel result = model;
+  for (HalfSpectrum& channel : result.channels)
+    for (int v = 0; v < channel.height; ++v)
+      for (int u = 0; u < channel.columns(); ++u)
+        channel.at(u, v) /= kernelX[std::size_t(u)] * kernelY[std::size_t(v)];
+  return result;
+}
+
+} // namespace
 
 double flatness(const TextonCoefficients& spot, std::span<const float> weights) {
   assert(weights.size() == std::size_t(spot.channels));
@@ -27,25 +44,20 @@ double flatness(const TextonCoefficients& spot, std::span<const float> weights) 
   return squares > 0.0 ? double(pixels) * fourths / (squares * squares) : 0.0;
 }
 
-KernelComparison compareKernels(const GaussianModel& model, std::span<const float> weights,
-                                const ComparisonOptions& options) {
-  assert(options.impacts > 0.0);
-  constexpr int kOrder = 0;
+std::vector<float> seenWeights(std::span<const MapChannel> channels) {
+  if (channels.front() == MapChannel::red)
+    return {kLuminanceWeights.begin(), kLuminanceWeights.end()};
+  return std::vector<float>(channels.size(), 1.0f);
+}
+
+KernelComparison compareKernels(const GaussianModel& model, const TextonCoefficients& texton,
+                                int order, std::span<const float> weights, std::uint32_t seed) {
   const auto judged = [&](const TextonCoefficients& spot) {
-    KernelJudgement judgement;
-    judgement.relativeError = relativeModelError(model, spot, kOrder);
-    judgement.flatness = flatness(spot, weights);
-    judgement.excessKurtosis = judgement.flatness / options.impacts;
-    return judgement;
+    return KernelJudgement{relativeModelError(model, spot, order), flatness(spot, weights)};
   };
-  FitOptions fit;
-  fit.width = options.width;
-  fit.height = options.height;
-  fit.order = kOrder;
-  fit.seed = options.seed;
-  return {judged(fitCoefficients(model, fit, FitMethod::transportDistance)),
-          judged(luminanceTexton(model, options.width, options.height)),
-          judged(randomPhaseKernel(model, options.width, options.height, options.seed))};
+  const GaussianModel coefficients = coefficientModel(model, order);
+  return {judged(texton), judged(luminanceTexton(coefficients, texton.width, texton.height)),
+          judged(randomPhaseKernel(coefficients, texton.width, texton.height, seed))};
 }
 
 } // namespace lichen::texton

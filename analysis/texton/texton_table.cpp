@@ -10,14 +10,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 
 namespace lichen::texton {
 namespace {
-
-/// Texels of the last mip along the shorter side of the coefficients.
-constexpr int kFewestTexels = 4;
 
 /// Texels of one channel, row by row; zero beyond.
 struct Plane {
@@ -91,11 +87,6 @@ std::vector<double> keptShares(std::vector<Plane> mips, int order) {
 }
 
 } // namespace
-
-int mipLevelsOf(int coefficientsX, int coefficientsY) {
-  const int shorter = std::min(coefficientsX, coefficientsY);
-  return int(std::bit_width(unsigned(std::max(1, shorter / kFewestTexels))));
-}
 
 Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& shape,
                   std::size_t firstChannel, std::span<const double> scale, int bits) {

@@ -11,10 +11,6 @@
 
 namespace lichen::texton {
 
-/// Mip levels of textons of this many coefficients: the last one's texels are at most a quarter of
-/// the shorter side.
-[[nodiscard]] int mipLevelsOf(int coefficientsX, int coefficientsY);
-
 /// The table of some channels, 1 to 3, of one texton for each step: frames one above the other,
 /// with mips of box averages. Each channel is divided by its `scale`; one of scale 0 is 0. `bits`
 /// 16 or 32, of floats.

@@ -16,13 +16,6 @@ namespace {
 
 using Value = TilingEvaluator::Value;
 
-Value mix(const Value& a, const Value& b, float t) {
-  Value result;
-  for (std::size_t c = 0; c < 4; ++c)
-    result[c] = a[c] + t * (b[c] - a[c]);
-  return result;
-}
-
 /// Abramowitz and Stegun 7.1.28, |error| <= 3e-7.
 float errorFunction(float x) {
   const float a = std::abs(x);

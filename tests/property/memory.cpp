@@ -176,7 +176,7 @@ TEST_CASE("an evaluation that runs out of memory says so, whichever allocation f
   options.width = options.height = 64;
   CHECK(exhaustMemory(First::each, [&] { return synthesize(bundle, options); }) > 3);
   CHECK(exhaustMemory(First::each, [&] {
-          return synthesizePreview(bundle, 0, MapTarget::baseColor, 1, 1);
+          return synthesizePreview(bundle, MaterialNoise(), MapTarget::baseColor, 1);
         }) > 3);
 }
 
@@ -264,7 +264,7 @@ TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails
   options.tileable = true;
   CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
   constexpr auto kMap = MapTarget::baseColor;
-  CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, 0, kMap, 1, 0); }) > 0);
+  CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, MaterialNoise(), kMap, 0); }) > 0);
   CHECK(exhaustRefusal([&] { return TilingEvaluator::create(bundle, 1); }) > 0);
 
   const SrgbImage empty;

@@ -31,40 +31,50 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   return map;
 }
 
-/// A texton of pattern texels, those outside the coefficients 0.
-Table patternTexton(const TextonShape& shape, TexelFormat format) {
-  Table table{"",
+/// Averages of 2 x 2 texels of an image of even sides, `channels` interleaved values each.
+std::vector<double> halved(const std::vector<double>& image, std::size_t width,
+                           std::size_t channels = 1) {
+  std::vector<double> half;
+  const std::size_t row = width * channels;
+  for (std::size_t y = 0; y < image.size() / row; y += 2)
+    for (std::size_t x = 0; x < width; x += 2)
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double* texel = &image[y * row + x * channels + c];
+        half.push_back((texel[0] + texel[channels] + texel[row] + texel[row + channels]) / 4.0);
+      }
+  return half;
+}
+
+/// A texton's table of an image of its frames, `channels` interleaved values a texel, with mips.
+Table textonTable(std::string name, const TextonShape& shape, TexelFormat format,
+                  std::vector<double> image) {
+  Table table{std::move(name),
               format,
               shape.frameWidth(),
               shape.frameHeight() * std::uint32_t(shape.steps),
               0,
               std::uint32_t(shape.mipLevels),
               {}};
-  const auto channels = std::size_t(channelCount(format));
   for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
-    const std::uint32_t width = table.width >> level, height = table.height >> level;
-    std::vector<float> values(channels * width * height);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t x = i / channels % width;
-      const std::size_t y = i / channels / width % (shape.frameHeight() >> level);
-      if (x << level < std::size_t(shape.coefficientsX) &&
-          y << level < std::size_t(shape.coefficientsY))
-        values[i] = float(i * 37 % 256) / 512.0f - 0.25f;
-    }
+    if (level > 0)
+      image = halved(image, table.width >> (level - 1), std::size_t(channelCount(format)));
+    const std::vector<float> values(image.begin(), image.end());
     appendTexels(table.texels, format, values);
   }
   return table;
 }
 
-/// Averages of 2 x 2 texels of a square image.
-std::vector<double> halved(const std::vector<double>& image, std::size_t side) {
-  std::vector<double> half;
-  for (std::size_t y = 0; y < side; y += 2)
-    for (std::size_t x = 0; x < side; x += 2)
-      half.push_back((image[y * side + x] + image[y * side + x + 1] + image[(y + 1) * side + x] +
-                      image[(y + 1) * side + x + 1]) /
-                     4.0);
-  return half;
+/// A texton of pattern texels, those outside the coefficients 0.
+Table patternTexton(const TextonShape& shape, TexelFormat format) {
+  const auto channels = std::size_t(channelCount(format));
+  const std::size_t width = shape.frameWidth(), height = shape.frameHeight();
+  std::vector<double> image(channels * width * height * std::size_t(shape.steps));
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const std::size_t x = i / channels % width, y = i / channels / width % height;
+    if (x < std::size_t(shape.coefficientsX) && y < std::size_t(shape.coefficientsY))
+      image[i] = double(i * 37 % 256) / 512.0 - 0.25;
+  }
+  return textonTable("", shape, format, std::move(image));
 }
 
 /// The integral of the square of what bilinear interpolation makes of texels of one unit.
@@ -86,6 +96,16 @@ MaterialNoise useOf(std::size_t noise) {
   MaterialNoise use;
   use.noise = noise;
   return use;
+}
+
+/// The only noise of a file without a scene: of one map, and used by one material.
+void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
+  noise.maps.push_back(std::move(map));
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.push_back(useOf(0));
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
 }
 
 } // namespace
@@ -127,12 +147,7 @@ BundleFile smallest() {
   map.inverseTable = addTable(
       file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
   map.levels = levels(2);
-  noise.maps.push_back(std::move(map));
-  file.bundle.noises.push_back(std::move(noise));
-  file.bundle.materials.push_back(useOf(0));
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  file.generator = "lichen tests";
+  addNoise(file, std::move(noise), std::move(map));
   return file;
 }
 
@@ -159,27 +174,12 @@ BundleFile smallestTexton() {
   map.scale = {6.0 * std::sqrt(map.covariance[0])};
   for (double& texel : texels)
     texel /= 6.0 * std::sqrt(energy); // so that the variance is the map's
-  Table table{"dune.height.texton",
-              TexelFormat::r16Sfloat,
-              std::uint32_t(side),
-              std::uint32_t(side),
-              0,
-              std::uint32_t(shape.mipLevels),
-              {}};
   const std::vector<double> coarse = halved(texels, side);
-  for (const std::vector<double>& level : {texels, coarse}) {
-    const std::vector<float> values(level.begin(), level.end());
-    appendTexels(table.texels, table.format, values);
-  }
   constexpr double kCoarseTexelArea = 4.0;
   map.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
-  map.image = addTable(file.bundle, std::move(table));
-  noise.maps.push_back(std::move(map));
-  file.bundle.noises.push_back(std::move(noise));
-  file.bundle.materials.push_back(useOf(0));
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  file.generator = "lichen tests";
+  map.image = addTable(file.bundle, textonTable("dune.height.texton", shape, TexelFormat::r16Sfloat,
+                                                std::move(texels)));
+  addNoise(file, std::move(noise), std::move(map));
   return file;
 }
 
