@@ -7,10 +7,11 @@
 namespace lichen::texton {
 namespace {
 
-std::uint32_t wrapped(std::int32_t cell, std::int32_t period) {
+/// A cell's number modulo 2^32, or in [0, period).
+std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
   if (period == 0)
     return std::uint32_t(cell);
-  const std::int32_t rest = cell % period;
+  const std::int64_t rest = cell % period;
   return std::uint32_t(rest < 0 ? rest + period : rest);
 }
 
@@ -38,8 +39,9 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     return x * x + y * y;
   };
   Impacts impacts;
-  impacts.footprintLevel =
+  const float lambda =
       0.5f * std::log2(std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)}));
+  impacts.footprintLevel = std::max(0.5f * lambda, lambda - 0.5f); // lichenSharpLevel
   impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
   const Reach reach = mipReach(impacts.level, texton);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -65,9 +67,8 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     impacts.start[k] = shift + (inside - first) * impacts.cellTexels[k];
     // Half a cell further than the last: sums of sides are rounded.
     impacts.end[k] = impacts.start[k] - (last - first + 0.5f) * impacts.cellTexels[k];
-    const auto sum = std::uint32_t(std::int32_t(cell)) + std::uint32_t(std::int32_t(first)) +
-                     std::uint32_t(origin[k]);
-    impacts.firstCell[k] = wrapped(std::int32_t(sum), period[k]);
+    // 64 bits: 2^28 tiles may have 2^47 cells.
+    impacts.firstCell[k] = wrapped(std::int64_t(cell) + std::int64_t(first) + origin[k], period[k]);
   }
   return impacts;
 }
