@@ -15,6 +15,18 @@ std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
   return std::uint32_t(rest < 0 ? rest + period : rest);
 }
 
+/// lichenSetFootprint, where the sampler is trilinear.
+float footprintLevel(const TileFootprint& at, const Vec2& texelsPerTile) {
+  const Vec2 x{at.dx[0] * texelsPerTile[0], at.dx[1] * texelsPerTile[1]};
+  const Vec2 y{at.dy[0] * texelsPerTile[0], at.dy[1] * texelsPerTile[1]};
+  constexpr float kMostSlant = 16.0f;
+  const float squared = std::max({1.0f, x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]});
+  const float area = std::abs(x[0] * y[1] - x[1] * y[0]);
+  const float slant = std::min(squared / std::max(area, std::sqrt(squared)), kMostSlant);
+  const float lambda = std::max(0.0f, 0.5f * std::log2(squared) - 0.25f * std::log2(slant));
+  return std::max(0.5f * lambda, lambda - 0.5f); // lichenSharpLevel
+}
+
 } // namespace
 
 Reach mipReach(float level, const shader::LichenTexton& texton) {
@@ -33,15 +45,8 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
   const Vec2 fraction{noise.fractionI, noise.fractionJ};
   const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
   const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
-  const auto squaredTexels = [&](const Vec2& d) {
-    const float x = d[0] * texelsPerTile[0];
-    const float y = d[1] * texelsPerTile[1];
-    return x * x + y * y;
-  };
   Impacts impacts;
-  const float lambda =
-      0.5f * std::log2(std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)}));
-  impacts.footprintLevel = std::max(0.5f * lambda, lambda - 0.5f); // lichenSharpLevel
+  impacts.footprintLevel = footprintLevel(at, texelsPerTile);
   impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
   const Reach reach = mipReach(impacts.level, texton);
   for (std::size_t k = 0; k < 2; ++k) {

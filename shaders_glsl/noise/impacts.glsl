@@ -128,8 +128,14 @@ void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
   impacts.majorAxis = major * direction;
   impacts.minorAxis = minor * vec2(-direction.y, direction.x);
 #else
-  float squared = max(dot(texelsX, texelsX), dot(texelsY, texelsY));
-  impacts.footprintLevel = lichenSharpLevel(0.5 * log2(max(1.0, squared)));
+  // Of a slanted pixel a quarter of the way from the longer side to the shorter, which is at least
+  // a texel: the least difference from its average (docs/decisions/018-texton-filtering.md).
+  const float kMostSlant = 16.0;
+  float squared = max(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));
+  float area = abs(texelsX.x * texelsY.y - texelsX.y * texelsY.x);
+  float slant = min(squared / max(area, sqrt(squared)), kMostSlant);
+  impacts.footprintLevel =
+      lichenSharpLevel(max(0.0, 0.5 * log2(squared) - 0.25 * log2(slant)));
   impacts.level = min(impacts.footprintLevel, lastLevel);
 #endif
 }

@@ -228,9 +228,8 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
     for (MixedPoint& mixed : points) {
       // Half a level more than the mip's.
       const float level = one.mip == 0 ? 0.0f : float(one.mip) + 0.5f;
-      const float pixel = std::exp2(level) / float(one.texton.texelsPerTileX);
-      mixed.point.gradientX = {pixel, 0.0f};
-      mixed.point.gradientY = {0.0f, pixel};
+      mixed.point.gradientX = {std::exp2(level) / float(one.texton.texelsPerTileX), 0.0f};
+      mixed.point.gradientY = {0.0f, std::exp2(level) / float(one.texton.texelsPerTileY)};
     }
     const auto values = twins.shader(kGaussian, one.info, points);
     const shader::LichenUniforms& u = twins.host.uniforms();
