@@ -10,9 +10,10 @@
 namespace lichen {
 namespace {
 
-/// How many cells come nearest to filling a length: at least one, and countable.
+/// How many cells come nearest to filling a length: at least one, and so few that an int holds
+/// three periods of them.
 int cellsIn(double lengthTexels, double sideTexels) {
-  constexpr double kMostCells = 1 << 30;
+  constexpr double kMostCells = 1 << 29;
   return int(std::clamp(std::round(lengthTexels / sideTexels), 1.0, kMostCells));
 }
 

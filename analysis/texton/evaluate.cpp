@@ -48,11 +48,7 @@ public:
     Vec2 texel = texelAt(place);
     const float frame = frameAt(texel);
     const float minified = std::min(impacts_.level, 1.0f);
-    if (shape_.order == 0) // steps where magnified, none from the first mip on
-      for (float& coordinate : texel) {
-        const float step = std::floor(coordinate) + 0.5f;
-        coordinate = step * (1.0f - minified) + coordinate * minified;
-      }
+    texel = stepped(texel);
     if (!isCubic())
       return fetch(texel, frame, impacts_.level);
     // Between the spline and the first mip.
@@ -75,7 +71,9 @@ public:
       return fetch(clamped({texel[0] + x, texel[1] + y}, reach), frame, level)[0];
     };
     const float half = 0.5f * side;
-    std::array<float, 3> result{first(0.0f, 0.0f), (first(half, 0.0f) - first(-half, 0.0f)) / side,
+    // The value of order 0 has steps; its differences are those between them.
+    const float value = fetch(clamped(stepped(texel), reach), frame, level)[0];
+    std::array<float, 3> result{value, (first(half, 0.0f) - first(-half, 0.0f)) / side,
                                 (first(0.0f, half) - first(0.0f, -half)) / side};
     if (!isCubic())
       return result;
@@ -97,6 +95,18 @@ private:
 
   [[nodiscard]] Vec2 texelAt(const Vec2& place) const {
     return {place[0] + impacts_.middle[0], place[1] + impacts_.middle[1]};
+  }
+
+  /// Of order 0: steps where magnified, none from the first mip on.
+  [[nodiscard]] Vec2 stepped(Vec2 texel) const {
+    if (shape_.order != 0)
+      return texel;
+    const float minified = std::min(impacts_.level, 1.0f);
+    for (float& coordinate : texel) {
+      const float step = std::floor(coordinate) + 0.5f;
+      coordinate = step * (1.0f - minified) + coordinate * minified;
+    }
+    return texel;
   }
 
   /// The top of an impact's frame in the image: of a mix, that of its own place. [GLM17] section 7.
@@ -154,8 +164,8 @@ float knownLevel(const Impacts& impacts) {
 /// the amplitude falls as the deviation does.
 float gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
              const shader::LichenTexton& texton, const shader::LichenMap& map) {
-  const float kept = levelKept(map, impacts.level);
-  const float ratio = kept > 0.0f ? std::sqrt(levelKept(map, knownLevel(impacts)) / kept) : 0.0f;
+  const float kept = textonKept(map, impacts.level);
+  const float ratio = kept > 0.0f ? std::sqrt(textonKept(map, knownLevel(impacts)) / kept) : 0.0f;
   return noise.contrast * ratio * texton.amplitude;
 }
 
@@ -206,16 +216,18 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   const Map& map = (*maps_)[mapIndex];
   const Impacts impacts = texton::impactsWithin(0.0f, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
-  Value sum{};
-  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
-    const Value h = textons.at(place);
-    for (std::size_t c = 0; c < 3; ++c)
-      sum[c] += sign * h[c];
-  });
   const float gain = gainOf(impacts, noise, texton, map.constants);
+  Value sum{};
+  // From so far that nothing is left to see, the mean needs no impacts.
+  if (gain > 0.0f)
+    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+      const Value h = textons.at(place);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += sign * h[c];
+    });
   for (std::size_t c = 0; c < 3; ++c)
     sum[c] = 0.5f + gain * sum[c];
-  sum[3] = 1.0f - levelKept(map.constants, knownLevel(impacts));
+  sum[3] = 1.0f - textonKept(map.constants, knownLevel(impacts));
   return sum;
 }
 
@@ -224,7 +236,7 @@ Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
                                 const MixPlace& mix) const {
   const Value value = gaussian(mapIndex, noise, texton, at, mix);
   // Contrast scales what is missing with what is there.
-  const float lost = std::min(1.0f, noise.contrast * noise.contrast * value[3]);
+  const float lost = noise.contrast * noise.contrast * value[3];
   return decodedGaussian(mixed((*maps_)[mapIndex].constants, texton, mix),
                          {value[0], value[1], value[2]}, lost);
 }
@@ -237,13 +249,14 @@ std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
   constexpr float kMargin = 0.5f; // what differences reach beyond the texton
   const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
-  std::array<float, 3> sum{};
-  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
-    const std::array<float, 3> h = textons.gradientAt(place);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += sign * h[k];
-  });
   const float scale = map.constants.row0.x * gainOf(impacts, noise, texton, map.constants);
+  std::array<float, 3> sum{};
+  if (scale > 0.0f)
+    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+      const std::array<float, 3> h = textons.gradientAt(place);
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[k] += sign * h[k];
+    });
   return {mixed(map.constants, texton, mix).row0.w + scale * sum[0],
           scale * sum[1] * texton.texelsPerTileX, scale * sum[2] * texton.texelsPerTileY};
 }

@@ -207,8 +207,7 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
     return decodeJoint(map, gaussian, lost);
   if (map.constants.decoding == LICHEN_DECODING_SEPARABLE)
     return decodeSeparable(map, gaussian, lost);
-  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
-                         std::min(1.0f, lost));
+  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]}, lost);
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,

@@ -17,8 +17,8 @@ namespace lichen {
                                           std::size_t map);
 
 /// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
-/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, [0, 1], is
-/// missing.
+/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, at least 0 and
+/// above 1 where contrast is, is missing: its mean over what is missing, for sRGB within 0.0005.
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
                                                    float lostVariance);
