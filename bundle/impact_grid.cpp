@@ -79,9 +79,10 @@ shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& mat
                                                                        : LICHEN_POINTS_STRATIFIED;
   if (material.mapping == Mapping::surface) {
     // [GLM17] proposition 3: the variance is lambda r / 3 times that of the texton.
-    const double cell = shape.texelsPerTileX / surfaceGrid(shape, material.impacts).columnsPerTile;
-    result.surfaceCellTexels = float(cell);
-    result.amplitude = float(std::sqrt(3.0 * cell * cell * cell / surfaceThickness(shape)));
+    const double cube = shape.texelsPerTileX / surfaceGrid(shape, material.impacts).columnsPerTile;
+    const double lambda = 1.0 / (cube * cube * cube);
+    result.surfaceCubeTexels = float(cube);
+    result.amplitude = float(1.0 / std::sqrt(lambda * surfaceThickness(shape) / 3.0));
     return result;
   }
   const Lattice grid = impactGrid(shape, material.impacts, placement);

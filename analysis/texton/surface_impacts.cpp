@@ -67,7 +67,7 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
   plane.dy = {tilesPerMetre * dot(frame.right, at.dy), perHeight * dot(frame.down, at.dy)};
   SurfaceImpacts surface;
   surface.impacts = impactsWithin(0.0f, plane, noise, texton);
-  const float side = texton.surfaceCellTexels;
+  const float side = texton.surfaceCubeTexels;
   const float greatestHeight = 0.5f * thickness(texton);
   const Vec3 none{};
   surface.axes = {combined(side, frame.right, 0.0f, none), combined(side, frame.down, 0.0f, none),

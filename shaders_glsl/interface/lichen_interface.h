@@ -57,8 +57,8 @@ struct LichenNoise {
   float blendSharpness; // [0.25, 16] exponent of the blend weights
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
   // The lattice of tiling, or the grid of impacts of texton noise: cells per tile, and where the
-  // host's integer tile origin lies inside its cell. Cells of surface noise are cubes, all of them
-  // columnsPerTile to the width of a tile.
+  // host's integer tile origin lies inside its cell. Cells of surface noise are cubes,
+  // columnsPerTile of them to the width of a tile.
   float columnsPerTile, rowsPerTile;
   float fractionI, fractionJ;       // [0, 1)
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
@@ -101,7 +101,7 @@ struct LichenTexton {
   uint steps;                           // frames of an image, one above the other
   uint pointProcess;                    // LICHEN_POINTS_*
   float amplitude;         // [texels] of one impact; of surface noise, of one in the tangent plane
-  float surfaceCellTexels; // side of the cubic cells of surface noise, 0 of noise in a plane
+  float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
 };
 
 /// The uniform block.

@@ -43,7 +43,7 @@ bool lichenIsTexton(LichenNoise noise) {
 
 /// Whether texton noise is mapped onto a surface; known at compile time where none is.
 bool lichenIsSurface(LichenTexton texton) {
-  return bool(LICHEN_SURFACE_TEXTONS) && texton.surfaceCellTexels > 0.0;
+  return bool(LICHEN_SURFACE_TEXTONS) && texton.surfaceCubeTexels > 0.0;
 }
 
 /// The place at `position` [tiles, relative to the host's integer tile origin] of a pixel with

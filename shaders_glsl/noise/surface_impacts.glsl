@@ -17,28 +17,27 @@
 /// three parts: two in texels, in the frame of the impact's texton, from the middle of what that
 /// reaches, and the height over the tangent plane in units of the greatest that counts.
 struct LichenSurfaceImpacts {
-  vec3 place;   // of the point seen from its cube's corner
-  mat3 axes;    // `way * axes` is how much less the place is, seen from the way's end
-  vec3 radius;  // of places from which impacts reach the point
-  ivec3 cell;   // the cube that holds the point
+  vec3 place;  // of the point seen from its cube's corner
+  mat3 axes;   // `way * axes` is how much less the place is, seen from the way's end
+  vec3 radius; // of places from which impacts reach the point
+  ivec3 cell;  // the cube that holds the point
   vec2 firstColumn, lastColumn; // those of cubes, all along z, that may reach the point
   // Where along z the places of a column are in reach, by each of their parts: half the length of
-  // it, the middle of it in the first column, and how that moves from column to column.
+  // it, the middle of it in the column (0, 0), and how that moves from column to column.
   vec3 columnReach, columnMiddle, columnStepX, columnStepY;
 };
 
 /// A walk over the cubes, column by column. All of it but the last three members is about the next
-/// impact, which may turn out not to exist or not to reach the point.
+/// impact, which may turn out not to exist or not to reach the point. It is small: devices that
+/// compute pixels together carry each member through their loops under a mask.
 struct LichenSurfaceWalk {
-  vec2 column;      // way to the column
-  uvec3 columnCell; // its cell and the seed, after the first step of the hash
+  vec2 column; // way to the column
   uvec2 columnHash;
-  vec3 columnMiddle, rowMiddle; // in this column, and in the first of its row
-  float cube, lastCube;         // ways along z: to the cube, and to the last of the column
-  uint index;                   // of the impact in its cube
-  bool isReached;               // whether the last impact exists and reaches the point
-  vec2 place;                   // of the point, seen from the last impact
-  float weight;                 // of the last impact, with its sign
+  float cube, lastCube; // ways along z: to the cube, and to the last of the column
+  uint index;           // of the impact in its cube
+  bool isReached;       // whether the last impact exists and reaches the point
+  vec2 place;           // of the point, seen from the last impact
+  float weight;         // of the last impact, with its sign
 };
 
 /// How thick a layer of impacts a point sees. [texels]
@@ -55,7 +54,7 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
                                             LichenImpacts impacts, LichenNoise noise,
                                             LichenTexton texton) {
   LichenSurfaceImpacts surface;
-  float side = texton.surfaceCellTexels;
+  float side = texton.surfaceCubeTexels;
   float greatestHeight = 0.5 * lichenSurfaceThickness(texton);
   vec3 scale = vec3(side, side, side / greatestHeight);
   surface.axes = mat3(scale.x * right, scale.y * down, scale.z * outward);
@@ -84,51 +83,44 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   surface.columnReach = (surface.radius + 0.5 * (abs(alongX) + abs(alongY))) * abs(perWay);
   surface.columnStepX = -alongX * perWay;
   surface.columnStepY = -alongY * perWay;
-  vec2 centre = surface.firstColumn + 0.5;
-  surface.columnMiddle = surface.place * perWay + centre.x * surface.columnStepX +
-                         centre.y * surface.columnStepY;
+  surface.columnMiddle =
+      surface.place * perWay + 0.5 * (surface.columnStepX + surface.columnStepY);
   return surface;
 }
 
 /// Sets what a walk knows of its column.
-void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
-  vec3 low = walk.columnMiddle - surface.columnReach;
-  vec3 high = walk.columnMiddle + surface.columnReach;
+void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                       LichenNoise noise) {
+  vec3 middle = surface.columnMiddle + walk.column.x * surface.columnStepX +
+                walk.column.y * surface.columnStepY;
+  vec3 low = middle - surface.columnReach;
+  vec3 high = middle + surface.columnReach;
   // Where nothing is in reach it has one cube, which is looked at in vain.
   walk.cube = floor(max(low.x, max(low.y, low.z)));
   walk.lastCube = floor(min(high.x, min(high.y, high.z)));
-  walk.columnHash = lichenPcg3dMix(walk.columnCell).xy;
+  uvec2 cell = uvec2(surface.cell.xy + ivec2(walk.column));
+  walk.columnHash = lichenPcg3d(uvec3(cell, noise.seedWord)).xy;
 }
 
 /// A walk before its first impact.
 LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceImpacts surface, LichenNoise noise) {
   LichenSurfaceWalk walk;
   walk.column = surface.firstColumn;
-  ivec2 cell = surface.cell.xy + ivec2(surface.firstColumn);
-  walk.columnCell =
-      uvec3(uvec2(cell), noise.seedWord) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
-  walk.columnMiddle = surface.columnMiddle;
-  walk.rowMiddle = surface.columnMiddle;
   walk.index = 0u;
   walk.isReached = false;
   walk.place = vec2(0.0);
   walk.weight = 0.0;
-  lichenEnterColumn(walk, surface);
+  lichenEnterColumn(walk, surface, noise);
   return walk;
 }
 
 /// To the next column, row by row.
-void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
-  bool endsRow = walk.column.x + 1.0 > surface.lastColumn.x;
-  uint firstCell = uint(surface.cell.x + int(surface.firstColumn.x)) * LICHEN_PCG3D_FACTOR +
-                   LICHEN_PCG3D_TERM;
-  walk.columnCell.x = endsRow ? firstCell : walk.columnCell.x + LICHEN_PCG3D_FACTOR;
-  walk.columnCell.y += endsRow ? LICHEN_PCG3D_FACTOR : 0u;
-  walk.column =
-      endsRow ? vec2(surface.firstColumn.x, walk.column.y + 1.0) : walk.column + vec2(1.0, 0.0);
-  walk.rowMiddle += endsRow ? surface.columnStepY : vec3(0.0);
-  walk.columnMiddle = endsRow ? walk.rowMiddle : walk.columnMiddle + surface.columnStepX;
-  lichenEnterColumn(walk, surface);
+void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                      LichenNoise noise) {
+  walk.column.x += 1.0;
+  if (walk.column.x > surface.lastColumn.x)
+    walk.column = vec2(surface.firstColumn.x, walk.column.y + 1.0);
+  lichenEnterColumn(walk, surface, noise);
 }
 
 /// Where an impact lies in its cube, [0, 1).
@@ -140,7 +132,7 @@ vec3 lichenImpactInCube(uint word) {
 
 /// One step of a walk.
 void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                       LichenTexton texton) {
+                       LichenNoise noise, LichenTexton texton) {
   bool isPoisson =
       bool(LICHEN_POISSON_POINTS) && texton.pointProcess == uint(LICHEN_POINTS_POISSON);
   uint cell = uint(surface.cell.z + int(walk.cube));
@@ -162,7 +154,7 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
     walk.index = 0u;
     walk.cube += 1.0;
     if (walk.cube > walk.lastCube)
-      lichenNextColumn(walk, surface);
+      lichenNextColumn(walk, surface, noise);
   }
 }
 
@@ -171,12 +163,14 @@ bool lichenGoesOn(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
   return walk.column.y <= surface.lastColumn.y;
 }
 
-/// Goes on to the next impact that reaches the point, or to the end.
+/// Goes on to the next impact that reaches the point, or to the end. Pixels that are computed
+/// together mostly agree on it, and then nothing is fetched in vain.
 void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                             LichenTexton texton) {
-  do
-    lichenSurfaceStep(walk, surface, texton);
-  while (!walk.isReached && lichenGoesOn(walk, surface));
+                             LichenNoise noise, LichenTexton texton) {
+  // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.
+  walk.isReached = false;
+  while (!walk.isReached && lichenGoesOn(walk, surface))
+    lichenSurfaceStep(walk, surface, noise, texton);
 }
 
 #endif

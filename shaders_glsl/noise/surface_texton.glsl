@@ -16,7 +16,7 @@ vec3 lichenSurfaceTextonSum(sampler2D image, LichenImpacts impacts, LichenSurfac
   vec3 sum = vec3(0.0);
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, noise);
   while (lichenGoesOn(walk, surface)) {
-    lichenNextSurfaceImpact(walk, surface, texton);
+    lichenNextSurfaceImpact(walk, surface, noise, texton);
     float weight = walk.isReached ? walk.weight : 0.0;
     sum += weight * lichenTextonAt(image, walk.place + impacts.middle, impacts, texton);
   }
@@ -29,7 +29,7 @@ int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenNoise noise,
   int count = 0;
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, noise);
   while (lichenGoesOn(walk, surface)) {
-    lichenNextSurfaceImpact(walk, surface, texton);
+    lichenNextSurfaceImpact(walk, surface, noise, texton);
     count += walk.isReached ? 1 : 0;
   }
   return count;

@@ -166,7 +166,7 @@ TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1
             .coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
         SyntheticTexton{.order = 3, .channels = 1}, SyntheticTexton{.steps = 3, .channels = 1}}) {
     Twins twins(texton);
-    const std::vector<SurfacePoint> points = samplePoints(texton, 400);
+    const std::vector<SurfacePoint> points = samplePoints(texton, 250);
     int uniforms = 0;
     for (const LichenUniformInfo& info : manyUniforms()) {
       const auto values = twins.shader(kValue, info, points);
@@ -257,7 +257,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
   for (const auto& count : counts)
     mean += double(count[0]) / double(counts.size());
   // lambda times the box of (22, 19, sqrt(22 * 19)) texels.
-  const double cube = double(twins.host.uniforms().texton.surfaceCellTexels);
+  const double cube = double(twins.host.uniforms().texton.surfaceCubeTexels);
   const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
   CHECK(expected == Approx(60.0).epsilon(0.1));
   // 400 points; a Bernoulli variable for each cube on the border, of some 90: 5 standard errors.

@@ -191,7 +191,7 @@ TEST_CASE("impacts, their weights and squared weights add up to what proposition
   for (const PointProcess process : {PointProcess::stratified, PointProcess::poisson})
     for (const Vec& normal : {Vec{0.0, 1.0, 0.0}, Vec{1.0, 2.0, 3.0}}) {
       const Evaluation noise(kColour, materialOf(process, 30.0, 8));
-      const double lambda = std::pow(double(noise.texton.surfaceCellTexels), -3.0);
+      const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
       CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // cells are rounded
       const Vec expected{lambda * area * thickness, lambda * area * thickness / 2.0,
                          lambda * area * thickness / 3.0};
@@ -230,7 +230,7 @@ TEST_CASE("the kurtosis of the Poisson process on a surface is that of its close
     fourths += std::pow(alpha, 4);
   }
   const Evaluation noise(kSteps, materialOf(PointProcess::poisson, 4.0, 9));
-  const double lambda = std::pow(double(noise.texton.surfaceCellTexels), -3.0);
+  const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
   const double excess = 9.0 / 5.0 * fourths / (squares * squares) / (lambda * thicknessOf(kSteps));
   const Plane plane({2.0, -1.0, 1.0});
   constexpr int kPlaces = 20000;
@@ -413,7 +413,7 @@ TEST_CASE("impacts in space and their grid are those of the specification's test
     const double cells = v["cells"];
     CHECK(double(shaderNoise(bundle, material, {}).columnsPerTile) == cells);
     const shader::LichenTexton texton = shaderTexton(bundle, material, {});
-    CHECK(texton.surfaceCellTexels == float(double(shape.texelsPerTileX) / cells));
+    CHECK(texton.surfaceCubeTexels == float(double(shape.texelsPerTileX) / cells));
     CHECK(double(texton.amplitude) == Approx(double(v["amplitude"])).epsilon(1e-6));
   }
 }
