@@ -140,6 +140,20 @@ LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placem
            std::min(float(row - std::floor(row)), belowOne)}};
 }
 
+/// The cubes of impacts, and the one at the place's origin. A texture's offset has no meaning in
+/// space.
+void setCubes(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
+              const Placement& placement) {
+  const Lattice grid = surfaceGrid(noise.texton, material.impacts);
+  result.columnsPerTile = result.rowsPerTile = float(grid.columnsPerTile);
+  const LatticeOrigin across = impactGridOrigin(grid, placement.tileOriginX, placement.tileOriginY);
+  const LatticeOrigin along = impactGridOrigin(grid, placement.tileOriginZ, 0);
+  result.cellI = across.cell[0];
+  result.cellJ = across.cell[1];
+  result.cellK = along.cell[0];
+  result.seedWord = latticeSeed(material.seed, kSurfacePlane);
+}
+
 /// The lattice of tiling or the grid of impacts, and where the place's origin lies in it.
 void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
               const Placement& placement) {
@@ -243,7 +257,10 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.tileSizeMetres = float(noise.tileSizeMetres);
   result.seedWord = latticeSeed(material.seed, 0);
   result.seed = material.seed;
-  setCells(result, noise, material, placement);
+  if (material.mapping == Mapping::surface)
+    setCubes(result, noise, material, placement);
+  else
+    setCells(result, noise, material, placement);
   if (noise.method == Method::texton)
     result.method = LICHEN_METHOD_TEXTON;
   else

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
-// names are those of shaders_glsl/noise/texton.glsl and texton_gradient.glsl.
+// names are those of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
+#include "surface_impacts.h"
 
 #include <lichen/texton_evaluate.h>
 
@@ -231,14 +232,47 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   return sum;
 }
 
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                                const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, noise, texton);
+  const Textons textons(map.image, texton, surface.impacts, mix);
+  const float gain = gainOf(surface.impacts, noise, texton, map.constants);
+  Value sum{};
+  if (gain > 0.0f)
+    texton::forEachSurfaceImpact(surface, noise, texton, [&](const Vec2& place, float weight) {
+      const Value h = textons.at(place);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += weight * h[c];
+    });
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] = 0.5f + gain * sum[c];
+  sum[3] = 1.0f - textonKept(map.constants, knownLevel(surface.impacts));
+  return sum;
+}
+
+Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const Value& gaussian,
+                               const MixPlace& mix) {
+  // Contrast scales what is missing with what is there.
+  const float lost = noise.contrast * noise.contrast * gaussian[3];
+  return decodedGaussian(mixed(map.constants, texton, mix), {gaussian[0], gaussian[1], gaussian[2]},
+                         lost);
+}
+
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const TileFootprint& at,
                                 const MixPlace& mix) const {
-  const Value value = gaussian(mapIndex, noise, texton, at, mix);
-  // Contrast scales what is missing with what is there.
-  const float lost = noise.contrast * noise.contrast * value[3];
-  return decodedGaussian(mixed((*maps_)[mapIndex].constants, texton, mix),
-                         {value[0], value[1], value[2]}, lost);
+  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
+                 mix);
+}
+
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                                const MixPlace& mix) const {
+  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
+                 mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,

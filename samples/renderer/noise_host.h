@@ -40,6 +40,8 @@ public:
   /// Whether some noise that is drawn is one of tiling, of textons.
   [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
+  /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
+  [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
@@ -80,6 +82,7 @@ private:
   bool hasOtherTables_ = false;
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;
+  bool hasSurfaceNoises_ = false;
 };
 
 } // namespace lichen::renderer

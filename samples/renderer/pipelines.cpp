@@ -50,14 +50,12 @@ constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat 
   return {location, 0, format, std::uint32_t(offset)};
 }
 
-// Those that depth.vert takes come first.
-constexpr std::size_t kDepthAttributes = 4;
 constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
                                  at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
                                  at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
-                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
-                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
-                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent))};
+                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color))};
 
 VkPipelineColorBlendAttachmentState blending(bool enabled) {
   VkPipelineColorBlendAttachmentState state{};
@@ -137,6 +135,7 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
+  VkBool32 surfaceNoises = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -144,7 +143,8 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
-    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
+    VkSpecializationMapEntry{5, offsetof(Constants, surfaceNoises), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -157,8 +157,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.vertex = objects.shader(scene_vert);
   d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
-    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables,
-                              shared.tilingNoises};
+    const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
+                              shared.otherTables, shared.tilingNoises, shared.surfaceNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -171,15 +171,17 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   Description d;
   d.layout = pipelines.depthLayout;
   d.vertex = objects.shader(depth_vert);
-  d.attributes = std::span(kAttributes).first(kDepthAttributes);
+  d.attributes = kAttributes;
   d.color = false;
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
   d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
-    const Constants constants{
-        .hasNoise = i != 0, .otherTables = shared.otherTables, .tilingNoises = shared.tilingNoises};
+    const Constants constants{.hasNoise = i != 0,
+                              .otherTables = shared.otherTables,
+                              .tilingNoises = shared.tilingNoises,
+                              .surfaceNoises = shared.surfaceNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

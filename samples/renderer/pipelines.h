@@ -50,10 +50,11 @@ struct PipelineLayouts {
 
 /// What all surfaces of a scene share at compile time.
 struct SurfaceConstants {
-  int debugView = 0;         ///< one of the shaders' DEBUG_ constants
-  bool otherTables = false;  ///< some tiling noise has a separable table, or none
-  bool tilingNoises = false; ///< some noise is one of tiling
-  bool textonNoises = false; ///< some noise is one of textons
+  int debugView = 0;          ///< one of the shaders' DEBUG_ constants
+  bool otherTables = false;   ///< some tiling noise has a separable table, or none
+  bool tilingNoises = false;  ///< some noise is one of tiling
+  bool textonNoises = false;  ///< some noise is one of textons
+  bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
 };
 
 /// Culling and front face are dynamic.

@@ -78,8 +78,8 @@ public:
     createAccumulateSet();
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-        {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(),
-         noises_.hasTextonNoises()});
+        {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(), noises_.hasTextonNoises(),
+         noises_.hasSurfaceNoises()});
   }
 
   void renderFrame(std::uint32_t index) {
@@ -301,7 +301,8 @@ private:
                                 : pipelines_.depthOpaque);
       if (hasGaps)
         bindMaterial(commands, pipelines_.depthLayout, m);
-      const shader::DepthData draw{clipFromWorld * instance.worldFromObject};
+      const shader::DepthData draw{clipFromWorld * instance.worldFromObject,
+                                   instance.worldFromObject};
       vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                          sizeof draw, &draw);
       drawPrimitive(commands, instance.primitive);

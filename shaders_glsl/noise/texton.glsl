@@ -170,15 +170,21 @@ LichenMap lichenMixedMap(LichenImpacts impacts, LichenMap map, LichenTexton text
   return map;
 }
 
+/// The value that a Gaussian value stands for.
+vec4 lichenTextonDecode(vec3 gaussian, LichenImpacts impacts, LichenNoise noise, LichenMap map,
+                        LichenTexton texton) {
+  float lost = lichenTextonLostVariance(impacts, map);
+  // Contrast scales what is missing with what is there.
+  float scaled = noise.contrast * noise.contrast * lost;
+  return lichenDecodeGaussian(gaussian, scaled, lichenMixedMap(impacts, map, texton));
+}
+
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
 /// the variance of a slope that the footprint hides, for lichenRoughness.
 vec4 lichenTexton(sampler2D image, LichenImpacts impacts, LichenNoise noise, LichenMap map,
                   LichenTexton texton) {
-  float lost = lichenTextonLostVariance(impacts, map);
-  // Contrast scales what is missing with what is there.
-  float scaled = noise.contrast * noise.contrast * lost;
-  return lichenDecodeGaussian(lichenTextonGaussian(image, impacts, noise, map, texton), scaled,
-                              lichenMixedMap(impacts, map, texton));
+  return lichenTextonDecode(lichenTextonGaussian(image, impacts, noise, map, texton), impacts,
+                            noise, map, texton);
 }
 
 #endif

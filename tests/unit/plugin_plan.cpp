@@ -167,7 +167,16 @@ TEST_CASE("each parameter outside its range is refused by name") {
        {1.0, -1.0, 0.5, 65537.0, nan}},
       {"overrides",
        [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
-       {512.0, 2147483648.0}},
+       {1024.0, 2147483648.0}},
+      {"tileOriginZ",
+       [](LichenUniformInfo& i, double v) { i.tileOriginZ = std::int64_t(v); },
+       {1e13, -1e13}},
+      {"mapping",
+       [](LichenUniformInfo& i, double v) {
+         i.overrides |= LICHEN_OVERRIDE_MAPPING;
+         i.mapping = LichenMapping(int(v));
+       },
+       {2.0, 3.0, 4.0}}, // 2, surface, is of textons
   };
   for (const Case& one : cases)
     for (const double value : one.bad) {

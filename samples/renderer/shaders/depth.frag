@@ -7,11 +7,16 @@
 
 layout(location = 0) in vec4 texCoords;
 layout(location = 1) in float vertexAlpha;
+layout(location = 2) in vec3 worldPosition;
+layout(location = 3) in vec3 worldNormal;
+layout(location = 4) in vec4 worldTangent;
 
 const float kBlendedCutoff = 0.5;
 
 void main() {
-  Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords));
+  Footprint footprint =
+      Footprint(texCoords, dFdx(texCoords), dFdy(texCoords), worldPosition, dFdx(worldPosition),
+                dFdy(worldPosition), worldNormal, worldTangent);
   LichenPlace place;
   if (kHasNoise)
     place = noisePlace(footprint);
