@@ -150,13 +150,16 @@ VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
+void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
+                    const PipelinesUsed& used) {
   Description d;
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
   d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
+    if (!used.surfaces[i])
+      continue;
     const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
                               shared.otherTables, shared.tilingNoises, shared.surfaceNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
@@ -167,7 +170,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   }
 }
 
-void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
+void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
+                  const PipelinesUsed& used) {
   Description d;
   d.layout = pipelines.depthLayout;
   d.vertex = objects.shader(depth_vert);
@@ -178,6 +182,8 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   pipelines.depthOpaque = graphics(objects, d);
   d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
+    if (!used.depthWithGaps[i])
+      continue;
     const Constants constants{.hasNoise = i != 0,
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
@@ -191,7 +197,7 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
 } // namespace
 
 Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                          const SurfaceConstants& constants) {
+                          const SurfaceConstants& constants, const PipelinesUsed& used) {
   Pipelines pipelines;
   const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
   pipelines.sceneLayout =
@@ -200,9 +206,8 @@ Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
       objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
   pipelines.accumulateLayout = objects.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
-  createSurfaces(objects, pipelines, constants);
-
-  createDepths(objects, pipelines, constants);
+  createSurfaces(objects, pipelines, constants, used);
+  createDepths(objects, pipelines, constants, used);
 
   Description sky;
   sky.layout = pipelines.sceneLayout;
