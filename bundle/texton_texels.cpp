@@ -195,8 +195,9 @@ void checkScale(const Texton& texton) {
   }
 }
 
-/// Whether the noise of a step has the covariance that the map states.
-void checkCovariance(const Texton& texton, std::size_t step) {
+/// Whether the noise of a step has the covariance that is stated of it.
+void checkCovariance(const Texton& texton, std::size_t step,
+                     const std::vector<double>& covariance) {
   const std::size_t n = texton.map.channels.size();
   std::vector<Plane> planes;
   for (std::size_t c = 0; c < n; ++c)
@@ -205,7 +206,7 @@ void checkCovariance(const Texton& texton, std::size_t step) {
     for (std::size_t d = 0; d <= c; ++d) {
       const Moment moment = momentOf(planes[c], planes[d], texton.shape.order);
       const double factor = texton.map.scale[c] * texton.map.scale[d];
-      const double stated = texton.map.covariance[c * n + d];
+      const double stated = covariance[c * n + d];
       if (std::abs(factor * moment.value - stated) >
           factor * moment.error + kTextRounding * std::abs(stated))
         return texton.reader.error("texton-covariance", "covariance",
@@ -217,14 +218,15 @@ void checkCovariance(const Texton& texton, std::size_t step) {
 
 /// The share of a channel's variance that each level of averaging keeps; none of one that does not
 /// vary.
-std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size_t channel) {
+std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size_t channel,
+                               std::size_t levels) {
   Plane plane = planeOf(texton, step, 0, channel);
   const Moment whole = momentOf(plane, plane, texton.shape.order);
   if (whole.value <= 0.0)
     return {};
   std::vector<Moment> kept{{1.0, 0.0}};
   double texelArea = 1.0;
-  for (std::uint32_t level = 1; level < texton.map.mipLoss.size(); ++level) {
+  for (std::uint32_t level = 1; level < levels; ++level) {
     texelArea *= 4.0;
     plane = level < texton.image.mipLevels ? planeOf(texton, step, level, channel) : halved(plane);
     // Minified textons are interpolated bilinearly, whatever the order.
@@ -235,13 +237,13 @@ std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size
   return kept;
 }
 
-/// Whether each level of averaging loses the share of a step's variance that the map states: the
+/// Whether each level of averaging loses the share of a step's variance that is stated of it: the
 /// mean of what it takes from the channels that vary, no less than the level before.
-void checkLosses(const Texton& texton, std::size_t step) {
-  std::vector<Moment> kept(texton.map.mipLoss.size());
+void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
+  std::vector<Moment> kept(mipLoss.size());
   double varying = 0.0;
   for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
-    const std::vector<Moment> shares = keptShares(texton, step, c);
+    const std::vector<Moment> shares = keptShares(texton, step, c, mipLoss.size());
     varying += shares.empty() ? 0.0 : 1.0;
     for (std::size_t level = 0; level < shares.size(); ++level) {
       kept[level].value += shares[level].value;
@@ -254,7 +256,7 @@ void checkLosses(const Texton& texton, std::size_t step) {
       loss = std::clamp(1.0 - kept[level].value / varying, loss, 1.0);
       error = std::max(error, kept[level].error / varying);
     }
-    const double stated = texton.map.mipLoss[level];
+    const double stated = mipLoss[level];
     if (std::abs(loss - stated) > error)
       return texton.reader.error("texton-mip-loss", "mipLoss",
                                  text(stated) + " at " + std::to_string(level) +
@@ -278,8 +280,8 @@ void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const Noi
   if (shape.steps > 1)
     return; // scale and statistics do not say yet of which step they are
   checkScale(texton);
-  checkCovariance(texton, 0);
-  checkLosses(texton, 0);
+  checkCovariance(texton, 0, map.covariance);
+  checkLosses(texton, 0, map.mipLoss);
 }
 
 } // namespace lichen

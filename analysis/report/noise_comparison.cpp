@@ -72,8 +72,7 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
 Measure flatnessMeasure(const KernelComparison& kernels) {
   return {"flatness",
           "",
-          "how unlike the magnitudes of the texton's coefficients are; a tenth of the impacts it "
-          "takes",
+          "how unlike the magnitudes of the texton's texels are; a tenth of the impacts it takes",
           kernels.texton.flatness,
           kFlatnessTarget,
           {}};

@@ -223,7 +223,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   bake.quality.modelError = relativeModelError(model, coefficients, options.order);
   for (std::size_t c = 0; c < joint.channels; ++c)
     bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
-  bake.quality.flatness = flatness(coefficients, firstMapWeights(maps.front(), joint.channels));
+  bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
+                                   firstMapWeights(maps.front(), joint.channels));
   bake.quality.heldOutError =
       heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);

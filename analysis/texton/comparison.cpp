@@ -5,11 +5,14 @@
 // is sum h^n / intensity^(n / 2 - 1), and intensity = impacts / support. Source: [GLM14] section 4.
 #include "comparison.h"
 
+#include "color_correction.h"
 #include "comparison_kernels.h"
 #include "interpolation.h"
+#include "model_covariance.h"
 
 #include <lichen/spectrum.h>
 
+#include <array>
 #include <cassert>
 
 namespace lichen::texton {
@@ -44,6 +47,29 @@ double flatness(const TextonCoefficients& spot, std::span<const float> weights) 
   return squares > 0.0 ? double(pixels) * fourths / (squares * squares) : 0.0;
 }
 
+TextonCoefficients interpolatedSpot(const TextonCoefficients& coefficients, int order) {
+  if (order < 3)
+    return coefficients;
+  constexpr std::array<float, 3> kCubic = {1.0f / 6.0f, 4.0f / 6.0f, 1.0f / 6.0f};
+  TextonCoefficients spot{
+      coefficients.width + 2, coefficients.height + 2, coefficients.channels, {}};
+  spot.values.resize(std::size_t(spot.width) * std::size_t(spot.height) *
+                     std::size_t(spot.channels));
+  const auto at = [](const TextonCoefficients& plane, int x, int y, int c) {
+    return (std::size_t(c) * std::size_t(plane.height) + std::size_t(y)) *
+               std::size_t(plane.width) +
+           std::size_t(x);
+  };
+  for (int c = 0; c < spot.channels; ++c)
+    for (int y = 0; y < coefficients.height; ++y)
+      for (int x = 0; x < coefficients.width; ++x)
+        for (int k = 0; k < 9; ++k)
+          spot.values[at(spot, x + k % 3, y + k / 3, c)] +=
+              kCubic[std::size_t(k % 3)] * kCubic[std::size_t(k / 3)] *
+              coefficients.values[at(coefficients, x, y, c)];
+  return spot;
+}
+
 std::vector<float> seenWeights(std::span<const MapChannel> channels) {
   if (channels.front() == MapChannel::red)
     return {kLuminanceWeights.begin(), kLuminanceWeights.end()};
@@ -52,8 +78,12 @@ std::vector<float> seenWeights(std::span<const MapChannel> channels) {
 
 KernelComparison compareKernels(const GaussianModel& model, const TextonCoefficients& texton,
                                 int order, std::span<const float> weights, std::uint32_t seed) {
-  const auto judged = [&](const TextonCoefficients& spot) {
-    return KernelJudgement{relativeModelError(model, spot, order), flatness(spot, weights)};
+  const Eigen::MatrixXd covariance = modelCovariance(model);
+  const auto judged = [&](TextonCoefficients spot) {
+    // One that cannot have it is judged as it is.
+    (void)correctCovariance(spot, order, covariance);
+    return KernelJudgement{relativeModelError(model, spot, order),
+                           flatness(interpolatedSpot(spot, order), weights)};
   };
   const GaussianModel coefficients = coefficientModel(model, order);
   return {judged(texton), judged(luminanceTexton(coefficients, texton.width, texton.height)),

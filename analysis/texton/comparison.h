@@ -17,10 +17,17 @@ namespace lichen::texton {
 /// for a spot of one pixel. 0 for a spot of zeros.
 [[nodiscard]] double flatness(const TextonCoefficients& spot, std::span<const float> weights);
 
+/// The interpolated texton at the places of its coefficients and around them: they themselves up to
+/// order 1, their cubic B-spline for order 3, whose coefficients may be far larger than what they
+/// make.
+[[nodiscard]] TextonCoefficients interpolatedSpot(const TextonCoefficients& coefficients,
+                                                  int order);
+
 /// What an eye takes a texel of these channels for: weights of its luminance, or of their sum.
 [[nodiscard]] std::vector<float> seenWeights(std::span<const MapChannel> channels);
 
-/// The texton beside spots of as many coefficients, all interpolated by the B-spline of `order`.
+/// The texton beside spots of as many coefficients, all interpolated by the B-spline of `order` and
+/// all with the model's covariance: without it the nearest spot has less variance than the model.
 /// `weights` as for flatness, `seed` that of the random phases. Same bytes for any number of
 /// threads.
 [[nodiscard]] KernelComparison compareKernels(const GaussianModel& model,

@@ -3,7 +3,6 @@
 // and that texture itself.
 //
 // Sources: [GLM14] section 4, [GLM17] section 4.4.
-#include "color_correction.h"
 #include "comparison.h"
 #include "exemplar/resample.h"
 #include "gaussian_texture.h"
@@ -45,10 +44,8 @@ Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, cons
   const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
   const GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
-  TextonCoefficients coefficients = storedCoefficients(bundle.tables[map.image], noise.texton, map);
-  // Where the texton cannot have it, its own says how far it is from the model.
-  (void)correctCovariance(coefficients, noise.texton.order, modelCovariance(model));
-  return compareKernels(model, coefficients, noise.texton.order, seenWeights(map.channels));
+  return compareKernels(model, storedCoefficients(bundle.tables[map.image], noise.texton, map),
+                        noise.texton.order, seenWeights(map.channels));
 }
 
 /// What the pictures of an encoding can hold.

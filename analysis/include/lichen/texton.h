@@ -45,7 +45,7 @@ struct TextonQuality {
   /// Of one half of the exemplar, the texton fitted to the other: what holds for the material and
   /// not for the one picture. None where a half is smaller than the support.
   std::optional<double> heldOutError;
-  /// r^2 sum l^4 / (sum l^2)^2 of the first map's coefficients, of colours their luminance: 1 where
+  /// r^2 sum l^4 / (sum l^2)^2 of the first map's texton, of colours their luminance: 1 where
   /// all count alike, 3 where they are Gaussian, more where few count and more impacts are needed.
   double flatness = 0.0;
   double covarianceError = 0.0; ///< of what is stored, relative to the covariance wanted

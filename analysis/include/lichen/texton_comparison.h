@@ -15,8 +15,8 @@ struct KernelJudgement {
   /// Relative model error [GLM17 section 4.4]: the transport distance of its noise's limit for many
   /// impacts to the exemplar's Gaussian texture; 0 for equal spectra.
   double modelError = 0.0;
-  /// r^2 sum l^4 / (sum l^2)^2: 1 where all coefficients count alike, 3 where they are normally
-  /// distributed, r^2 where one does.
+  /// r^2 sum l^4 / (sum l^2)^2 over the texton's r^2 texels: 1 where all count alike, 3 where they
+  /// are normally distributed, r^2 where one does.
   double flatness = 0.0;
 
   /// Mean number of impacts of a Poisson process at which the noise has the excess kurtosis
@@ -35,11 +35,11 @@ struct KernelComparison {
 };
 
 /// The texton of the exemplar's map as noise `noise` of the bundle stores it, of a mix the first;
-/// for its error it gets the covariance of the exemplar's periodic component, of which the spectrum
-/// is. The other spots have its support and order. The exemplar is resampled to the size that the
-/// noise's was. Errors: usage for an index out of range, another method, or a map that the noise
-/// has not; badInput for an exemplar of other channels; resources for memory. O(N log N) in the
-/// exemplar's pixels; same bytes for any number of threads. Source: [GLM14] section 4.
+/// the other spots have its support and order. For their errors all get the covariance of the
+/// exemplar's periodic component, of which the spectrum is. The exemplar is resampled to the size
+/// that the noise's was. Errors: usage for an index out of range, another method, or a map that the
+/// noise has not; badInput for an exemplar of other channels; resources for memory. O(N log N) in
+/// the exemplar's pixels; same bytes for any number of threads. Source: [GLM14] section 4.
 [[nodiscard]] Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noise,
                                                      const MapExemplar& exemplar);
 
