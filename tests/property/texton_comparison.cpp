@@ -303,17 +303,18 @@ TEST_CASE("starts scatter by less than 1 % of the error") {
   CHECK(std::sqrt(squares - sum * sum) < 0.01 * sum);
 }
 
-TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
+TEST_CASE("of one support the texton is as near to the model as any, and as flat as a random part",
           "[large]") {
   // [GLM14] figure 4; their support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
     INFO(material.name);
     const GaussianModel model = modelOf(material.generate(128));
     const KernelComparison comparison = compareKernels(model, kLuminanceWeights, {31, 31, 30.0, 1});
-    CHECK(comparison.synthesisOriented.relativeError < comparison.luminance.relativeError);
+    // A hundredth is what an even texton without a visible border may cost (decision 018).
+    CHECK(comparison.synthesisOriented.relativeError < 1.01 * comparison.luminance.relativeError);
     CHECK(comparison.luminance.relativeError < comparison.randomPhase.relativeError);
     // Normally distributed values have 3; energy gathered in a few pixels has hundreds.
-    CHECK(comparison.synthesisOriented.flatness < 4.5);
+    CHECK(comparison.synthesisOriented.flatness < 4.0);
     CHECK(comparison.randomPhase.flatness < 4.5);
     CHECK(comparison.luminance.flatness > 50.0);
     CHECK(comparison.luminance.excessKurtosis == Approx(comparison.luminance.flatness / 30.0));
