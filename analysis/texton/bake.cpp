@@ -4,8 +4,8 @@
 // Sources: [GLM17] section 4, [GLM14]. What contrast the noise has: docs/decisions/015-texton.md.
 #include "color_correction.h"
 #include "comparison.h"
-#include "exemplar/resample.h"
 #include "fit.h"
+#include "joint_exemplar.h"
 #include "model_covariance.h"
 #include "progress_part.h"
 #include "texton_table.h"
@@ -13,6 +13,8 @@
 
 #include <lichen/spectrum.h>
 #include <lichen/texton.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,70 +27,12 @@ using namespace texton;
 using Eigen::MatrixXd;
 
 // Of the progress, by processor time of 512 x 512 pixels with their held-out half.
-constexpr double kFitOfProgress = 0.6;
-constexpr double kHeldOutOfProgress = 0.97;
+constexpr double kHeldOutOfProgress = 0.37;
+constexpr double kFitOfProgress = 0.97;
 
 /// The stored value is the mean plus six deviations a unit, as where other Gaussian values are
 /// decoded without a table.
 constexpr double kScaleDeviations = 6.0;
-
-/// All maps as one image of `channels` interleaved values a pixel.
-struct JointExemplar {
-  int width = 0;
-  int height = 0;
-  std::size_t channels = 0;
-  std::vector<float> values;
-  Eigen::VectorXd mean; ///< of each map's own pixels
-  MatrixXd covariance;  ///< likewise; between maps of different sizes, of the resampled ones
-};
-
-MatrixXd covarianceOf(std::span<const float> values, std::size_t channels, Eigen::VectorXd& mean) {
-  const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Eigen::Index(channels),
-                                              Eigen::Index(values.size() / channels));
-  mean = all.cast<double>().rowwise().mean();
-  MatrixXd sum = MatrixXd::Zero(all.rows(), all.rows());
-  constexpr Eigen::Index kBlock = 4096; // pixels, so that the copy in double stays small
-  for (Eigen::Index begin = 0; begin < all.cols(); begin += kBlock) {
-    const Eigen::Index count = std::min(kBlock, all.cols() - begin);
-    const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - mean;
-    sum.noalias() += centred * centred.transpose();
-  }
-  return sum / double(all.cols());
-}
-
-JointExemplar joined(std::span<const MapExemplar> maps) {
-  JointExemplar joint;
-  for (const MapExemplar& map : maps) {
-    joint.width = std::max(joint.width, map.width);
-    joint.height = std::max(joint.height, map.height);
-    joint.channels += map.channels.size();
-  }
-  joint.values.resize(std::size_t(joint.width) * std::size_t(joint.height) * joint.channels);
-  joint.mean.resize(Eigen::Index(joint.channels));
-  Eigen::VectorXd gains = Eigen::VectorXd::Ones(Eigen::Index(joint.channels));
-  std::size_t first = 0;
-  for (const MapExemplar& map : maps) {
-    const std::size_t n = map.channels.size();
-    const bool fits = map.width == joint.width && map.height == joint.height;
-    const MapExemplar sized =
-        fits ? map : exemplar::resampled(map, joint.width, joint.height, false);
-    for (std::size_t i = 0; i < sized.values.size(); ++i)
-      joint.values[i / n * joint.channels + first + i % n] = sized.values[i];
-    Eigen::VectorXd mean, ignored;
-    const MatrixXd own = covarianceOf(map.values, n, mean);
-    const MatrixXd resized = covarianceOf(sized.values, n, ignored);
-    for (Eigen::Index c = 0; c < Eigen::Index(n); ++c) {
-      joint.mean[Eigen::Index(first) + c] = mean[c];
-      if (resized(c, c) > 0.0)
-        gains[Eigen::Index(first) + c] = std::sqrt(own(c, c) / resized(c, c));
-    }
-    first += n;
-  }
-  Eigen::VectorXd ignored;
-  joint.covariance =
-      gains.asDiagonal() * covarianceOf(joint.values, joint.channels, ignored) * gains.asDiagonal();
-  return joint;
-}
 
 /// Of all channels: those of the first map as an eye sees them.
 std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
@@ -119,20 +63,20 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
 
 /// A half of the exemplar along its longer side, the first or the other.
 GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
+  const auto channels = std::size_t(joint.channels());
   const bool isWide = joint.width >= joint.height;
   const int width = isWide ? joint.width / 2 : joint.width;
   const int height = isWide ? joint.height : joint.height / 2;
   const int x0 = isWide && !isFirst ? joint.width - width : 0;
   const int y0 = !isWide && !isFirst ? joint.height - height : 0;
   std::vector<float> values;
-  values.reserve(std::size_t(width) * std::size_t(height) * joint.channels);
+  values.reserve(std::size_t(width) * std::size_t(height) * channels);
   for (int y = y0; y < y0 + height; ++y) {
-    const auto row = joint.values.begin() +
-                     std::ptrdiff_t((std::size_t(y) * std::size_t(joint.width) + std::size_t(x0)) *
-                                    joint.channels);
-    values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * joint.channels));
+    const std::size_t pixel = std::size_t(y) * std::size_t(joint.width) + std::size_t(x0);
+    const auto row = joint.values.begin() + std::ptrdiff_t(pixel * channels);
+    values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * channels));
   }
-  return gaussianModel(values, width, height, int(joint.channels));
+  return gaussianModel(values, width, height, joint.channels());
 }
 
 std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptions& options,
@@ -179,7 +123,9 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
 /// The maps of the noise and their tables.
 void store(const JointExemplar& joint, std::span<const MapExemplar> maps,
            const TextonCoefficients& coefficients, int bits, TextonBake& bake) {
-  const MatrixXd covariance = noiseCovariance(coefficients, bake.noise.texton.order);
+  const MatrixXd covariance = joint.units.asDiagonal() *
+                              noiseCovariance(coefficients, bake.noise.texton.order) *
+                              joint.units.asDiagonal();
   Eigen::Index first = 0;
   for (const MapExemplar& source : maps) {
     const auto n = Eigen::Index(source.channels.size());
@@ -187,14 +133,16 @@ void store(const JointExemplar& joint, std::span<const MapExemplar> maps,
     map.target = source.target;
     map.channels = source.channels;
     map.encoding = source.encoding;
+    std::vector<double> scaleInUnits;
     for (Eigen::Index c = first; c < first + n; ++c) {
       map.mean.push_back(joint.mean[c]);
       map.scale.push_back(kScaleDeviations * std::sqrt(std::max(0.0, covariance(c, c))));
+      scaleInUnits.push_back(map.scale.back() / joint.units[c]);
       for (Eigen::Index d = first; d < first + n; ++d)
         map.covariance.push_back(covariance(c, d));
     }
-    Table table = textonTable({&coefficients, 1}, bake.noise.texton, std::size_t(first), map.scale,
-                              bits == 16 ? 32 : 16);
+    Table table = textonTable({&coefficients, 1}, bake.noise.texton, std::size_t(first),
+                              scaleInUnits, bits == 16 ? 32 : 16);
     table.name = bake.noise.name + "." + std::string(nameOf(map.target)) + ".texton";
     map.mipLoss = mipLosses(table, bake.noise.texton, std::size_t(n));
     map.image = bake.tables.size();
@@ -204,46 +152,66 @@ void store(const JointExemplar& joint, std::span<const MapExemplar> maps,
   }
 }
 
-Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
-                         const TextonOptions& options, ProgressPart progress) {
-  const JointExemplar joint = joined(maps);
-  const GaussianModel model =
-      gaussianModel(joint.values, joint.width, joint.height, int(joint.channels));
-  const MatrixXd modelled = modelCovariance(model);
-  const MatrixXd wanted =
-      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
-  const Error unmodelled{ErrorKind::badInput, "the exemplar varies only from one border to the "
-                                              "other, and no texton does; a photograph with "
-                                              "detail, or another method, is accepted"};
-  if (!isModelled(modelled, wanted))
-    return unmodelled;
-  TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
+/// The largest error of a covariance over the deviations of its two channels, as stored.
+double covarianceError(const TextonBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
+  const MatrixXd stored =
+      noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.texton.order);
+  double worst = 0.0;
+  for (Eigen::Index a = 0; a < wanted.rows(); ++a)
+    for (Eigen::Index b = 0; b < wanted.cols(); ++b)
+      if (const double deviations = std::sqrt(wanted(a, a) * wanted(b, b)); deviations > 0.0) {
+        const double inUnits = stored(a, b) / (joint.units[a] * joint.units[b]);
+        worst = std::max(worst, std::abs(inUnits - wanted(a, b)) / deviations);
+      }
+  return worst;
+}
 
-  TextonBake bake;
-  bake.quality.modelError = relativeModelError(model, coefficients, options.order);
-  for (std::size_t c = 0; c < joint.channels; ++c)
-    bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
-  bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
-                                   firstMapWeights(maps.front(), joint.channels));
-  bake.quality.heldOutError =
-      heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
-  progress.reach(kHeldOutOfProgress);
-
-  if (!correctCovariance(coefficients, options.order, wanted))
-    return unmodelled;
-  bake.quality.covarianceError = (noiseCovariance(coefficients, options.order) - wanted).norm() /
-                                 std::max(wanted.norm(), 1e-30);
-
-  bake.noise.name = std::move(name);
-  bake.noise.method = Method::texton;
-  TextonShape& shape = bake.noise.texton;
+TextonShape shapeOf(const JointExemplar& joint, const TextonCoefficients& coefficients, int order) {
+  TextonShape shape;
   shape.coefficientsX = coefficients.width;
   shape.coefficientsY = coefficients.height;
-  shape.order = options.order;
+  shape.order = order;
   shape.mipLevels = shape.mostMipLevels();
   shape.texelsPerTileX = joint.width;
   shape.texelsPerTileY = joint.height;
+  return shape;
+}
+
+Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
+                         const TextonOptions& options, ProgressPart progress) {
+  TextonBake bake;
+  JointExemplar joint = joinedMaps(maps);
+  bake.quality.heldOutError = heldOutError(joint, options, progress.part(0.0, kHeldOutOfProgress));
+  progress.reach(kHeldOutOfProgress);
+  const GaussianModel model =
+      gaussianModel(joint.values, joint.width, joint.height, joint.channels());
+  joint.values = {}; // as large as the model
+  const MatrixXd modelled = modelCovariance(model);
+  const MatrixXd wanted =
+      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
+  if (!isModelled(modelled, wanted))
+    return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, and "
+                                      "no texton does; a photograph with detail, or another "
+                                      "method, is accepted"};
+  TextonCoefficients coefficients =
+      fitted(model, options, progress.part(kHeldOutOfProgress, kFitOfProgress));
+  bake.quality.modelError = relativeModelError(model, coefficients, options.order);
+  for (std::size_t c = 0; c < model.channels.size(); ++c)
+    bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
+  bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
+                                   firstMapWeights(maps.front(), model.channels.size()));
+  progress.reach(kFitOfProgress);
+
+  if (!correctCovariance(coefficients, options.order, wanted))
+    return Error{ErrorKind::badInput,
+                 fmt::format("{} x {} coefficients cannot vary as the exemplar's {} channels do; a "
+                             "larger support, or another method, is accepted",
+                             coefficients.width, coefficients.height, joint.channels())};
+  bake.noise.name = std::move(name);
+  bake.noise.method = Method::texton;
+  bake.noise.texton = shapeOf(joint, coefficients, options.order);
   store(joint, maps, coefficients, options.bits, bake);
+  bake.quality.covarianceError = covarianceError(bake, joint, wanted);
   progress.reach(1.0);
   return bake;
 }

@@ -113,6 +113,24 @@ Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& 
   return table;
 }
 
+TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables, int step) {
+  const TextonShape& shape = noise.texton;
+  TextonCoefficients texton{shape.coefficientsX, shape.coefficientsY, 0, {}};
+  for (const NoiseMap& map : noise.maps) {
+    const Table& table = tables[map.image];
+    const std::vector<float> texels = decodeLevel(table, 0);
+    const auto stride = std::size_t(channelCount(table.format));
+    for (std::size_t c = 0; c < map.channels.size(); ++c, ++texton.channels)
+      for (int y = 0; y < texton.height; ++y)
+        for (int x = 0; x < texton.width; ++x) {
+          const std::size_t row = std::size_t(step) * shape.frameHeight() + std::size_t(y);
+          const float texel = texels[(row * table.width + std::size_t(x)) * stride + c];
+          texton.values.push_back(float(map.scale[c] * double(texel)));
+        }
+  }
+  return texton;
+}
+
 std::vector<double> mipLosses(const Table& table, const TextonShape& shape, std::size_t channels) {
   const auto stride = std::size_t(channelCount(table.format));
   std::vector<std::vector<float>> levels;

@@ -17,6 +17,10 @@ namespace lichen::texton {
 [[nodiscard]] Table textonTable(std::span<const TextonCoefficients> steps, const TextonShape& shape,
                                 std::size_t firstChannel, std::span<const double> scale, int bits);
 
+/// The coefficients of a step, the channels of all maps, as the tables of `noise` hold them.
+[[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables,
+                                              int step = 0);
+
 /// NoiseMap::mipLoss of such a table, kMaxTextonLosses values: the mean over its channels that
 /// vary, and over the steps.
 [[nodiscard]] std::vector<double> mipLosses(const Table& table, const TextonShape& shape,
