@@ -18,6 +18,8 @@ constexpr std::uint64_t kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsi
                         kUnsignedInt = 5125, kFloat = 5126;
 constexpr std::uint64_t kMostViews = std::uint64_t(1) << 24;
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 32;
+/// Of an accessor whose elements are zero for want of bytes: 12 MiB of vectors.
+constexpr std::size_t kMostZeros = std::size_t(1) << 20;
 
 std::size_t componentBytes(std::uint64_t type) {
   switch (type) {
@@ -106,37 +108,30 @@ public:
     }
   }
 
-  /// Calls `store(element, its bytes)` for all elements, those of `sparse` behind the others; never
-  /// for those that are zero for want of bytes.
-  template <class Store>
-  void visit(const Store& store) {
-    if (reader_.has("bufferView")) {
-      const Elements elements = elementsOf(reader_, count_, elementBytes_, true);
-      for (std::size_t i = 0; i < count_; ++i)
-        store(i, elements.at(i));
-    }
-    const json* sparse = reader_.optional("sparse");
-    if (sparse == nullptr)
-      return;
-    ObjectReader place(*sparse, pointer_ + "/sparse", findings_);
-    const auto count = std::size_t(integer(place, "count", count_));
-    ObjectReader indices = inside(place, "indices"), values = inside(place, "values");
-    const std::uint64_t type =
-        componentType(indices, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
-    if (count == 0)
-      fail("sparse/count", "0; at least 1 is accepted");
-    const Elements indexOf = elementsOf(indices, count, componentBytes(type), false);
-    const Elements valueOf = elementsOf(values, count, elementBytes_, false);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t element = loadIndex(indexOf.at(i), type);
+  /// `convert(bytes of an element)` of all elements, those of `sparse` in place of the others; zero
+  /// where there are no bytes. Nothing is allocated for them before their bytes are found.
+  template <class Convert>
+  auto values(const Convert& convert) {
+    const std::optional<Elements> dense =
+        reader_.has("bufferView") ? std::optional(elementsOf(reader_, count_, elementBytes_, true))
+                                  : std::nullopt;
+    const std::optional<SparseElements> sparse = sparseElements();
+    if (!dense && count_ > kMostZeros)
+      fail("count", std::to_string(count_) + " without bytes; 1 to " + std::to_string(kMostZeros) +
+                        " is accepted without a bufferView");
+    std::vector<decltype(convert(nullptr))> list(count_);
+    for (std::size_t i = 0; dense && i < count_; ++i)
+      list[i] = convert(dense->at(i));
+    for (std::size_t i = 0; sparse && i < sparse->count; ++i) {
+      const std::uint32_t element = loadIndex(sparse->indices.at(i), sparse->indexType);
       if (element >= count_)
         fail("sparse/indices",
              std::to_string(element) + "; below " + std::to_string(count_) + " is accepted");
-      store(element, valueOf.at(i));
+      list[element] = convert(sparse->values.at(i));
     }
+    return list;
   }
 
-  [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] std::uint64_t type() const { return componentType_; }
   [[nodiscard]] bool isNormalized() const { return isNormalized_; }
 
@@ -146,6 +141,29 @@ public:
   }
 
 private:
+  struct SparseElements {
+    std::size_t count = 0;
+    Elements indices;
+    std::uint64_t indexType = 0;
+    Elements values;
+  };
+
+  std::optional<SparseElements> sparseElements() {
+    const json* member = reader_.optional("sparse");
+    if (member == nullptr)
+      return std::nullopt;
+    ObjectReader place(*member, pointer_ + "/sparse", findings_);
+    SparseElements sparse;
+    sparse.count = std::size_t(integer(place, "count", count_));
+    ObjectReader indices = inside(place, "indices"), replaced = inside(place, "values");
+    sparse.indexType = componentType(indices, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
+    if (sparse.count == 0)
+      fail("sparse/count", "0; at least 1 is accepted");
+    sparse.indices = elementsOf(indices, sparse.count, componentBytes(sparse.indexType), false);
+    sparse.values = elementsOf(replaced, sparse.count, elementBytes_, false);
+    return sparse;
+  }
+
   [[nodiscard]] const json& elementOf(std::size_t index) {
     const auto list = file_.document().find("accessors");
     if (list == file_.document().end() || !list->is_array() || index >= list->size()) {
@@ -239,15 +257,15 @@ std::optional<std::vector<std::array<float, 3>>> readVectors(GltfFile& file, std
     AccessorReader reader(file, accessor, findings);
     reader.describe("VEC3", kComponents, {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
     const std::size_t bytes = componentBytes(reader.type());
-    std::vector<std::array<float, 3>> values(reader.count());
-    reader.visit([&](std::size_t i, const std::byte* element) {
+    return reader.values([&](const std::byte* element) {
+      std::array<float, kComponents> value{};
       for (std::size_t c = 0; c < kComponents; ++c) {
-        values[i][c] = loadFloat(element + c * bytes, reader.type(), reader.isNormalized());
-        if (!std::isfinite(values[i][c]))
+        value[c] = loadFloat(element + c * bytes, reader.type(), reader.isNormalized());
+        if (!std::isfinite(value[c]))
           reader.fail("bufferView", "holds NaN or infinite values; finite ones are accepted");
       }
+      return value;
     });
-    return values;
   } catch (const Unreadable&) {
     return std::nullopt;
   }
@@ -258,14 +276,13 @@ std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_
   try {
     AccessorReader reader(file, accessor, findings);
     reader.describe("SCALAR", 1, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
-    std::vector<std::uint32_t> values(reader.count());
-    reader.visit([&](std::size_t i, const std::byte* element) {
-      values[i] = loadIndex(element, reader.type());
-      if (values[i] >= limit)
-        reader.fail("bufferView", "index " + std::to_string(values[i]) + "; below " +
+    return reader.values([&](const std::byte* element) {
+      const std::uint32_t value = loadIndex(element, reader.type());
+      if (value >= limit)
+        reader.fail("bufferView", "index " + std::to_string(value) + "; below " +
                                       std::to_string(limit) + " is accepted");
+      return value;
     });
-    return values;
   } catch (const Unreadable&) {
     return std::nullopt;
   }

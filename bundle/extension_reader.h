@@ -25,6 +25,10 @@ using Tables = std::vector<std::optional<Table>>;
 void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
                 FindingList& findings, NoiseMap& map);
 
+/// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
+void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+                       const Table& image);
+
 /// Reads and checks mean, covariance and losses of `n` channels; 0 of channels that are not known.
 [[nodiscard]] MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding,
                                            std::size_t n);

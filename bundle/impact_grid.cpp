@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Shape of the textons, mean number of impacts -> the grid of cells, and the shader's constants.
 // Whole cells in a tile make integer tile origins exact; the amplitude is that of the density that
-// results, so the covariance is exact too, and only the number of impacts is rounded.
+// results, so the covariance is exact too, and only the number of impacts is rounded. [GLM17]
+// Galerne, Leclaire and Moisan 2017, section 6.
 #include "impact_grid.h"
 
 #include <algorithm>
@@ -10,11 +11,21 @@
 namespace lichen {
 namespace {
 
-/// How many cells come nearest to filling a length: at least one, and countable.
+/// How many cells come nearest to filling a length: at least one, and so few that an int holds
+/// three periods of them.
 int cellsIn(double lengthTexels, double sideTexels) {
-  constexpr double kMostCells = 1 << 30;
+  constexpr double kMostCells = 1 << 29;
   return int(std::clamp(std::round(lengthTexels / sideTexels), 1.0, kMostCells));
 }
+
+/// A B-spline of order k reaches (k + 1) / 2 texels beyond the centres of the coefficients.
+double supportArea(const TextonShape& shape) {
+  return double(shape.coefficientsX + shape.order) * double(shape.coefficientsY + shape.order);
+}
+
+/// The r of [GLM17] section 6, how thick a layer of impacts a point sees; of a texton that is not
+/// square, the side of the square of its area.
+double surfaceThickness(const TextonShape& shape) { return std::sqrt(supportArea(shape)); }
 
 /// Weight of a mix = constant + perUv . uv.
 struct LinearWeight {
@@ -45,10 +56,7 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
 } // namespace
 
 Lattice impactGrid(const TextonShape& shape, double impacts, const Placement& placement) {
-  // A B-spline of order k reaches (k + 1) / 2 texels beyond the centres of the coefficients.
-  const double supportX = shape.coefficientsX + shape.order;
-  const double supportY = shape.coefficientsY + shape.order;
-  const double side = std::sqrt(supportX * supportY / impacts);
+  const double side = std::sqrt(supportArea(shape) / impacts);
   Lattice grid;
   if (!placement.periodic) {
     grid.columnsPerTile = cellsIn(shape.texelsPerTileX, side);
@@ -59,6 +67,15 @@ Lattice impactGrid(const TextonShape& shape, double impacts, const Placement& pl
   grid.periodRows = cellsIn(shape.texelsPerTileY * placement.periodTilesY, side);
   grid.columnsPerTile = grid.periodColumns / placement.periodTilesX;
   grid.rowsPerTile = grid.periodRows / placement.periodTilesY;
+  return grid;
+}
+
+Lattice surfaceGrid(const TextonShape& shape, double impacts) {
+  // [GLM17] section 6: lambda r^3 impacts.
+  const double side =
+      std::cbrt(supportArea(shape) * surfaceThickness(shape) / (kSurfaceImpacts * impacts));
+  Lattice grid;
+  grid.columnsPerTile = grid.rowsPerTile = cellsIn(shape.texelsPerTileX, side);
   return grid;
 }
 
@@ -87,16 +104,24 @@ shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& mat
   result.steps = shader::uint(shape.steps);
   result.pointProcess = material.pointProcess == PointProcess::poisson ? LICHEN_POINTS_POISSON
                                                                        : LICHEN_POINTS_STRATIFIED;
-  const Lattice grid = impactGrid(shape, material.impacts, placement);
-  const double cellArea =
-      shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
-  result.amplitude = float(std::sqrt(cellArea));
   if (shape.steps > 1) {
     const LinearWeight weight = linearWeight(material, placement);
     result.mixWeight = float(weight.constant);
     result.mixPerU = float(weight.perUv[0]);
     result.mixPerV = float(weight.perUv[1]);
   }
+  if (material.mapping == Mapping::surface) {
+    // [GLM17] proposition 3: the variance is lambda r / 3 times that of the texton.
+    const double cube = shape.texelsPerTileX / surfaceGrid(shape, material.impacts).columnsPerTile;
+    const double lambda = 1.0 / (cube * cube * cube);
+    result.surfaceCubeTexels = float(cube);
+    result.amplitude = float(1.0 / std::sqrt(lambda * surfaceThickness(shape) / 3.0));
+    return result;
+  }
+  const Lattice grid = impactGrid(shape, material.impacts, placement);
+  const double cellArea =
+      shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
+  result.amplitude = float(std::sqrt(cellArea));
   return result;
 }
 

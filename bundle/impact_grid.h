@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The grid of square cells in which the impacts of texton noise lie: one in the mean in each.
+// The grid of cells in which the impacts of texton noise lie, one in the mean in each: squares, or
+// of surface noise cubes.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -17,5 +18,9 @@ namespace lichen {
 /// The cell in which an integer tile origin lies, modulo 2^32. A tile is a whole number of cells.
 [[nodiscard]] LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX,
                                              std::int64_t tileY);
+
+/// Of surface noise: cubes, of which a point sees kSurfaceImpacts x `impacts` in the mean. Never
+/// periodic.
+[[nodiscard]] Lattice surfaceGrid(const TextonShape& shape, double impacts);
 
 } // namespace lichen

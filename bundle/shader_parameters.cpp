@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bundle and material -> the shader library's uniform structs.
 #include "impact_grid.h"
-#include "srgb_curve.h"
 
 #include <lichen/shader_parameters.h>
 
@@ -54,21 +53,6 @@ std::vector<double> diagonal(const std::vector<double>& values) {
 
 float dotRow(const shader::vec4& row, const std::array<float, 3>& v) {
   return row.x * v[0] + row.y * v[1] + row.z * v[2];
-}
-
-/// A stored value -> the quantity, inside the range of its encoding.
-float decodedStored(float stored, shader::uint encoding) {
-  constexpr float kMostLog = 16.0f; // kHalfMax is below 2^16 - 1
-  switch (encoding) {
-  case LICHEN_ENCODING_SLOPE:
-    return stored;
-  case LICHEN_ENCODING_LOG2:
-    return std::exp2(std::clamp(stored, 0.0f, kMostLog)) - 1.0f;
-  case LICHEN_ENCODING_LINEAR:
-    return std::clamp(stored, 0.0f, 1.0f);
-  default:
-    return srgbToLight(std::clamp(stored, 0.0f, 1.0f));
-  }
 }
 
 shader::uint encodingOf(ValueEncoding encoding) {
@@ -156,6 +140,20 @@ LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placem
            std::min(float(row - std::floor(row)), belowOne)}};
 }
 
+/// The cubes of impacts, and the one at the place's origin. A texture's offset has no meaning in
+/// space.
+void setCubes(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
+              const Placement& placement) {
+  const Lattice grid = surfaceGrid(noise.texton, material.impacts);
+  result.columnsPerTile = result.rowsPerTile = float(grid.columnsPerTile);
+  const LatticeOrigin across = impactGridOrigin(grid, placement.tileOriginX, placement.tileOriginY);
+  const LatticeOrigin along = impactGridOrigin(grid, placement.tileOriginZ, 0);
+  result.cellI = across.cell[0];
+  result.cellJ = across.cell[1];
+  result.cellK = along.cell[0];
+  result.seedWord = latticeSeed(material.seed, kSurfacePlane);
+}
+
 /// The lattice of tiling or the grid of impacts, and where the place's origin lies in it.
 void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
               const Placement& placement) {
@@ -198,29 +196,6 @@ void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t,
 }
 
 } // namespace
-
-std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
-                                     const std::array<float, 3>& gaussian, float lostVariance) {
-  const std::array<float, 3> centred{gaussian[0] - 0.5f, gaussian[1] - 0.5f, gaussian[2] - 0.5f};
-  const std::array<const shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
-  std::array<float, 4> value{0.0f, 0.0f, 0.0f, 1.0f};
-  std::array<float, 3> variance{};
-  constexpr float kVariance = 1.0f / 36.0f; // of a Gaussian value: rows are six times the root
-  for (std::size_t c = 0; c < 3; ++c) {
-    const shader::vec4& row = *rows[c];
-    const float stored = dotRow(row, centred) + row.w;
-    variance[c] = lostVariance * kVariance * dotRow(row, {row.x, row.y, row.z});
-    // Three-point Gauss-Hermite quadrature over what is missing.
-    const float reach = std::sqrt(3.0f * variance[c]);
-    value[c] =
-        (4.0f * decodedStored(stored, map.encoding) + decodedStored(stored - reach, map.encoding) +
-         decodedStored(stored + reach, map.encoding)) /
-        6.0f;
-  }
-  if (map.encoding == LICHEN_ENCODING_SLOPE)
-    value[2] = 0.5f * (variance[0] + variance[1]);
-  return value;
-}
 
 std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
                                       const std::array<float, 3>& along) {
@@ -279,7 +254,10 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.tileSizeMetres = float(noise.tileSizeMetres);
   result.seedWord = latticeSeed(material.seed, 0);
   result.seed = material.seed;
-  setCells(result, noise, material, placement);
+  if (material.mapping == Mapping::surface)
+    setCubes(result, noise, material, placement);
+  else
+    setCells(result, noise, material, placement);
   if (noise.method == Method::texton)
     result.method = LICHEN_METHOD_TEXTON;
   else

@@ -3,6 +3,7 @@
 // the number of a map's channels.
 #include "extension_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lichen {
@@ -59,10 +60,12 @@ void checkShape(ObjectReader& reader, const TextonShape& shape) {
                      " is accepted for frames of " + std::to_string(shape.frameHeight()) + " rows");
 }
 
-void checkImage(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+/// Whether a map's image is one of such textons.
+bool checkImage(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
                 const Table& image) {
   const auto error = [&](const std::string& message) {
     reader.error("map-texton", "texton", message);
+    return false;
   };
   const std::uint32_t width = shape.frameWidth();
   const std::uint32_t height = shape.frameHeight() * std::uint32_t(shape.steps);
@@ -76,8 +79,9 @@ void checkImage(ObjectReader& reader, const TextonShape& shape, const NoiseMap& 
   if (texelBytes(image.format) == std::size_t(channelCount(image.format)))
     return error("8-bit texels; a float format is accepted");
   if (usedChannels(image.format) < n)
-    error(std::to_string(usedChannels(image.format)) + " channels; at least those of the " +
-          "map, " + std::to_string(n) + ", are accepted");
+    return error(std::to_string(usedChannels(image.format)) + " channels; at least those of the " +
+                 "map, " + std::to_string(n) + ", are accepted");
+  return true;
 }
 
 /// A value a channel, or none.
@@ -155,12 +159,23 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
   if (isUnknown(shape))
     return;
   const std::size_t losses = map.mipLoss.size();
-  if (losses != 0 && (losses < std::size_t(shape.mipLevels) || losses > kMaxTextonLosses))
+  const bool lossesFit = losses >= std::size_t(shape.mipLevels) && losses <= kMaxTextonLosses;
+  if (losses != 0 && !lossesFit)
     reader.error("map-mip-loss", "mipLoss",
                  std::to_string(losses) + " values; " + std::to_string(shape.mipLevels) + " to " +
                      std::to_string(kMaxTextonLosses) + " are accepted");
-  if (image != nullptr)
-    checkImage(reader, shape, map, *image);
+  const std::size_t n = map.channels.size();
+  const auto fits = [n](const std::vector<double>& covariance) {
+    return n != 0 && covariance.size() == n * n;
+  };
+  const bool statisticsFit =
+      fits(map.covariance) && map.scale.size() == n &&
+      map.laterSteps.size() + 1 == std::size_t(shape.steps) &&
+      std::all_of(map.laterSteps.begin(), map.laterSteps.end(), [&](const MapStatistics& step) {
+        return fits(step.covariance) && step.mipLoss.size() == losses;
+      });
+  if (image != nullptr && checkImage(reader, shape, map, *image) && lossesFit && statisticsFit)
+    checkTextonTexels(reader, shape, map, *image);
 }
 
 } // namespace lichen

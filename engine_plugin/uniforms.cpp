@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint32_t kKnownOverrides =
     LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
     LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
-    LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS;
+    LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS |
+    LICHEN_OVERRIDE_MAPPING;
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
@@ -35,6 +36,22 @@ LichenResult readPointProcess(LichenPointProcess given, PointProcess& process,
   process =
       given == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
   return LICHEN_SUCCESS;
+}
+
+LichenResult readMapping(LichenMapping given, const Noise& noise, Mapping& mapping,
+                         LichenDiagnostic* diagnostic) {
+  for (const auto& [code, known] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
+                                    {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
+                                    {LICHEN_MAPPING_SURFACE, Mapping::surface}})
+    if (given == code && mappingFits(noise.method, known)) {
+      mapping = known;
+      return LICHEN_SUCCESS;
+    }
+  say(diagnostic,
+      "mapping %d: 0, uv, and 1, triplanar, are accepted, and of texton noise 2, surface; this "
+      "noise is of the method %s",
+      int(given), nameOf(noise.method).data());
+  return LICHEN_ERROR_USAGE;
 }
 
 /// The material's parameters with the host's in their place.
@@ -74,15 +91,25 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
     parameters.contrast = info.contrast;
   if (info.overrides & LICHEN_OVERRIDE_IMPACTS)
     parameters.impacts = info.impacts;
+  LichenResult result = LICHEN_SUCCESS;
   if (info.overrides & LICHEN_OVERRIDE_POINT_PROCESS)
-    return readPointProcess(info.pointProcess, parameters.pointProcess, diagnostic);
-  return LICHEN_SUCCESS;
+    result = readPointProcess(info.pointProcess, parameters.pointProcess, diagnostic);
+  if (result == LICHEN_SUCCESS && info.overrides & LICHEN_OVERRIDE_MAPPING)
+    result = readMapping(info.mapping, plan.bundle.noises[parameters.noise], parameters.mapping,
+                         diagnostic);
+  return result;
 }
 
-LichenResult checkPeriod(const LichenUniformInfo& info, LichenDiagnostic* diagnostic) {
+LichenResult checkPeriod(const MaterialNoise& parameters, const LichenUniformInfo& info,
+                         LichenDiagnostic* diagnostic) {
   constexpr NumberRange kPeriodRange{1.0, 65536.0}; // tiles; keeps columns far below 2^24
   if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
     return LICHEN_SUCCESS;
+  if (parameters.mapping == Mapping::surface) {
+    say(diagnostic, "periodTiles %.9g: noise of the mapping surface does not repeat; 0 is accepted",
+        info.periodTiles[info.periodTiles[0] == 0.0 ? 1 : 0]);
+    return LICHEN_ERROR_USAGE;
+  }
   for (int axis = 0; axis < 2; ++axis) {
     const double period = info.periodTiles[axis];
     if (const LichenResult result = checkRange("periodTiles", period, kPeriodRange, diagnostic);
@@ -113,13 +140,14 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
       {"impacts", parameters.impacts, kImpactsRange},
       {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
       {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
+      {"tileOriginZ", double(info.tileOriginZ), {-kFarthest, kFarthest}},
       {"maxAnisotropy", double(info.maxAnisotropy), {0.0, kMostAnisotropy}},
   };
   for (const auto& check : checks)
     if (const LichenResult result = checkRange(check.name, check.value, check.range, diagnostic);
         result != LICHEN_SUCCESS)
       return result;
-  return checkPeriod(info, diagnostic);
+  return checkPeriod(parameters, info, diagnostic);
 }
 
 } // namespace
@@ -144,6 +172,7 @@ LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* gi
     Placement placement;
     placement.tileOriginX = info.tileOrigin[0];
     placement.tileOriginY = info.tileOrigin[1];
+    placement.tileOriginZ = info.tileOriginZ;
     placement.periodic = info.periodTiles[0] > 0.0;
     placement.periodTilesX = info.periodTiles[0];
     placement.periodTilesY = info.periodTiles[1];

@@ -8,7 +8,8 @@
 //   LICHEN_FIRST_BINDING  its first binding (0)
 //   LICHEN_MAP_COUNT      maps of the noise, 1 to LICHEN_MAX_MAPS
 // which gives lichenUniforms.noise, .maps[k] and .texton, lichenImage0, lichenTable0, ...,
-// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, and
+// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of the mapping surface
+// LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent), and
 // LICHEN_NOISE(k, place), the value of map k there, whatever the noise's method.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
@@ -18,6 +19,7 @@
 
 #include "interface/lichen_interface.h"
 #include "mapping/mix.glsl"
+#include "mapping/surface.glsl"
 #include "mapping/uv.glsl"
 #include "noise/method.glsl"
 
@@ -63,6 +65,10 @@ LICHEN_DECLARE_MAP(5);
 
 #define LICHEN_PLACE(uv, gradientX, gradientY)                                                     \
   lichenPlaceUvGrad(uv, gradientX, gradientY, lichenUniforms.noise, lichenUniforms.texton)
+
+#define LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
+  lichenPlaceSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenUniforms.noise,    \
+                         lichenUniforms.texton)
 
 #define LICHEN_NOISE(map, place)                                                                   \
   lichenValue(lichenImage##map, lichenTable##map, place, lichenUniforms.noise,                     \

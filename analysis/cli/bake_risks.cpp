@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace lichen::cli {
 
 Accepted<Flattening> flattening() {
@@ -113,8 +115,13 @@ Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> m
 
 Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemplar> maps,
                                                         int support, const SharedOptions& options) {
+  int width = 0, height = 0; // at which all maps are fitted together
+  for (const MapExemplar& map : maps) {
+    width = std::max(width, map.width);
+    height = std::max(height, map.height);
+  }
   return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
-    return assessTextonSuitability(map, support, progress);
+    return assessTextonSuitability(map, support, progress, width, height);
   });
 }
 

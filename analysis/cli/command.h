@@ -5,13 +5,16 @@
 #include <lichen/json_tree.h>
 #include <lichen/result.h>
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace lichen::cli {
 

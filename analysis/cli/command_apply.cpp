@@ -311,13 +311,13 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "SCENE", arguments->scene, "", "A .glb or .gltf of anyone's")->required();
+  addText(verb, "SCENE", arguments->scene, "", "A .glb or .gltf of anyone's").required();
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
           "A bundle made by 'lichen bake', and which of its noises: the first by default")
-      ->required();
+      .required();
   addText(verb, "--material", arguments->material, "NAME|INDEX|all",
           "The material of the scene that gets the noise")
-      ->required();
+      .required();
   const Choices<Mapping> mappings{{"uv", Mapping::uv},
                                   {"triplanar", Mapping::triplanar},
                                   {"surface", Mapping::surface},
@@ -328,7 +328,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
            "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
            "width [default: the bundle's]");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
-      ->required();
+      .required();
   addMixOptions(verb, arguments->mix);
   return [arguments] { return run(*arguments); };
 }

@@ -122,7 +122,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake bake) {
   file.bundle.noises = {std::move(bake.noise)};
   file.bundle.materials = {material};
 
-  Result<PreviewImages> previews = previewImages(file.bundle, 0, arguments.seed);
+  Result<PreviewImages> previews = previewImages(file.bundle, material);
   if (!previews)
     return previews.error();
   file.previews.push_back(std::move(previews).value());
@@ -196,8 +196,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addTexts(verb, "INPUT", arguments->inputs, "...",
            "A photograph, or a folder or files with the maps of a material: PNG, JPEG or EXR")
-      ->required();
-  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of noise and material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");

@@ -31,10 +31,11 @@ struct Arguments {
   ExemplarOptions asBaked;
 };
 
-/// The measures of one map.
+/// The measures of one map, and of a texton's other spots.
 struct MapMeasures {
   MapTarget map = MapTarget::baseColor;
   std::vector<Measure> measures;
+  std::optional<KernelComparison> kernels;
 };
 
 bool isBundle(const std::string& path) {
@@ -44,24 +45,33 @@ bool isBundle(const std::string& path) {
   return extension == ".glb" || extension == ".gltf";
 }
 
-/// The exemplar as it was baked; of its maps the one that was asked for, or all.
-Result<MaterialSet> readAsBaked(const Arguments& arguments) {
+/// An exemplar as it was baked.
+struct AsBaked {
+  MaterialSet set; ///< of its maps the one that was asked for, or all
+  int width = 0;   ///< pixels of the widest map, and of the highest
+  int height = 0;
+};
+
+Result<AsBaked> readAsBaked(const Arguments& arguments) {
   Result<ReadExemplar> read =
       readExemplar({arguments.exemplar}, arguments.asBaked, arguments.shared);
   if (!read)
     return read.error();
-  MaterialSet& set = read.value().set;
-  std::vector<MapExemplar>& maps = set.maps;
-  if (arguments.map.empty())
-    return std::move(set);
+  AsBaked baked{std::move(read.value().set), 0, 0};
+  std::vector<MapExemplar>& maps = baked.set.maps;
   std::vector<std::string> names;
-  for (const MapExemplar& map : maps)
+  for (const MapExemplar& map : maps) {
     names.emplace_back(nameOf(map.target));
+    baked.width = std::max(baked.width, map.width);
+    baked.height = std::max(baked.height, map.height);
+  }
+  if (arguments.map.empty())
+    return baked;
   const Result<std::size_t> place = placeOf(arguments.map, names, "--map", arguments.exemplar);
   if (!place)
     return place.error();
   maps = {std::move(maps[place.value()])};
-  return std::move(set);
+  return baked;
 }
 
 /// An image is the base colour. Both are shown in the encoding of the one with more range.
@@ -88,53 +98,58 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
       measureResult(look.picture(exemplar), look.picture(image));
   if (!measures)
     return measures.error();
-  return std::vector{MapMeasures{exemplar.target, std::move(measures).value()}};
+  return std::vector{MapMeasures{exemplar.target, std::move(measures).value(), {}}};
 }
 
-/// A note where an exemplar has not the size of what the noise's map was baked of.
-void noteOtherSize(const MapExemplar& exemplar, const Bundle& bundle, const Noise& noise,
-                   std::vector<std::string>& notes) {
-  const std::optional<std::size_t> place = findMap(noise, exemplar.target);
-  if (!place)
-    return; // compareNoise() refuses it
-  const auto [width, height] = exemplarSize(bundle, noise, noise.maps[*place]);
-  if (int(width) != exemplar.width || int(height) != exemplar.height)
-    notes.push_back(fmt::format("{}: the exemplar is {} x {}, but was {} x {} when it was baked; "
-                                "give the --crop and --size of the bake",
-                                nameOf(exemplar.target), exemplar.width, exemplar.height, width,
-                                height));
+/// A note where an exemplar has not the size of what the noise's map was baked of. Textons know
+/// that of the largest map.
+void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) {
+  for (const MapExemplar& map : exemplar.set.maps) {
+    const std::optional<std::size_t> place = findMap(noise, map.target);
+    if (!place)
+      continue; // compareNoise() refuses it
+    const bool isTexton = noise.method == Method::texton;
+    const int hasWidth = isTexton ? exemplar.width : map.width;
+    const int hasHeight = isTexton ? exemplar.height : map.height;
+    const auto [width, height] = exemplarSize(bundle, noise, noise.maps[*place]);
+    if (int(width) == hasWidth && int(height) == hasHeight)
+      continue;
+    exemplar.set.notes.push_back(
+        fmt::format("{}the exemplar is {} x {}, but was {} x {} when it was baked; give the --crop "
+                    "and --size of the bake",
+                    isTexton ? "" : std::string(nameOf(map.target)) + ": ", hasWidth, hasHeight,
+                    width, height));
+    if (isTexton)
+      return;
+  }
 }
 
-Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments,
-                                               const std::vector<MapExemplar>& exemplars,
-                                               std::vector<std::string>& notes) {
+Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBaked& exemplar) {
   const Result<Bundle> bundle = readBundle(arguments.result);
   if (!bundle)
     return bundle.error();
   const Result<std::size_t> noise = findNoise(bundle.value(), arguments.result, arguments.noise);
   if (!noise)
     return noise.error();
-  const std::uint32_t seed = seedOf(bundle.value(), noise.value());
-  for (const MapExemplar& exemplar : exemplars)
-    noteOtherSize(exemplar, bundle.value(), bundle.value().noises[noise.value()], notes);
+  const MaterialNoise material = materialOf(bundle.value(), noise.value());
+  noteOtherSize(exemplar, bundle.value(), bundle.value().noises[noise.value()]);
   ProgressLine progress("compare", arguments.shared);
   std::vector<MapMeasures> all;
-  for (const MapExemplar& exemplar : exemplars) {
-    const auto maps = double(exemplars.size());
+  for (const MapExemplar& map : exemplar.set.maps) {
+    const auto maps = double(exemplar.set.maps.size());
     const Progress part =
         partOf(progress.asProgress(), double(all.size()) / maps, double(all.size() + 1) / maps);
-    Result<NoiseComparison> comparison =
-        compareNoise(bundle.value(), noise.value(), seed, exemplar, part);
+    Result<NoiseComparison> comparison = compareNoise(bundle.value(), material, map, part);
     if (!comparison)
       return Error{comparison.error().kind, arguments.result + ": " + comparison.error().message};
-    all.push_back({exemplar.target, std::move(comparison).value().measures});
+    all.push_back({map.target, std::move(comparison.value().measures), comparison.value().kernels});
   }
   return all;
 }
 
-std::string lineOf(const Measure& measure) {
+std::string lineOf(const Measure& measure, std::size_t nameWidth) {
   const std::string unit = measure.unit.empty() ? "" : " " + std::string(measure.unit);
-  std::string line = fmt::format("{:<20} ", measure.name);
+  std::string line = fmt::format("{:<{}} ", measure.name, nameWidth);
   if (measure.value)
     line += fmt::format("{:>7.3g}{:<3}", *measure.value, unit);
   if (measure.value && measure.target)
@@ -145,24 +160,51 @@ std::string lineOf(const Measure& measure) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
+/// A table: the texton beside other spots of its support.
+std::vector<std::string> linesOf(const KernelComparison& kernels) {
+  constexpr const char* kRow = "{:<22} {:>11} {:>8} {:>14}";
+  std::vector<std::string> lines{
+      fmt::format(kRow, "of this support", "model_error", "flatness", "impacts needed")};
+  const auto add = [&](const char* name, const KernelJudgement& kernel) {
+    lines.push_back(fmt::format(kRow, name, fmt::format("{:.3f}", kernel.modelError),
+                                fmt::format("{:.2f}", kernel.flatness),
+                                fmt::format("{:.0f}", kernel.impactsNeeded())));
+  };
+  add("this texton", kernels.texton);
+  add("luminance texton", kernels.luminance);
+  add("random phase, cropped", kernels.randomPhase);
+  return lines;
+}
+
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
             const std::vector<std::string>& notes) {
   for (const std::string& text : notes)
     if (!arguments.shared.json) // in JSON they are part of the report
       note(arguments.shared, text);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [map, measures] : maps) {
+  nlohmann::ordered_json kernelList = nlohmann::ordered_json::array();
+  const std::string indent = maps.size() > 1 ? "  " : "";
+  for (const auto& [map, measures, kernels] : maps) {
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
+    std::size_t nameWidth = 0;
+    for (const Measure& measure : measures)
+      nameWidth = std::max(nameWidth, measure.name.size());
     for (const Measure& measure : measures) {
       list.push_back(joined({{"map", nameOf(map)}}, jsonOf(measure)));
-      say(arguments.shared, (maps.size() > 1 ? "  " : "") + lineOf(measure));
+      say(arguments.shared, indent + lineOf(measure, nameWidth));
     }
+    if (!kernels)
+      continue;
+    kernelList.push_back(joined({{"map", nameOf(map)}}, JsonTree{{"spots", jsonOf(*kernels)}}));
+    for (const std::string& line : linesOf(*kernels))
+      say(arguments.shared, indent + line);
   }
   if (arguments.shared.json)
     printLine(toText(nlohmann::ordered_json{{"exemplar", arguments.exemplar},
                                             {"result", arguments.result},
                                             {"measures", list},
+                                            {"kernels", kernelList},
                                             {"notes", notes}}));
 }
 
@@ -170,17 +212,15 @@ Result<int> run(const Arguments& arguments) {
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; a bundle has noises",
                                                arguments.noise, arguments.result)};
-  Result<MaterialSet> exemplar = readAsBaked(arguments);
+  Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
     return exemplar.error();
-  const std::vector<MapExemplar>& exemplars = exemplar.value().maps;
-  std::vector<std::string>& notes = exemplar.value().notes;
-  const Result<std::vector<MapMeasures>> maps = isBundle(arguments.result)
-                                                    ? compareBundle(arguments, exemplars, notes)
-                                                    : compareImage(arguments, exemplars);
+  const Result<std::vector<MapMeasures>> maps =
+      isBundle(arguments.result) ? compareBundle(arguments, exemplar.value())
+                                 : compareImage(arguments, exemplar.value().set.maps);
   if (!maps)
     return maps.error();
-  report(arguments, maps.value(), notes);
+  report(arguments, maps.value(), exemplar.value().set.notes);
   for (const MapMeasures& map : maps.value())
     if (std::any_of(map.measures.begin(), map.measures.end(),
                     [](const Measure& measure) { return measure.isMissed(); }))
@@ -194,10 +234,10 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addText(verb, "EXEMPLAR", arguments->exemplar, "",
           "The photograph, or a folder with the maps of a material")
-      ->required();
+      .required();
   addText(verb, "RESULT", arguments->result, "|BUNDLE",
           "An image made from it, or a .glb or .gltf of which one is made")
-      ->required();
+      .required();
   addText(verb, "--noise", arguments->noise, "NAME",
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",

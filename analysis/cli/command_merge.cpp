@@ -83,7 +83,7 @@ Result<int> run(const Arguments& arguments) {
   ProgressLine progress("merge", arguments.shared);
   const std::size_t noises = file.bundle.noises.size();
   for (std::size_t n = 0; n < noises; ++n) {
-    Result<PreviewImages> images = previewImages(file.bundle, n, file.bundle.materials[n]->seed);
+    Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials[n]);
     if (!images)
       return images.error();
     file.previews.push_back(std::move(images).value());
@@ -105,9 +105,9 @@ Result<int> run(const Arguments& arguments) {
 Runner addMerge(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addTexts(verb, "BUNDLE", arguments->inputs, "...", "Bundles made by 'lichen bake', in order")
-      ->required();
+      .required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle of them all")
-      ->required();
+      .required();
   addPreviewShape(verb, arguments->preview);
   return [arguments] { return run(*arguments); };
 }

@@ -21,6 +21,8 @@
 namespace lichen::cli {
 namespace {
 
+/// The heading of what weights have no use for.
+constexpr const char* kPathGroup = "Path";
 /// More than any that is useful: of 10^6 to 1 the lesser does not show.
 constexpr NumberRange kWeightRange{0.0, 1e6};
 
@@ -57,7 +59,7 @@ Result<void> check(const Arguments& arguments) {
   const std::vector<double>& weights = arguments.mix.weights;
   if (weights.empty())
     return {};
-  if (arguments.verb->get_option("--steps")->count() > 0)
+  if (givenOf(*arguments.verb, kPathGroup))
     return Error{ErrorKind::usage, "--steps: with --weights one texton is made; one of the two is "
                                    "accepted"};
   if (weights.size() != count)
@@ -104,7 +106,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
   file.bundle.materialNames = {bake.noise.name};
   file.bundle.noises = {std::move(bake.noise)};
   file.bundle.materials = {material};
-  Result<PreviewImages> previews = previewImages(file.bundle, 0, arguments.seed);
+  Result<PreviewImages> previews = previewImages(file.bundle, material);
   if (!previews)
     return previews.error();
   file.previews.push_back(std::move(previews).value());
@@ -191,11 +193,12 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addTexts(verb, "INPUT", arguments->inputs, "...",
            "Photographs, or folders with the same maps of several materials: PNG, JPEG or EXR")
-      ->required();
-  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle")->required();
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--steps", arguments->mix.steps,
            wholeNumber(int(kMixStepsRange.least), int(kMixStepsRange.most)), "21",
-           "Textons from each input to the next, both counted");
+           "Textons from each input to the next, both counted")
+      .group(kPathGroup);
   addValue(verb, "--weights", arguments->mix.weights, numbers(kWeightRange, kMaxMixedExemplars), "",
            "One texture between all inputs, of these shares, instead of a way through them");
   addValue(verb, "--name", arguments->name, nameText(), "",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
+#include "method_group.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
@@ -28,9 +29,15 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::array<int, 2> size{};
+  // In place of the material's.
   std::optional<std::uint32_t> seed;
+  std::optional<double> contrast;
+  std::optional<double> sharpness;
+  std::optional<double> impacts;
+  std::optional<PointProcess> points;
   std::optional<std::array<double, 2>> mix;
   SynthesisOptions synthesis;
+  const CLI::App* verb = nullptr;
 };
 
 /// "0.3", or "0,1" from the left to the right.
@@ -46,7 +53,7 @@ Accepted<std::array<double, 2>> mixWeights() {
           }};
 }
 
-/// Finds the noise and the map that were named, and the seed.
+/// Finds the noise and the map that were named, and the pattern.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   const Result<std::size_t> noise = findNoise(bundle, arguments.bundle, arguments.noise);
   if (!noise)
@@ -59,16 +66,27 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
       placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
-  arguments.synthesis.noise = noise.value();
-  arguments.synthesis.map = chosen.maps[map.value()].target;
-  arguments.synthesis.seed = arguments.seed.value_or(seedOf(bundle, noise.value()));
+  if (const auto foreign = foreignOption(*arguments.verb, chosen.method))
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of {}, with which "
+                             "it is not accepted",
+                             foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
+                             nameOf(chosen.method))};
+  const MaterialNoise material = materialOf(bundle, noise.value());
+  SynthesisOptions& synthesis = arguments.synthesis;
+  synthesis.noise = noise.value();
+  synthesis.map = chosen.maps[map.value()].target;
+  synthesis.seed = arguments.seed.value_or(material.seed);
+  synthesis.contrast = arguments.contrast.value_or(material.contrast);
+  synthesis.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
+  synthesis.impacts = arguments.impacts.value_or(material.impacts);
+  synthesis.pointProcess = arguments.points.value_or(material.pointProcess);
   if (arguments.mix && chosen.texton.steps == 1)
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
                              chosen.name)};
   constexpr std::array<double, 2> kWholeWay{0.0, 1.0}, kMiddle{0.5, 0.5};
-  arguments.synthesis.mix =
-      arguments.mix.value_or(arguments.synthesis.tileable ? kMiddle : kWholeWay);
+  synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kWholeWay);
   return {};
 }
 
@@ -126,8 +144,8 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   SynthesisOptions& synthesis = arguments->synthesis;
   addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
-      ->required();
-  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image")->required();
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
   addText(verb, "--noise", arguments->noise, "NAME",
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
@@ -139,21 +157,29 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "The top left corner in tiles; large integer parts are exact");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
            "Another seed, another pattern [default: the material's]");
-  verb.add_flag("--tileable", synthesis.tileable,
-                "Opposite borders of the image continue each other")
-      ->disable_flag_override();
+  addFlag(verb, "--tileable", synthesis.tileable,
+          "Opposite borders of the image continue each other");
   addValue(verb, "--mix", arguments->mix, optional(mixWeights()), "",
            "The place in a mix, from 0 to 1; or those at the left and the right border [default: "
            "0,1; of a tileable image 0.5]");
-  addValue(verb, "--sharpness", synthesis.blendSharpness, number(kBlendSharpnessRange), "1",
-           "Exponent of the blend weights");
-  addValue(verb, "--contrast", synthesis.contrast, number(kContrastRange), "1",
-           "Scale of the variation");
+  addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
+           "Scale of the variation [default: the material's]");
+  addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
+           "Exponent of the blend weights [default: the material's]")
+      .group(groupOf(Method::tiling));
   const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
                                          {"variance", BlendOperator::variancePreserving},
                                          {"linear", BlendOperator::linear}};
   addValue(verb, "--blend", synthesis.blend, oneOf(operators), "histogram",
-           "histogram is the method; the others show what it mends");
+           "histogram is the method; the others show what it mends")
+      .group(groupOf(Method::tiling));
+  addValue(verb, "--impacts", arguments->impacts, optional(number(kImpactsRange)), "",
+           "How many impacts reach a point, in the mean [default: the material's]")
+      .group(groupOf(Method::texton));
+  addValue(verb, "--points", arguments->points, optional(pointProcess()), "",
+           "One impact in each cell of a grid, or a Poisson process [default: the material's]")
+      .group(groupOf(Method::texton));
+  arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }
 

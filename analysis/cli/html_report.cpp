@@ -15,15 +15,22 @@ namespace {
 std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bake) {
   constexpr double kBytesPerKib = 1024.0;
   const Noise& noise = bake.bundle.noises.front();
-  return {{"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
-          {"Bundle", bake.output},
-          {"Method", fmt::format("{}, revision {}", nameOf(noise.method), noise.revision)},
-          {"Seed", std::to_string(bake.bundle.materials.front()->seed)},
-          {"Width", fmt::format("{:g} m", noise.tileSizeMetres)},
-          {"Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended"},
-          {"Tables",
-           fmt::format("{:.0f} KiB on the GPU", double(texelBytes(bake.bundle)) / kBytesPerKib)},
-          {"Version", "lichen " LICHEN_VERSION}};
+  const MaterialNoise& material = *bake.bundle.materials.front();
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
+      {"Bundle", bake.output},
+      {"Method", fmt::format("{}, revision {}", nameOf(noise.method), noise.revision)},
+      {"Seed", std::to_string(material.seed)},
+      {"Width", fmt::format("{:g} m", noise.tileSizeMetres)}};
+  if (noise.method == Method::texton)
+    facts.emplace_back("Impacts", fmt::format("{:g} to a point, {}", material.impacts,
+                                              nameOf(material.pointProcess)));
+  else
+    facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended");
+  facts.emplace_back("Tables", fmt::format("{:.0f} KiB on the GPU",
+                                           double(texelBytes(bake.bundle)) / kBytesPerKib));
+  facts.emplace_back("Version", "lichen " LICHEN_VERSION);
+  return facts;
 }
 
 } // namespace

@@ -5,6 +5,9 @@
 
 #include <lichen/escaped.h>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
@@ -80,10 +83,8 @@ std::string mismatched(const std::string& text) {
 }
 
 void addSharedOptions(CLI::App& verb, SharedOptions& options) {
-  verb.add_flag("--json", options.json, "One JSON object on standard output, nothing else there")
-      ->disable_flag_override();
-  verb.add_flag("--quiet", options.quiet, "No notes and no report; errors only")
-      ->disable_flag_override();
+  addFlag(verb, "--json", options.json, "One JSON object on standard output, nothing else there");
+  addFlag(verb, "--quiet", options.quiet, "No notes and no report; errors only");
   addValue(verb, "--threads", options.threads, wholeNumber(0, 1024), "0",
            "Threads to use; 0 for one a processor");
 }

@@ -2,15 +2,10 @@
 // Options of each method -> its bake.
 #include "method_options.h"
 
+#include "method_group.h"
+
 namespace lichen::cli {
 namespace {
-
-constexpr const char* kTilingGroup = "Tiling";
-constexpr const char* kTextonGroup = "Texton";
-
-const char* groupOf(Method method) {
-  return method == Method::tiling ? kTilingGroup : kTextonGroup;
-}
 
 void addTilingOptions(CLI::App& verb, TilingOptions& tiling) {
   const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
@@ -18,17 +13,17 @@ void addTilingOptions(CLI::App& verb, TilingOptions& tiling) {
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
            "How near to optimal colours are matched")
-      ->group(kTilingGroup);
+      .group(groupOf(Method::tiling));
   const Choices<LookupTable> luts{{"joint", LookupTable::joint},
                                   {"separable", LookupTable::separable}};
   addValue(verb, "--lut", tiling.lut, oneOf(luts), "joint",
            "One table of all colours, or a small one for each axis of colour")
-      ->group(kTilingGroup);
+      .group(groupOf(Method::tiling));
   const Choices<GaussianOnly> gaussian{
       {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
   addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
            "Whether the exemplar's values are Gaussian, and need no table")
-      ->group(kTilingGroup);
+      .group(groupOf(Method::tiling));
 }
 
 } // namespace
@@ -37,23 +32,21 @@ void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& mate
   addValue(verb, "--support", texton.support,
            wholeNumber(int(kTextonSupportRange.least), int(kTextonSupportRange.most)), "64",
            "Texels a side that one impact reaches")
-      ->group(kTextonGroup);
+      .group(groupOf(Method::texton));
   addValue(verb, "--order", texton.order, oneOf<int>({{"0", 0}, {"1", 1}, {"3", 3}}), "1",
            "Of the B-spline between texels: steps, linear, or smooth enough for bumps")
-      ->group(kTextonGroup);
+      .group(groupOf(Method::texton));
   addValue(verb, "--impacts", material.impacts, number(kImpactsRange), "30",
            "How many impacts reach a point, in the mean")
-      ->group(kTextonGroup);
-  const Choices<PointProcess> points{{"stratified", PointProcess::stratified},
-                                     {"poisson", PointProcess::poisson}};
-  addValue(verb, "--points", material.pointProcess, oneOf(points), "stratified",
+      .group(groupOf(Method::texton));
+  addValue(verb, "--points", material.pointProcess, pointProcess(), "stratified",
            "One impact in each cell of a grid, or a Poisson process")
-      ->group(kTextonGroup);
+      .group(groupOf(Method::texton));
   const Choices<TextonVariance> variances{{"exemplar", TextonVariance::exemplar},
                                           {"periodic", TextonVariance::periodic}};
   addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
            "Whose contrast the noise has: the exemplar's, or its periodic component's")
-      ->group(kTextonGroup);
+      .group(groupOf(Method::texton));
 }
 
 void addMethodOptions(CLI::App& verb, MethodOptions& options) {
@@ -67,17 +60,16 @@ void addMethodOptions(CLI::App& verb, MethodOptions& options) {
                                 {"projections", TextonFit::projections}};
   addValue(verb, "--fit", options.texton.fit, oneOf(fits), "transport",
            "By least transport distance, or by the paper's alternating projections")
-      ->group(kTextonGroup);
+      .group(groupOf(Method::texton));
 }
 
 Result<void> checkMethodOptions(const CLI::App& verb, const MethodOptions& options) {
-  for (const Method other : {Method::tiling, Method::texton})
-    for (const CLI::Option* option : verb.get_options())
-      if (other != options.method && option->get_group() == groupOf(other) && option->count() > 0)
-        return Error{ErrorKind::usage,
-                     option->get_name() + ": belongs to --method " + std::string(nameOf(other)) +
-                         "; with " + std::string(nameOf(options.method)) + " it is not accepted"};
-  return {};
+  const std::optional<ForeignOption> foreign = foreignOption(verb, options.method);
+  if (!foreign)
+    return {};
+  return Error{ErrorKind::usage, foreign->name + ": belongs to --method " +
+                                     std::string(nameOf(foreign->method)) + "; with " +
+                                     std::string(nameOf(options.method)) + " it is not accepted"};
 }
 
 Result<MethodBake> bakeBy(const MethodOptions& options, const std::string& name,

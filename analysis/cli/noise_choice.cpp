@@ -51,11 +51,13 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
   return placeOf(wanted, noises, "--noise", file);
 }
 
-std::uint32_t seedOf(const Bundle& bundle, std::size_t noise) {
-  const auto found = std::find_if(
-      bundle.materials.begin(), bundle.materials.end(),
-      [noise](const std::optional<MaterialNoise>& use) { return use && use->noise == noise; });
-  return found == bundle.materials.end() ? MaterialNoise{}.seed : (*found)->seed;
+MaterialNoise materialOf(const Bundle& bundle, std::size_t noise) {
+  for (const std::optional<MaterialNoise>& use : bundle.materials)
+    if (use && use->noise == noise)
+      return *use;
+  MaterialNoise unused;
+  unused.noise = noise;
+  return unused;
 }
 
 } // namespace lichen::cli

@@ -19,8 +19,8 @@ namespace lichen::cli {
 [[nodiscard]] Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                                             const std::string& wanted);
 
-/// The seed of the first material that uses the noise, so that its pattern is shown; 1 where none
+/// The first material that uses the noise, so that its pattern is shown; the defaults where none
 /// does.
-[[nodiscard]] std::uint32_t seedOf(const Bundle& bundle, std::size_t noise);
+[[nodiscard]] MaterialNoise materialOf(const Bundle& bundle, std::size_t noise);
 
 } // namespace lichen::cli

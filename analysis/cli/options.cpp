@@ -2,6 +2,7 @@
 // Texts of options -> values, and the page that --help prints.
 #include "options.h"
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
@@ -145,29 +146,42 @@ Accepted<std::array<int, 4>> pixelRectangle(int largest) {
       }};
 }
 
-CLI::Option* addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
-                           const std::string& sentence,
-                           std::function<bool(const std::string&)> take, const std::string& preset,
-                           const std::string& help) {
+const Option& Option::required() const {
+  option_->required();
+  return *this;
+}
+
+const Option& Option::group(const std::string& heading) const {
+  option_->group(heading);
+  return *this;
+}
+
+Option addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                     const std::string& sentence, std::function<bool(const std::string&)> take,
+                     const std::string& preset, const std::string& help) {
   const auto read = [=](const std::string& text) {
     if (!take(text))
       throw CLI::ValidationError(name + " " + text, sentence + " is accepted");
   };
-  return verb.add_option_function<std::string>(name, read, help)
-      ->type_name(placeholder)
-      ->default_str(preset);
+  return Option(verb.add_option_function<std::string>(name, read, help)
+                    ->type_name(placeholder)
+                    ->default_str(preset));
 }
 
-CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
-                     const std::string& placeholder, const std::string& help) {
-  return verb.add_option(name, value, help)->type_name(placeholder);
+Option addText(CLI::App& verb, const std::string& name, std::string& value,
+               const std::string& placeholder, const std::string& help) {
+  return Option(verb.add_option(name, value, help)->type_name(placeholder));
 }
 
-CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
-                      const std::string& placeholder, const std::string& help) {
-  return verb.add_option(name, values, help)
-      ->type_name(placeholder)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+Option addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                const std::string& placeholder, const std::string& help) {
+  return Option(verb.add_option(name, values, help)
+                    ->type_name(placeholder)
+                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+}
+
+void addFlag(CLI::App& verb, const std::string& name, bool& flag, const std::string& help) {
+  verb.add_flag(name, flag, help)->disable_flag_override();
 }
 
 void addPreviewShape(CLI::App& verb, PreviewShape& shape) {
@@ -175,6 +189,13 @@ void addPreviewShape(CLI::App& verb, PreviewShape& shape) {
                                      {"plane", PreviewShape::plane},
                                      {"none", PreviewShape::none}};
   addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "The scene around the material");
+}
+
+std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group) {
+  for (const CLI::Option* option : verb.get_options())
+    if (option->get_group() == group && option->count() > 0)
+      return option->get_name();
+  return std::nullopt;
 }
 
 std::shared_ptr<CLI::FormatterBase> helpFormatter() {

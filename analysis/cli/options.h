@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Options whose text is read by rules of our own, so that help and messages speak of options and
-// not of the parser's types.
+// not of the parser's types. Its headers are not included: each file that does compiles all its
+// validators again, which takes longer than a verb.
 #pragma once
 
 #include <lichen/bundle_writer.h>
-
-#include <CLI/App.hpp>
 
 #include <array>
 #include <cassert>
@@ -16,6 +15,12 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CLI {
+class App;
+class FormatterBase;
+class Option;
+} // namespace CLI
 
 namespace lichen::cli {
 
@@ -74,19 +79,32 @@ template <class Value>
           }};
 }
 
+/// An option that has been declared, and what else can be said of it.
+class Option {
+public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  /// The parse fails without it.
+  const Option& required() const;
+  /// The heading of help under which it stands.
+  const Option& group(const std::string& heading) const;
+
+private:
+  CLI::Option* option_;
+};
+
 /// Declares an option of which `take` reads the text; where it returns false, the parse ends with
 /// CLI::ValidationError("NAME TEXT: SENTENCE is accepted").
-CLI::Option* addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
-                           const std::string& sentence,
-                           std::function<bool(const std::string& text)> take,
-                           const std::string& preset, const std::string& help);
+Option addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
+                     const std::string& sentence, std::function<bool(const std::string& text)> take,
+                     const std::string& preset, const std::string& help);
 
 /// Declares an option of a verb. `value`, which must outlive the parse, is set to what `preset`
 /// says, unless that is empty, and to what the user says.
 template <class Value>
-CLI::Option* addValue(CLI::App& verb, const std::string& name, Value& value,
-                      const Accepted<Value>& accepted, const std::string& preset,
-                      const std::string& help) {
+Option addValue(CLI::App& verb, const std::string& name, Value& value,
+                const Accepted<Value>& accepted, const std::string& preset,
+                const std::string& help) {
   const auto take = [&value, read = accepted.read](const std::string& text) {
     const std::optional<Value> result = read(text);
     if (result)
@@ -99,15 +117,21 @@ CLI::Option* addValue(CLI::App& verb, const std::string& name, Value& value,
 }
 
 /// An option or argument that is taken as it stands.
-CLI::Option* addText(CLI::App& verb, const std::string& name, std::string& value,
-                     const std::string& placeholder, const std::string& help);
+Option addText(CLI::App& verb, const std::string& name, std::string& value,
+               const std::string& placeholder, const std::string& help);
 
 /// As above, for an argument that may be given again and again.
-CLI::Option* addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
-                      const std::string& placeholder, const std::string& help);
+Option addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                const std::string& placeholder, const std::string& help);
+
+/// An option without a value, which sets `flag`.
+void addFlag(CLI::App& verb, const std::string& name, bool& flag, const std::string& help);
 
 /// --preview of the verbs that write a scene.
 void addPreviewShape(CLI::App& verb, PreviewShape& shape);
+
+/// The first option of this group that was given, or nothing.
+[[nodiscard]] std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group);
 
 /// Help with placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();

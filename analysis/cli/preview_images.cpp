@@ -33,13 +33,12 @@ LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
 
 } // namespace
 
-Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise, std::uint32_t seed) {
+Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& material) {
   std::map<MapTarget, LinearImage> textures;
-  for (const NoiseMap& map : bundle.noises[noise].maps) {
+  for (const NoiseMap& map : bundle.noises[material.noise].maps) {
     if (map.target == MapTarget::height)
       continue; // core materials have none
-    Result<LinearImage> values =
-        synthesizePreview(bundle, noise, map.target, seed, kTilesPerPreview);
+    Result<LinearImage> values = synthesizePreview(bundle, material, map.target, kTilesPerPreview);
     if (!values)
       return values.error();
     textures[map.target] = coreTexture(map, std::move(values).value());

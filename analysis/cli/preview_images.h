@@ -6,9 +6,9 @@
 
 namespace lichen::cli {
 
-/// Tileable images of a noise's maps for the core material, in the pattern of `seed`, as large as
-/// the noise's widest map asks for.
-[[nodiscard]] Result<PreviewImages> previewImages(const Bundle& bundle, std::size_t noise,
-                                                  std::uint32_t seed);
+/// Tileable images of the maps of a material's noise for the core material, in the material's
+/// pattern, as large as the noise's widest map asks for.
+[[nodiscard]] Result<PreviewImages> previewImages(const Bundle& bundle,
+                                                  const MaterialNoise& material);
 
 } // namespace lichen::cli

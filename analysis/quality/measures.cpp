@@ -12,6 +12,9 @@ namespace {
 /// Gradients across the grain have three times the energy of those along it.
 constexpr double kStrongAnisotropy = 0.5;
 
+constexpr std::string_view kColorDistanceName = "color_distance";
+constexpr std::string_view kSpectrumDistanceName = "spectrum_distance_db";
+
 /// A measure's value, or as a remark why these images have none.
 Result<Measure> taken(Measure measure, const Result<double>& value) {
   if (value) {
@@ -25,7 +28,7 @@ Result<Measure> taken(Measure measure, const Result<double>& value) {
 }
 
 Measure spectrumMeasure(const SrgbImage& exemplar) {
-  Measure measure{"spectrum_distance_db",
+  Measure measure{kSpectrumDistanceName,
                   "dB",
                   "difference of the radially averaged power spectra of the luminance",
                   {},
@@ -52,7 +55,7 @@ Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const Srgb
     if (auto error = refusal(exemplar, result, 1))
       return *error;
     const Result<Measure> measures[] = {
-        taken({"color_distance",
+        taken({kColorDistanceName,
                "",
                "distance between the sets of colours, in code values",
                {},
@@ -79,6 +82,40 @@ Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const Srgb
       if (!measure)
         return measure.error();
       all.push_back(measure.value());
+    }
+    return all;
+  });
+}
+
+Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
+                                                   const SrgbImage& gaussian,
+                                                   const SrgbImage& result) {
+  return withinMemory(exhausted, [&]() -> Result<std::vector<Measure>> {
+    Result<std::vector<Measure>> measures = measureResult(exemplar, result);
+    if (!measures)
+      return measures.error();
+    std::vector<Measure> all;
+    for (Measure& measure : measures.value()) {
+      const bool isSpectrum = measure.name == kSpectrumDistanceName;
+      if (isSpectrum || measure.name == kColorDistanceName) {
+        measure.target.reset();
+        if (measure.value)
+          measure.remark = "no target: a texton's noise is a Gaussian texture";
+      }
+      all.push_back(std::move(measure));
+      if (!isSpectrum)
+        continue;
+      Result<Measure> distance =
+          taken({kGaussianSpectrumDistanceName,
+                 "dB",
+                 "the same difference to the exemplar's Gaussian texture, of random phases",
+                 {},
+                 kGaussianSpectrumDistanceTargetDb,
+                 {}},
+                spectrumDistanceDb(gaussian, result));
+      if (!distance)
+        return distance.error();
+      all.push_back(std::move(distance).value());
     }
     return all;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures and risks -> JSON.
+// Measures, kernels and risks -> JSON.
 #include <lichen/judgement_json.h>
 
 namespace lichen {
@@ -19,6 +19,20 @@ JsonTree jsonOf(const Measure& measure) {
           {"target", orNull(measure.target)},
           {"met", measure.value && measure.target ? JsonTree(!measure.isMissed()) : JsonTree()},
           {"remark", measure.remark}};
+}
+
+JsonTree jsonOf(const KernelComparison& kernels) {
+  JsonTree list = JsonTree::array();
+  const std::pair<const char*, const KernelJudgement*> all[] = {
+      {"this texton", &kernels.texton},
+      {"luminance texton", &kernels.luminance},
+      {"random phase, cropped", &kernels.randomPhase}};
+  for (const auto& [name, kernel] : all)
+    list.push_back({{"name", name},
+                    {"modelError", kernel->modelError},
+                    {"flatness", kernel->flatness},
+                    {"impactsNeeded", kernel->impactsNeeded()}});
+  return list;
 }
 
 JsonTree jsonOf(const Risk& risk) {

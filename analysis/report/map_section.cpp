@@ -66,7 +66,8 @@ JsonTree histogramsOf(const NoiseComparison& comparison) {
   return histograms;
 }
 
-/// In decibels by cycles per crop; null where the exemplar is too small for spectrum_distance_db.
+/// In decibels by cycles per crop, of a texton that of the Gaussian texture too; null where the
+/// exemplar is too small for spectrum_distance_db.
 JsonTree spectrumOf(const NoiseComparison& comparison) {
   const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
   const int crop =
@@ -83,6 +84,7 @@ JsonTree spectrumOf(const NoiseComparison& comparison) {
   };
   return {{"cropSide", crop},
           {"exemplar", decibels(comparison.exemplar)},
+          {"gaussian", comparison.gaussian ? JsonTree(decibels(*comparison.gaussian)) : JsonTree()},
           {"result", decibels(comparison.result)}};
 }
 
@@ -207,15 +209,14 @@ Extents resultExtents(const Extents& exemplar, int side) {
   return extents;
 }
 
-/// Adds pictures of original, exemplar and result at one scale; the first is null where the
-/// exemplar is as it was.
-Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t seed,
+/// Adds pictures of original, exemplar, its Gaussian texture and result at one scale; the first is
+/// null where the exemplar is as it was, the third where there is none.
+Result<void> addPictures(JsonTree& section, const Bundle& bundle, const MaterialNoise& material,
                          const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
   const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
-  SynthesisOptions options;
+  SynthesisOptions options = patternOf(material);
   options.map = shown.exemplar.target;
-  options.seed = seed;
   options.texelsPerTile = width;
   const Extents extents = resultExtents({width, height}, exemplarSide);
   options.width = extents[0];
@@ -226,26 +227,31 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, std::uint32_t 
   Result<JsonTree> original = JsonTree();
   if (const std::optional<MapExemplar>& before = shown.origin.original; before)
     original = picture(reduced(comparison.look.picture(*before), width, height));
+  Result<JsonTree> gaussian = JsonTree();
+  if (const std::optional<SrgbImage>& texture = comparison.gaussian; texture)
+    gaussian = picture(reduced(*texture, 2 * width, 2 * height));
   Result<JsonTree> exemplar = picture(reduced(comparison.exemplar, width, height));
   Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
-  for (const Result<JsonTree>* made : {&original, &exemplar, &shownResult})
+  for (const Result<JsonTree>* made : {&original, &exemplar, &gaussian, &shownResult})
     if (!*made)
       return made->error();
   section["original"] = std::move(original).value();
   section["exemplar"] = std::move(exemplar).value();
+  section["gaussian"] = std::move(gaussian).value();
   section["result"] = std::move(shownResult).value();
   return {};
 }
 
 } // namespace
 
-Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const ShownExemplar& shown,
-                             int exemplarSide, const Progress& progress) {
+Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material,
+                             const ShownExemplar& shown, int exemplarSide,
+                             const Progress& progress) {
   const MapExemplar& exemplar = shown.exemplar;
-  const Result<NoiseComparison> comparison = compareNoise(bundle, 0, seed, exemplar, progress);
+  const Result<NoiseComparison> comparison = compareNoise(bundle, material, exemplar, progress);
   if (!comparison)
     return comparison.error();
-  const Noise& noise = bundle.noises.front();
+  const Noise& noise = bundle.noises[material.noise];
   const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // which was compared
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
@@ -255,7 +261,7 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Sho
                    {"histograms", histogramsOf(comparison.value())},
                    {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
-          addPictures(section, bundle, seed, shown, comparison.value(), exemplarSide);
+          addPictures(section, bundle, material, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
   const bool isTexton = noise.method == Method::texton;
@@ -266,6 +272,8 @@ Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed, const Sho
     return image.error();
   section["image"] = std::move(image).value();
   section["method"] = nameOf(noise.method);
+  section["kernels"] =
+      comparison.value().kernels ? jsonOf(*comparison.value().kernels) : JsonTree();
   section["table"] = JsonTree();
   if (map.inverseTable) {
     Result<JsonTree> table =

@@ -20,8 +20,8 @@ struct ShownExemplar {
 
 /// What the page's script reads for a map: pictures as data URIs, measures, charts' values.
 /// The exemplar's picture has as many pixels as a square of `exemplarSide`, at most. The noise is
-/// the bundle's first. Errors as compareNoise().
-[[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, std::uint32_t seed,
+/// the material's. Errors as compareNoise().
+[[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material,
                                            const ShownExemplar& shown, int exemplarSide,
                                            const Progress& progress);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bundle and exemplar -> pictures of both and the measures between them.
+#include "exemplar/resample.h"
+
 #include <lichen/noise_comparison.h>
 #include <lichen/synthesize.h>
 
@@ -67,12 +69,64 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
   return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
 }
 
-Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
-                                const MapExemplar& exemplar, SynthesisOptions options,
-                                const Progress& progress) {
+Measure flatnessMeasure(const KernelComparison& kernels) {
+  return {"flatness",
+          "",
+          "how unlike the magnitudes of the texton's texels are; a tenth of the impacts it takes",
+          kernels.texton.flatness,
+          kFlatnessTarget,
+          {}};
+}
+
+Measure modelErrorMeasure(const KernelComparison& kernels) {
+  return {"model_error",
+          "",
+          "transport distance to the exemplar's Gaussian texture, as a share of its deviation",
+          kernels.texton.modelError,
+          {},
+          {}};
+}
+
+/// Measures of a texton's result, for which the exemplar's Gaussian texture counts.
+Result<void> judgeAsGaussian(const Bundle& bundle, const SynthesisOptions& options,
+                             const NoiseMap& map, const MapExemplar& exemplar, bool isEnlarged,
+                             NoiseComparison& comparison) {
+  const Result<MapExemplar> gaussian = gaussianVersion(map, exemplar, options.seed);
+  if (!gaussian)
+    return gaussian.error();
+  comparison.gaussian = comparison.look.picture(gaussian.value());
+  const Result<KernelComparison> kernels = compareTexton(bundle, options.noise, exemplar);
+  if (!kernels)
+    return kernels.error();
+  comparison.kernels = kernels.value();
+  Result<std::vector<Measure>> measures =
+      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result);
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  if (isEnlarged)
+    for (Measure& measure : comparison.measures)
+      if (measure.name == kGaussianSpectrumDistanceName && measure.value) {
+        measure.target.reset();
+        measure.remark = "no target: the map was enlarged to the size of the largest, and has "
+                         "nothing to compare in the finest waves";
+      }
+  comparison.measures.push_back(modelErrorMeasure(kernels.value()));
+  comparison.measures.push_back(flatnessMeasure(kernels.value()));
+  return {};
+}
+
+Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const MapExemplar& given,
+                                SynthesisOptions options, const Progress& progress) {
   const Noise& noise = bundle.noises[options.noise];
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const Extents baked{int(width), int(height)};
+  // Textons of smaller maps of a set are of the size of the largest.
+  std::optional<MapExemplar> enlarged;
+  if (noise.method == Method::texton &&
+      (given.width != baked.width || given.height != baked.height))
+    enlarged = exemplar::resampled(given, baked.width, baked.height, false);
+  const MapExemplar& exemplar = enlarged ? *enlarged : given;
   const bool hasLattice = noise.method == Method::tiling;
   options.map = map.target;
   options.width = std::min(kResultExemplars * baked.width, kLargestSide);
@@ -89,13 +143,19 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
   if (!result)
     return result.error();
   const MapLook look(exemplar, map.encoding);
-  NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}};
+  NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}, {},
+                             {}};
+  if (noise.method == Method::texton) {
+    if (Result<void> judged =
+            judgeAsGaussian(bundle, options, map, exemplar, enlarged.has_value(), comparison);
+        !judged)
+      return judged.error();
+    return comparison;
+  }
   Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
-  if (!hasLattice)
-    return comparison;
   Result<Measure> lattice = latticeMeasure(bundle, wide, baked, look);
   if (!lattice)
     return lattice.error();
@@ -105,17 +165,15 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map,
 
 } // namespace
 
-Result<NoiseComparison> compareNoise(const Bundle& bundle, std::size_t noise, std::uint32_t seed,
+Result<NoiseComparison> compareNoise(const Bundle& bundle, const MaterialNoise& material,
                                      const MapExemplar& exemplar, const Progress& progress) {
   return withinMemory([] { return "not enough memory to compare the noise with its exemplar"; },
                       [&]() -> Result<NoiseComparison> {
-                        const Result<const NoiseMap*> map = mapOf(bundle, noise, exemplar);
+                        const Result<const NoiseMap*> map = mapOf(bundle, material.noise, exemplar);
                         if (!map)
                           return map.error();
-                        SynthesisOptions options;
-                        options.noise = noise;
-                        options.seed = seed;
-                        return compare(bundle, *map.value(), exemplar, options, progress);
+                        return compare(bundle, *map.value(), exemplar, patternOf(material),
+                                       progress);
                       });
 }
 

@@ -14,15 +14,18 @@ namespace lichen {
 namespace {
 
 /// Pixels of a map's pictures per pixel of its exemplar's: itself, what it was before it was
-/// flattened, the Gaussian image and a result of two by two.
-constexpr double kPicturePixels = 7.0;
+/// flattened, a result of two by two, and the Gaussian image or, of textons, a Gaussian texture as
+/// large as the result.
+constexpr double kTilingPixels = 7.0;
+constexpr double kTextonPixels = 10.0;
 /// In all, of at most 4 bytes each in base64: a page below 14 MiB, and about half that for
 /// photographs, which compress.
 constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
-int exemplarSide(std::size_t maps) {
-  const double pixels = kMostPixels / (kPicturePixels * double(std::max<std::size_t>(maps, 1)));
+int exemplarSide(std::size_t maps, Method method) {
+  const double ofExemplar = method == Method::texton ? kTextonPixels : kTilingPixels;
+  const double pixels = kMostPixels / (ofExemplar * double(std::max<std::size_t>(maps, 1)));
   return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
 }
 
@@ -88,12 +91,13 @@ std::vector<std::byte> pageWith(const std::string& data) {
 Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t count = record.exemplars.size();
-  const std::uint32_t seed = record.bundle.materials.front()->seed;
+  const MaterialNoise& material = *record.bundle.materials.front();
+  const int side = exemplarSide(count, record.bundle.noises[material.noise].method);
   JsonTree maps = JsonTree::array();
   for (std::size_t m = 0; m < count; ++m) {
     const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
     Result<JsonTree> map =
-        describeMap(record.bundle, seed, shown, exemplarSide(count),
+        describeMap(record.bundle, material, shown, side,
                     partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
     if (!map)
       return map.error();

@@ -22,4 +22,16 @@ float levelKept(const shader::LichenMap& map, float level) {
   return above * above + rest * rest * (below * below - above * above);
 }
 
+float textonKept(const shader::LichenMap& map, float level) {
+  const int mip = int(level);
+  const float fine = mipKept(map, mip);
+  const float coarse = mipKept(map, mip + 1);
+  const float ratio = fine > 0.0f ? coarse / fine : 0.0f;
+  const float covariance =
+      coarse * coarse + 0.5f * ratio * ratio * ratio * (fine * fine - coarse * coarse);
+  const float t = level - float(mip);
+  const float rest = 1.0f - t;
+  return rest * rest * fine * fine + 2.0f * t * rest * covariance + t * t * coarse * coarse;
+}
+
 } // namespace lichen

@@ -12,6 +12,10 @@ namespace lichen {
 /// Texels of a table, red, green and blue with 0 where it has fewer channels, and 1.
 [[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level);
 
+/// a + t (b - a).
+[[nodiscard]] std::array<float, 4> mix(const std::array<float, 4>& a, const std::array<float, 4>& b,
+                                       float t);
+
 /// Immutable: any number of threads may fetch from it.
 class RepeatingImage {
 public:

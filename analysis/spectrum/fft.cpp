@@ -3,6 +3,19 @@
 #include "fft_backend.h"
 
 namespace lichen {
+namespace {
+
+#ifdef LICHEN_FFT_KISS
+constexpr auto* kForward = forwardKissFft;
+constexpr auto* kInverse = inverseKissFft;
+constexpr auto* kPatch = patchKissFft;
+#else
+constexpr auto* kForward = forwardFftw;
+constexpr auto* kInverse = inverseFftw;
+constexpr auto* kPatch = patchFftw;
+#endif
+
+} // namespace
 
 int fastTransformSize(int size) {
   for (;; ++size) {
@@ -16,29 +29,14 @@ int fastTransformSize(int size) {
 }
 
 HalfSpectrum forwardFft(std::span<const float> plane, int width, int height) {
-#ifdef LICHEN_FFT_KISS
-  return forwardKissFft(plane, width, height);
-#else
-  return forwardFftw(plane, width, height);
-#endif
+  return kForward(plane, width, height);
 }
 
-std::vector<float> inverseFft(const HalfSpectrum& spectrum) {
-#ifdef LICHEN_FFT_KISS
-  return inverseKissFft(spectrum);
-#else
-  return inverseFftw(spectrum);
-#endif
-}
+std::vector<float> inverseFft(const HalfSpectrum& spectrum) { return kInverse(spectrum); }
 
 PatchFft::PatchFft(int width, int height, int patchWidth, int patchHeight)
-#ifdef LICHEN_FFT_KISS
-    : transform_(patchKissFft(width, height, patchWidth, patchHeight)){}
-#else
-    : transform_(patchFftw(width, height, patchWidth, patchHeight)) {
-}
-#endif
-      PatchFft::PatchFft(PatchFft &&) noexcept = default;
+    : transform_(kPatch(width, height, patchWidth, patchHeight)) {}
+PatchFft::PatchFft(PatchFft&&) noexcept = default;
 PatchFft& PatchFft::operator=(PatchFft&&) noexcept = default;
 PatchFft::~PatchFft() = default;
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <kiss_fft.h>
 #include <kiss_fftnd.h>
 #include <memory>
 #include <new>
@@ -16,7 +17,7 @@ namespace lichen {
 namespace {
 
 struct KissFree {
-  void operator()(kiss_fftnd_cfg configuration) const { kiss_fft_free(configuration); }
+  void operator()(void* configuration) const { kiss_fft_free(configuration); }
 };
 
 std::vector<kiss_fft_cpx> transform(const std::vector<kiss_fft_cpx>& in, int width, int height,
@@ -72,29 +73,80 @@ std::vector<float> inverseKissFft(const HalfSpectrum& spectrum) {
 
 namespace {
 
-/// By transforms of the whole plane.
-class KissPatch final : public PatchTransform {
-public:
-  KissPatch(int width, int height, int patchWidth, int patchHeight)
-      : width_(width), height_(height), patchWidth_(patchWidth), patchHeight_(patchHeight) {}
+using Line = std::vector<kiss_fft_cpx>;
 
-  void forward(std::span<const float> patch, HalfSpectrum& spectrum) override {
-    std::vector<float> plane(std::size_t(width_) * std::size_t(height_), 0.0f);
-    for (int y = 0; y < patchHeight_; ++y)
-      std::copy_n(patch.data() + std::ptrdiff_t(y) * patchWidth_, patchWidth_,
-                  plane.data() + std::ptrdiff_t(y) * width_);
-    spectrum = forwardKissFft(plane, width_, height_);
+/// One-dimensional transforms of a length.
+class LineTransform {
+public:
+  LineTransform(int length, bool inverse)
+      : configuration_(kiss_fft_alloc(length, inverse ? 1 : 0, nullptr, nullptr)) {
+    if (!configuration_)
+      throw std::bad_alloc();
   }
 
-  void inverse(const HalfSpectrum& spectrum, std::span<float> patch) override {
-    const std::vector<float> plane = inverseKissFft(spectrum);
-    for (int y = 0; y < patchHeight_; ++y)
-      std::copy_n(plane.data() + std::ptrdiff_t(y) * width_, patchWidth_,
-                  patch.data() + std::ptrdiff_t(y) * patchWidth_);
+  /// From values `stride` apart to ones that follow one another.
+  void run(const kiss_fft_cpx* in, std::size_t stride, Line& out) const {
+    kiss_fft_stride(configuration_.get(), in, out.data(), int(stride));
   }
 
 private:
-  int width_, height_, patchWidth_, patchHeight_;
+  std::unique_ptr<kiss_fft_state, KissFree> configuration_;
+};
+
+/// Rows, of which only the patch's are transformed, then columns; the inverse the other way round.
+class KissPatch final : public PatchTransform {
+public:
+  KissPatch(int width, int height, int patchWidth, int patchHeight)
+      : columns_(std::size_t(width / 2 + 1)), patchWidth_(std::size_t(patchWidth)),
+        patchHeight_(std::size_t(patchHeight)), row_(std::size_t(width)), rowOut_(row_.size()),
+        columnOut_(std::size_t(height)), lines_(columns_ * columnOut_.size()),
+        rowForward_(width, false), rowInverse_(width, true), columnForward_(height, false),
+        columnInverse_(height, true) {}
+
+  void forward(std::span<const float> patch, HalfSpectrum& spectrum) override {
+    std::fill(row_.begin(), row_.end(), kiss_fft_cpx{0.0f, 0.0f});
+    std::fill(lines_.begin(), lines_.end(), kiss_fft_cpx{0.0f, 0.0f});
+    for (std::size_t y = 0; y < patchHeight_; ++y) {
+      for (std::size_t x = 0; x < patchWidth_; ++x)
+        row_[x] = {patch[y * patchWidth_ + x], 0.0f};
+      rowForward_.run(row_.data(), 1, rowOut_);
+      std::copy_n(rowOut_.begin(), columns_, lines_.begin() + std::ptrdiff_t(y * columns_));
+    }
+    for (std::size_t u = 0; u < columns_; ++u) {
+      columnForward_.run(&lines_[u], columns_, columnOut_);
+      for (std::size_t v = 0; v < columnOut_.size(); ++v)
+        spectrum.values[v * columns_ + u] = {columnOut_[v].r, columnOut_[v].i};
+    }
+  }
+
+  void inverse(const HalfSpectrum& spectrum, std::span<float> patch) override {
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      lines_[i] = {spectrum.values[i].real(), spectrum.values[i].imag()};
+    for (std::size_t u = 0; u < columns_; ++u) {
+      columnInverse_.run(&lines_[u], columns_, columnOut_);
+      for (std::size_t y = 0; y < patchHeight_; ++y)
+        lines_[y * columns_ + u] = columnOut_[y];
+    }
+    const float scale = 1.0f / (float(row_.size()) * float(columnOut_.size()));
+    for (std::size_t y = 0; y < patchHeight_; ++y) {
+      const kiss_fft_cpx* line = &lines_[y * columns_];
+      std::copy_n(line, columns_, row_.begin());
+      for (std::size_t u = columns_; u < row_.size(); ++u) {
+        const kiss_fft_cpx& mirror = line[row_.size() - u];
+        row_[u] = {mirror.r, -mirror.i};
+      }
+      rowInverse_.run(row_.data(), 1, rowOut_);
+      for (std::size_t x = 0; x < patchWidth_; ++x)
+        patch[y * patchWidth_ + x] = rowOut_[x].r * scale;
+    }
+  }
+
+private:
+  std::size_t columns_, patchWidth_, patchHeight_;
+  Line row_, rowOut_; ///< of the plane
+  Line columnOut_;
+  Line lines_; ///< height x columns_
+  LineTransform rowForward_, rowInverse_, columnForward_, columnInverse_;
 };
 
 } // namespace

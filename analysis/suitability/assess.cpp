@@ -11,6 +11,7 @@
 #include "lattice_share.h"
 #include "phase_coherence.h"
 #include "progress_part.h"
+#include "risk_of.h"
 #include "slow_variation.h"
 #include "tiling/map_ranges.h"
 
@@ -31,17 +32,6 @@ constexpr double kSlopesOfProgress = 0.4;
 constexpr double kPlaneOfProgress = 0.5;
 constexpr double kTransformOfProgress = 0.55;
 constexpr double kLatticeOfProgress = 0.4; // of structureRisk
-
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
-/// What is measured is said of every exemplar, what comes of it where it is a risk.
-Risk risk(std::string_view name, double score, std::string measured, const std::string& consequence,
-          std::string remedy) {
-  if (score < kMildScore)
-    return {name, score, Risk::Level::none, std::move(measured), {}};
-  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
-          measured + ", " + consequence, std::move(remedy)};
-}
 
 /// Whether flattening helps against what varies slowly in a map.
 enum class SlowCause {
@@ -87,20 +77,20 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const 
   double share = kLongestAdvisedPeriod;
   while (share > kShortestAutoPeriod && !flattensBy(share))
     share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
-  return risk("cloudiness", scoreOf(measured, kCloudiness),
-              "the contrast will vary by " + percent(measured) + " from place to place",
-              "with what is blended there by chance",
-              (flattensBy(share) ? flattenOr(map, slow, share) : "") +
-                  "a photograph that varies less over large distances");
+  return riskOf("cloudiness", scoreOf(measured, kCloudiness),
+                "the contrast will vary by " + percent(measured) + " from place to place",
+                "with what is blended there by chance",
+                (flattensBy(share) ? flattenOr(map, slow, share) : "") +
+                    "a photograph that varies less over large distances");
 }
 
 Risk fewColorsRisk(const FewColors& few) {
-  return risk("structure", scoreOf(few.spacing, kColorSpacing),
-              "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
-                  " colours, with next to nothing between them",
-              "whose outlines come out ragged",
-              "a photograph, whose colours pass into one another; an image that tiles may be "
-              "repeated as a plain texture instead");
+  return riskOf("structure", scoreOf(few.spacing, kColorSpacing),
+                "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
+                    " colours, with next to nothing between them",
+                "whose outlines come out ragged",
+                "a photograph, whose colours pass into one another; an image that tiles may be "
+                "repeated as a plain texture instead");
 }
 
 Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
@@ -115,11 +105,12 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
   const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
                              "tiles may be repeated as a plain texture instead";
   if (latticeScore > coherenceScore)
-    return risk("structure", latticeScore,
-                percent(lattice) + " of the variation repeats at even steps", consequence, remedy);
-  return risk("structure", coherenceScore,
-              "outlines, as joints and letters have, are coherent to " + percent(coherence),
-              consequence, remedy);
+    return riskOf("structure", latticeScore,
+                  percent(lattice) + " of the variation repeats at even steps", consequence,
+                  remedy);
+  return riskOf("structure", coherenceScore,
+                "outlines, as joints and letters have, are coherent to " + percent(coherence),
+                consequence, remedy);
 }
 
 /// `seen` is the map, or the slopes that show of it.
@@ -127,25 +118,25 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const Slo
   const double measured = slowVariationShare(seen);
   // Peak to peak of a wave of that deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
-  return risk("low-frequency", scoreOf(measured, kSlowVariation),
-              "one side or part of the image differs from the rest by " + percent(difference) +
-                  " of the full range",
-              "which will show as patches",
-              slow.cause == SlowCause::object
-                  ? "a photograph that shows many such objects, or a crop without the one"
-                  : flattenOr(map, slow, kLongestAdvisedPeriod) + "even light");
+  return riskOf("low-frequency", scoreOf(measured, kSlowVariation),
+                "one side or part of the image differs from the rest by " + percent(difference) +
+                    " of the full range",
+                "which will show as patches",
+                slow.cause == SlowCause::object
+                    ? "a photograph that shows many such objects, or a crop without the one"
+                    : flattenOr(map, slow, kLongestAdvisedPeriod) + "even light");
 }
 
 Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
   if (few.spacing >= kColorSpacing.mild) // black and white among them are no fault of exposure
-    return risk("clipping", 0.0, "the image has few colours", {}, {});
+    return riskOf("clipping", 0.0, "the image has few colours", {}, {});
   const ClippedShare clipped = clippedShare(map);
-  return risk("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
-              percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
-                  " black",
-              "without detail",
-              clipped.white > clipped.black ? "a photograph with less exposure"
-                                            : "a photograph with more exposure");
+  return riskOf("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
+                percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
+                    " black",
+                "without detail",
+                clipped.white > clipped.black ? "a photograph with less exposure"
+                                              : "a photograph with more exposure");
 }
 
 /// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
@@ -187,7 +178,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
                structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
   // One colour may well be white.
   risks.push_back(plane ? clippingRisk(map, few)
-                        : risk("clipping", 0.0, "the image has one colour", {}, {}));
+                        : riskOf("clipping", 0.0, "the image has one colour", {}, {}));
   return risks;
 }
 

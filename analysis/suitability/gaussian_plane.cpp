@@ -21,7 +21,7 @@ constexpr double kFaded = 0.8;
 MapExemplar principalComponent(const MapExemplar& map) {
   const std::size_t channels = map.channels.size();
   const tiling::Moments moments = tiling::momentsOf(map.values, int(channels));
-  const Eigen::SelfAdjointEigenSolver<tiling::ChannelMatrix> solver(moments.covariance);
+  const auto solver = transport::principalAxes(moments.covariance);
   const tiling::ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
   MapExemplar component;
   component.target = map.target;

@@ -5,6 +5,7 @@
 // exemplar's histogram nor its outlines. What is slower than the support is not in it either.
 #include "calibration.h"
 #include "progress_part.h"
+#include "risk_of.h"
 #include "tiling/map_ranges.h"
 #include "tiling/normality.h"
 
@@ -38,10 +39,17 @@ HalfSpectrum channelSpectrum(const MapExemplar& map, std::size_t channel) {
   return spectrum;
 }
 
-/// Frequencies of a plane in cycles per pixel.
-double radius(const HalfSpectrum& spectrum, int u, int v) {
-  return std::hypot(double(u) / spectrum.width, double(spectrum.signedRow(v)) / spectrum.height);
+/// Frequencies of a plane in cycles per texel, of which the plane is width x height.
+double radius(const HalfSpectrum& spectrum, int u, int v, int width, int height) {
+  return std::hypot(double(u) / width, double(spectrum.signedRow(v)) / height);
 }
+
+/// The texton: the texels that the exemplar has, and those of the support's sides.
+struct Texels {
+  int width = 0;
+  int height = 0;
+  int support = 0;
+};
 
 /// The plane's waves an octave to either side of `frequency`, sampled on as many points as they
 /// need.
@@ -53,7 +61,8 @@ std::vector<float> octave(const HalfSpectrum& spectrum, double frequency) {
     for (int u = 0; u < band.columns(); ++u) {
       const int signedV = band.signedRow(v);
       const int row = signedV >= 0 ? signedV : signedV + spectrum.height;
-      const double octaves = std::log2(std::max(radius(spectrum, u, row), 1e-9) / frequency);
+      const double octaves = std::log2(
+          std::max(radius(spectrum, u, row, spectrum.width, spectrum.height), 1e-9) / frequency);
       if (std::abs(octaves) < 1.0)
         band.at(u, v) = spectrum.at(u, row) * float(std::cos(0.5 * std::numbers::pi * octaves));
     }
@@ -80,7 +89,7 @@ struct Waves {
 };
 
 /// Both over the channels, weighted by their variance.
-Waves wavesOf(const MapExemplar& map, int support, ProgressPart progress) {
+Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progress) {
   Waves sum;
   double variance = 0.0;
   const std::size_t channels = map.channels.size();
@@ -91,7 +100,9 @@ Waves wavesOf(const MapExemplar& map, int support, ProgressPart progress) {
       for (int u = 0; u < spectrum.columns(); ++u) {
         const double here = spectrum.multiplicity(u) * double(std::norm(spectrum.at(u, v)));
         power += here;
-        const double supports = radius(spectrum, u, v) * support; // a wave's part of one
+        // a wave's part of one
+        const double supports =
+            radius(spectrum, u, v, texels.width, texels.height) * texels.support;
         for (std::size_t k = 0; k < kSupports && std::ldexp(supports, int(k)) < 1.0; ++k)
           sum.slow[k] += here;
       }
@@ -130,17 +141,6 @@ double deviationOf(const MapExemplar& map) {
   return std::sqrt(sum / double(channels));
 }
 
-Risk risk(std::string_view name, double measure, const Calibration& at, std::string measured,
-          const std::string& consequence, std::string remedy) {
-  const double score = scoreOf(measure, at);
-  if (score < kMildScore)
-    return {name, score, Risk::Level::none, std::move(measured), {}};
-  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
-          measured + ", " + consequence, std::move(remedy)};
-}
-
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
 std::string oneDecimal(double value) {
   const long tenths = std::lround(10.0 * value);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
@@ -148,10 +148,10 @@ std::string oneDecimal(double value) {
 
 /// The option with the smallest support that holds the variation, and ", "; nothing where none
 /// does.
-std::string supportFor(const MapExemplar& map, int support, const Waves& waves) {
+std::string supportFor(const Texels& texels, const Waves& waves) {
   for (std::size_t k = 1; k < kSupports; ++k) {
-    const int larger = support << k;
-    if (larger > std::min({map.width, map.height, kMaxTextonSide}))
+    const int larger = texels.support << k;
+    if (larger > std::min({texels.width, texels.height, kMaxTextonSide}))
       break;
     if (waves.slow[k] < kTextonSlow.mild)
       return "--support " + std::to_string(larger) + ", ";
@@ -159,33 +159,34 @@ std::string supportFor(const MapExemplar& map, int support, const Waves& waves) 
   return {};
 }
 
-std::vector<Risk> risksOf(const MapExemplar& map, int support, ProgressPart progress) {
+std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, ProgressPart progress) {
   const double deviation = deviationOf(map);
   // Rounding to the steps of the file is no histogram.
   const bool varies = deviation > 0.5 * map.quantum;
   const double histogram = varies ? tiling::distanceToGaussian(map) / deviation : 0.0;
   progress.reach(kHistogramOfProgress);
   const Waves waves =
-      varies ? wavesOf(map, support, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
-  return {risk("histogram", histogram, kTextonHistogram,
-               "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
-               "so that other colours than the exemplar's will appear",
-               "--method tiling, which keeps them"),
-          risk("outlines", waves.outlines, kTextonOutlines,
-               "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
-                   ", where Gaussian noise has 3",
-               "so that what stands out will be lost", "--method tiling, which keeps more of it"),
-          risk("low-frequency", waves.slow[0], kTextonSlow,
-               percent(waves.slow[0]) + " of the variation is slower than the texton's " +
-                   std::to_string(support) + " texels",
-               "and will be missing",
-               supportFor(map, support, waves) + "--flatten auto, or --method tiling")};
+      varies ? wavesOf(map, texels, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
+  return {riskOf("histogram", scoreOf(histogram, kTextonHistogram),
+                 "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
+                 "so that other colours than the exemplar's will appear",
+                 "--method tiling, which keeps them"),
+          riskOf("outlines", scoreOf(waves.outlines, kTextonOutlines),
+                 "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
+                     ", where Gaussian noise has 3",
+                 "so that what stands out will be lost", "--method tiling, which keeps more of it"),
+          riskOf("low-frequency", scoreOf(waves.slow[0], kTextonSlow),
+                 percent(waves.slow[0]) + " of the variation is slower than the texton's " +
+                     std::to_string(texels.support) + " texels",
+                 "and will be missing",
+                 supportFor(texels, waves) + "--flatten auto, or --method tiling")};
 }
 
 } // namespace
 
 Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
-                                                  const Progress& progress) {
+                                                  const Progress& progress, int widthTexels,
+                                                  int heightTexels) {
   const auto exhausted = [&] {
     return "not enough memory to assess " + std::to_string(map.width) + " x " +
            std::to_string(map.height) + " pixels";
@@ -194,7 +195,9 @@ Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int su
     if (Result<void> checked = tiling::checkRanges(map); !checked)
       return checked.error();
     return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
-      return risksOf(map, support, ProgressPart(progress));
+      const Texels texels{widthTexels > 0 ? widthTexels : map.width,
+                          heightTexels > 0 ? heightTexels : map.height, support};
+      return risksOf(map, texels, ProgressPart(progress));
     });
   });
 }

@@ -77,16 +77,6 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   return {};
 }
 
-/// Texels of one exemplar, as the map holds it.
-std::array<std::uint32_t, 2> tileTexels(const Bundle& bundle, std::size_t noiseIndex,
-                                        std::size_t map) {
-  const Noise& noise = bundle.noises[noiseIndex];
-  if (noise.method == Method::texton)
-    return {std::uint32_t(noise.texton.texelsPerTileX), std::uint32_t(noise.texton.texelsPerTileY)};
-  const Table& gaussian = bundle.tables[noise.maps[map].image];
-  return {gaussian.width, gaussian.height};
-}
-
 /// Where the image's top left corner lies from the lattice's whole tile origin. A periodic lattice
 /// begins at 0 and knows no origin: the corner lies inside its first period.
 double startOf(double origin, double periodTiles, bool periodic) {
@@ -183,6 +173,17 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
 
 } // namespace
 
+SynthesisOptions patternOf(const MaterialNoise& material) {
+  SynthesisOptions options;
+  options.noise = material.noise;
+  options.seed = material.seed;
+  options.blendSharpness = material.blendSharpness;
+  options.contrast = material.contrast;
+  options.impacts = material.impacts;
+  options.pointProcess = material.pointProcess;
+  return options;
+}
+
 Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
   const auto exhausted = [&] {
     return "not enough memory for an image of " + std::to_string(options.width) + "x" +
@@ -195,7 +196,8 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
     if (!map)
       return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
                    std::string(nameOf(options.map)));
-    const auto [tileWidth, tileHeight] = tileTexels(bundle, options.noise, *map);
+    const Noise& noise = bundle.noises[options.noise];
+    const auto [tileWidth, tileHeight] = exemplarSize(bundle, noise, noise.maps[*map]);
     const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : tileWidth;
     const std::array<double, 2> perTile{pixels, pixels * tileHeight / tileWidth};
     const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
@@ -215,23 +217,28 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
   });
 }
 
-Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, MapTarget target,
-                                      std::uint32_t seed, int tiles) {
+Result<LinearImage> synthesizePreview(const Bundle& bundle, const MaterialNoise& material,
+                                      MapTarget target, int tiles) {
   const auto exhausted = [tiles] {
     return "not enough memory for a preview with " + std::to_string(tiles) + " tiles a side";
   };
   return withinMemory(exhausted, [&]() -> Result<LinearImage> {
-    if (noise >= bundle.noises.size() || tiles < 1 || tiles > kMaxPreviewSide)
-      return usage("a preview of noise " + std::to_string(noise) + " with " +
-                   std::to_string(tiles) +
-                   " tiles a side: a noise of the bundle and 1 to 1024 tiles are accepted");
-    const std::optional<std::size_t> map = findMap(bundle.noises[noise], target);
+    SynthesisOptions options = patternOf(material);
+    options.map = target;
+    options.tileable = true;
+    options.width = options.height = 1; // until the noise is known
+    if (Result<void> checked = check(bundle, options); !checked)
+      return checked.error();
+    if (tiles < 1 || tiles > kMaxPreviewSide)
+      return usage("a preview with " + std::to_string(tiles) + " tiles a side; 1 to " +
+                   std::to_string(kMaxPreviewSide) + " are accepted");
+    const Noise& noise = bundle.noises[options.noise];
+    const std::optional<std::size_t> map = findMap(noise, target);
     if (!map)
-      return usage("noise '" + bundle.noises[noise].name + "' has no map " +
-                   std::string(nameOf(target)));
+      return usage("noise '" + noise.name + "' has no map " + std::string(nameOf(target)));
     std::uint32_t width = 0, height = 0;
-    for (std::size_t m = 0; m < bundle.noises[noise].maps.size(); ++m) {
-      const std::array<std::uint32_t, 2> tile = tileTexels(bundle, noise, m);
+    for (const NoiseMap& each : noise.maps) {
+      const std::array<std::uint32_t, 2> tile = exemplarSize(bundle, noise, each);
       width = std::max(width, tile[0]);
       height = std::max(height, tile[1]);
     }
@@ -239,11 +246,6 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise, M
       const auto wanted = std::bit_ceil(std::uint64_t(texels) * std::uint64_t(tiles));
       return int(std::min<std::uint64_t>(wanted, std::uint64_t(kMaxPreviewSide)));
     };
-    SynthesisOptions options;
-    options.noise = noise;
-    options.map = target;
-    options.seed = seed;
-    options.tileable = true;
     options.mix = {kMiddle, kMiddle};
     options.width = side(width);
     options.height = side(height);

@@ -16,6 +16,8 @@
 #include <lichen/spectrum.h>
 #include <lichen/texton.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -27,15 +29,13 @@ using namespace texton;
 using Eigen::MatrixXd;
 
 // Of the progress, by processor time of 512 x 512 pixels with their held-out half.
-constexpr double kFitOfProgress = 0.6;
-constexpr double kHeldOutOfProgress = 0.97;
+constexpr double kHeldOutOfProgress = 0.37;
+constexpr double kFitOfProgress = 0.97;
 
-/// What an eye takes a texel of the first map for: its luminance, or its channels' sum.
-std::vector<float> seenWeights(const MapExemplar& first, std::size_t channels) {
-  std::vector<float> weights(channels, 0.0f);
-  std::fill_n(weights.begin(), first.channels.size(), 1.0f);
-  if (first.channels.front() == MapChannel::red)
-    std::copy(kLuminanceWeights.begin(), kLuminanceWeights.end(), weights.begin());
+/// Of all channels: those of the first map as an eye sees them.
+std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
+  std::vector<float> weights = seenWeights(first.channels);
+  weights.resize(channels, 0.0f);
   return weights;
 }
 
@@ -61,20 +61,20 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
 
 /// A half of the exemplar along its longer side, the first or the other.
 GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
+  const auto channels = std::size_t(joint.channels());
   const bool isWide = joint.width >= joint.height;
   const int width = isWide ? joint.width / 2 : joint.width;
   const int height = isWide ? joint.height : joint.height / 2;
   const int x0 = isWide && !isFirst ? joint.width - width : 0;
   const int y0 = !isWide && !isFirst ? joint.height - height : 0;
   std::vector<float> values;
-  values.reserve(std::size_t(width) * std::size_t(height) * joint.channels);
+  values.reserve(std::size_t(width) * std::size_t(height) * channels);
   for (int y = y0; y < y0 + height; ++y) {
-    const auto row = joint.values.begin() +
-                     std::ptrdiff_t((std::size_t(y) * std::size_t(joint.width) + std::size_t(x0)) *
-                                    joint.channels);
-    values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * joint.channels));
+    const std::size_t pixel = std::size_t(y) * std::size_t(joint.width) + std::size_t(x0);
+    const auto row = joint.values.begin() + std::ptrdiff_t(pixel * channels);
+    values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * channels));
   }
-  return gaussianModel(values, width, height, int(joint.channels));
+  return gaussianModel(values, width, height, joint.channels());
 }
 
 std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptions& options,
@@ -110,46 +110,67 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
   return checkTextonOptions(options);
 }
 
+/// The largest error of a covariance over the deviations of its two channels, as stored.
+double covarianceError(const TextonBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
+  const MatrixXd stored =
+      noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.texton.order);
+  double worst = 0.0;
+  for (Eigen::Index a = 0; a < wanted.rows(); ++a)
+    for (Eigen::Index b = 0; b < wanted.cols(); ++b)
+      if (const double deviations = std::sqrt(wanted(a, a) * wanted(b, b)); deviations > 0.0) {
+        const double inUnits = stored(a, b) / (joint.units[a] * joint.units[b]);
+        worst = std::max(worst, std::abs(inUnits - wanted(a, b)) / deviations);
+      }
+  return worst;
+}
+
+TextonShape shapeOf(const JointExemplar& joint, const TextonCoefficients& coefficients, int order) {
+  TextonShape shape;
+  shape.coefficientsX = coefficients.width;
+  shape.coefficientsY = coefficients.height;
+  shape.order = order;
+  shape.mipLevels = shape.mostMipLevels();
+  shape.texelsPerTileX = joint.width;
+  shape.texelsPerTileY = joint.height;
+  return shape;
+}
+
 Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
                          const TextonOptions& options, ProgressPart progress) {
-  const JointExemplar joint = joined(maps);
+  TextonBake bake;
+  JointExemplar joint = joinedMaps(maps);
+  bake.quality.heldOutError = heldOutError(joint, options, progress.part(0.0, kHeldOutOfProgress));
+  progress.reach(kHeldOutOfProgress);
   const GaussianModel model =
-      gaussianModel(joint.values, joint.width, joint.height, int(joint.channels));
+      gaussianModel(joint.values, joint.width, joint.height, joint.channels());
+  joint.values = {}; // as large as the model
   const MatrixXd modelled = modelCovariance(model);
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
-  const Error unmodelled{ErrorKind::badInput, "the exemplar varies only from one border to the "
-                                              "other, and no texton does; a photograph with "
-                                              "detail, or another method, is accepted"};
   if (!isModelled(modelled, wanted))
-    return unmodelled;
-  TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
-
-  TextonBake bake;
+    return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, and "
+                                      "no texton does; a photograph with detail, or another "
+                                      "method, is accepted"};
+  TextonCoefficients coefficients =
+      fitted(model, options, progress.part(kHeldOutOfProgress, kFitOfProgress));
   bake.quality.modelError = relativeModelError(model, coefficients, options.order);
-  for (std::size_t c = 0; c < joint.channels; ++c)
+  for (std::size_t c = 0; c < model.channels.size(); ++c)
     bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
-  bake.quality.flatness = flatness(coefficients, seenWeights(maps.front(), joint.channels));
-  bake.quality.heldOutError =
-      heldOutError(joint, options, progress.part(kFitOfProgress, kHeldOutOfProgress));
-  progress.reach(kHeldOutOfProgress);
+  bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
+                                   firstMapWeights(maps.front(), model.channels.size()));
+  progress.reach(kFitOfProgress);
 
   if (!correctCovariance(coefficients, options.order, wanted))
-    return unmodelled;
-  bake.quality.covarianceError = (noiseCovariance(coefficients, options.order) - wanted).norm() /
-                                 std::max(wanted.norm(), 1e-30);
-
+    return Error{ErrorKind::badInput,
+                 fmt::format("{} x {} coefficients cannot vary as the exemplar's {} channels do; a "
+                             "larger support, or another method, is accepted",
+                             coefficients.width, coefficients.height, joint.channels())};
   bake.noise.name = std::move(name);
   bake.noise.method = Method::texton;
-  TextonShape& shape = bake.noise.texton;
-  shape.coefficientsX = coefficients.width;
-  shape.coefficientsY = coefficients.height;
-  shape.order = options.order;
-  shape.mipLevels = mipLevelsOf(coefficients.width, coefficients.height);
-  shape.texelsPerTileX = joint.width;
-  shape.texelsPerTileY = joint.height;
-  const TextonOfMaps whole{std::move(coefficients), joint.mean};
+  bake.noise.texton = shapeOf(joint, coefficients, options.order);
+  const TextonOfMaps whole{inStoredUnits(std::move(coefficients), joint.units), joint.mean};
   storeMaps({&whole, 1}, maps, options.bits, bake.noise, bake.tables);
+  bake.quality.covarianceError = covarianceError(bake, joint, wanted);
   progress.reach(1.0);
   return bake;
 }

@@ -17,9 +17,12 @@ using Eigen::MatrixXd;
 /// Coefficients are floats, and the first map is as near as their rounding and the eigenvalues'
 /// allow; the second, which is almost the identity, removes most of what is left.
 constexpr int kRounds = 2;
-/// Of the target's norm: what a linear map may leave, far above rounding (1e-7) and far below what
-/// an eye sees.
-constexpr double kTolerance = 1e-3;
+/// Of the two deviations of a covariance: what the coefficients may miss of what they can have, the
+/// target of TARGETS.md.
+constexpr double kTolerance = 1e-6;
+/// Likewise: what may be missing since the texton does not vary so. A thousandth is far below what
+/// an eye sees, and above what a slope of light in one colour of a grey photograph leaves.
+constexpr double kUnreachable = 1e-3;
 
 /// One plane filtered with the kernel's autocorrelation along both axes.
 MatrixXd filtered(const MatrixXd& plane, const std::vector<double>& b) {
@@ -62,14 +65,31 @@ MatrixXd noiseCovariance(const TextonCoefficients& coefficients, int order) {
 }
 
 bool correctCovariance(TextonCoefficients& coefficients, int order, const MatrixXd& target) {
+  // Channels in deviations of the target, so that faint ones are held to the same tolerance.
+  const Eigen::VectorXd deviations = target.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd units = (deviations.array() > 0.0).select(deviations, 1.0);
+  const auto inUnits = [&](const MatrixXd& covariance) -> MatrixXd {
+    return units.cwiseInverse().asDiagonal() * covariance * units.cwiseInverse().asDiagonal();
+  };
+  const MatrixXd whole = inUnits(target);
+  // The projection on the sums of channels that vary at all.
+  const MatrixXd range = transport::power(inUnits(noiseCovariance(coefficients, order)), 0.0);
+  const MatrixXd wanted = range * whole * range;
+  if ((whole - wanted).cwiseAbs().maxCoeff() > kUnreachable)
+    return false;
   const std::vector<float> before = coefficients.values;
+  auto columns = columnsOf(coefficients);
   for (int round = 0; round < kRounds; ++round) {
-    const MatrixXd map = transport::covarianceMap(noiseCovariance(coefficients, order), target);
-    auto columns = columnsOf(coefficients);
+    const MatrixXd now = inUnits(noiseCovariance(coefficients, order));
+    const MatrixXd map = units.cwiseInverse().asDiagonal() * transport::covarianceMap(now, wanted) *
+                         units.asDiagonal();
     columns = (columns.cast<double>() * map).cast<float>().eval();
+    for (Eigen::Index c = 0; c < columns.cols(); ++c)
+      if (!(deviations[c] > 0.0))
+        columns.col(c).setZero(); // not rounding, which its scale would make visible
   }
-  const MatrixXd left = noiseCovariance(coefficients, order) - target;
-  if (left.norm() <= kTolerance * target.norm())
+  const MatrixXd left = inUnits(noiseCovariance(coefficients, order)) - wanted;
+  if (left.cwiseAbs().maxCoeff() <= kTolerance)
     return true;
   coefficients.values = before;
   return false;

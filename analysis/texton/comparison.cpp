@@ -5,12 +5,32 @@
 // is sum h^n / intensity^(n / 2 - 1), and intensity = impacts / support. Source: [GLM14] section 4.
 #include "comparison.h"
 
+#include "color_correction.h"
 #include "comparison_kernels.h"
+#include "interpolation.h"
+#include "model_covariance.h"
 
+#include <lichen/spectrum.h>
+
+#include <array>
 #include <cassert>
-#include <cmath>
 
 namespace lichen::texton {
+namespace {
+
+/// The model of coefficients whose B-spline interpolation has the given model. [GLM17] eq. 4.
+GaussianModel coefficientModel(const GaussianModel& model, int order) {
+  const std::vector<float> kernelX = kernelAmplitudes(order, model.width());
+  const std::vector<float> kernelY = kernelAmplitudes(order, model.height());
+  GaussianModel result = model;
+  for (HalfSpectrum& channel : result.channels)
+    for (int v = 0; v < channel.height; ++v)
+      for (int u = 0; u < channel.columns(); ++u)
+        channel.at(u, v) /= kernelX[std::size_t(u)] * kernelY[std::size_t(v)];
+  return result;
+}
+
+} // namespace
 
 double flatness(const TextonCoefficients& spot, std::span<const float> weights) {
   assert(weights.size() == std::size_t(spot.channels));
@@ -27,25 +47,47 @@ double flatness(const TextonCoefficients& spot, std::span<const float> weights) 
   return squares > 0.0 ? double(pixels) * fourths / (squares * squares) : 0.0;
 }
 
-KernelComparison compareKernels(const GaussianModel& model, std::span<const float> weights,
-                                const ComparisonOptions& options) {
-  assert(options.impacts > 0.0);
-  constexpr int kOrder = 0;
-  const auto judged = [&](const TextonCoefficients& spot) {
-    KernelJudgement judgement;
-    judgement.relativeError = relativeModelError(model, spot, kOrder);
-    judgement.flatness = flatness(spot, weights);
-    judgement.excessKurtosis = judgement.flatness / options.impacts;
-    return judgement;
+TextonCoefficients interpolatedSpot(const TextonCoefficients& coefficients, int order) {
+  if (order < 3)
+    return coefficients;
+  constexpr std::array<float, 3> kCubic = {1.0f / 6.0f, 4.0f / 6.0f, 1.0f / 6.0f};
+  TextonCoefficients spot{
+      coefficients.width + 2, coefficients.height + 2, coefficients.channels, {}};
+  spot.values.resize(std::size_t(spot.width) * std::size_t(spot.height) *
+                     std::size_t(spot.channels));
+  const auto at = [](const TextonCoefficients& plane, int x, int y, int c) {
+    return (std::size_t(c) * std::size_t(plane.height) + std::size_t(y)) *
+               std::size_t(plane.width) +
+           std::size_t(x);
   };
-  FitOptions fit;
-  fit.width = options.width;
-  fit.height = options.height;
-  fit.order = kOrder;
-  fit.seed = options.seed;
-  return {judged(fitCoefficients(model, fit, FitMethod::transportDistance)),
-          judged(luminanceTexton(model, options.width, options.height)),
-          judged(randomPhaseKernel(model, options.width, options.height, options.seed))};
+  for (int c = 0; c < spot.channels; ++c)
+    for (int y = 0; y < coefficients.height; ++y)
+      for (int x = 0; x < coefficients.width; ++x)
+        for (int k = 0; k < 9; ++k)
+          spot.values[at(spot, x + k % 3, y + k / 3, c)] +=
+              kCubic[std::size_t(k % 3)] * kCubic[std::size_t(k / 3)] *
+              coefficients.values[at(coefficients, x, y, c)];
+  return spot;
+}
+
+std::vector<float> seenWeights(std::span<const MapChannel> channels) {
+  if (channels.front() == MapChannel::red)
+    return {kLuminanceWeights.begin(), kLuminanceWeights.end()};
+  return std::vector<float>(channels.size(), 1.0f);
+}
+
+KernelComparison compareKernels(const GaussianModel& model, const TextonCoefficients& texton,
+                                int order, std::span<const float> weights, std::uint32_t seed) {
+  const Eigen::MatrixXd covariance = modelCovariance(model);
+  const auto judged = [&](TextonCoefficients spot) {
+    // One that cannot have it is judged as it is.
+    (void)correctCovariance(spot, order, covariance);
+    return KernelJudgement{relativeModelError(model, spot, order),
+                           flatness(interpolatedSpot(spot, order), weights)};
+  };
+  const GaussianModel coefficients = coefficientModel(model, order);
+  return {judged(texton), judged(luminanceTexton(coefficients, texton.width, texton.height)),
+          judged(randomPhaseKernel(coefficients, texton.width, texton.height, seed))};
 }
 
 } // namespace lichen::texton

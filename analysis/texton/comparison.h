@@ -4,8 +4,11 @@
 
 #include "fit.h"
 
+#include <lichen/texton_comparison.h>
+
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace lichen::texton {
 
@@ -14,32 +17,22 @@ namespace lichen::texton {
 /// for a spot of one pixel. 0 for a spot of zeros.
 [[nodiscard]] double flatness(const TextonCoefficients& spot, std::span<const float> weights);
 
-struct KernelJudgement {
-  /// relativeModelError as spot noise of order 0: of the limit of high intensities.
-  double relativeError = 0.0;
-  double flatness = 0.0;
-  /// Excess kurtosis of the spot noise at the given impacts a pixel: flatness / impacts. 0 is
-  /// normal; what the limit's normality lacks.
-  double excessKurtosis = 0.0;
-};
+/// The interpolated texton at the places of its coefficients and around them: they themselves up to
+/// order 1, their cubic B-spline for order 3, whose coefficients may be far larger than what they
+/// make.
+[[nodiscard]] TextonCoefficients interpolatedSpot(const TextonCoefficients& coefficients,
+                                                  int order);
 
-/// The kernels of [GLM14] figure 4, of one support.
-struct KernelComparison {
-  KernelJudgement synthesisOriented;
-  KernelJudgement luminance;
-  KernelJudgement randomPhase;
-};
+/// What an eye takes a texel of these channels for: weights of its luminance, or of their sum.
+[[nodiscard]] std::vector<float> seenWeights(std::span<const MapChannel> channels);
 
-struct ComparisonOptions {
-  int width = 0;         ///< of the support in pixels, [1, the model's width]
-  int height = 0;        ///< [1, the model's height]
-  double impacts = 30.0; ///< mean number a pixel, > 0
-  std::uint32_t seed = 1;
-};
-
-/// `weights` as for flatness. Takes the time of one fit. Same bytes for any number of threads.
+/// The texton beside spots of as many coefficients, all interpolated by the B-spline of `order` and
+/// all with the model's covariance: without it the nearest spot has less variance than the model.
+/// `weights` as for flatness, `seed` that of the random phases. Same bytes for any number of
+/// threads.
 [[nodiscard]] KernelComparison compareKernels(const GaussianModel& model,
+                                              const TextonCoefficients& texton, int order,
                                               std::span<const float> weights,
-                                              const ComparisonOptions& options);
+                                              std::uint32_t seed = 1);
 
 } // namespace lichen::texton

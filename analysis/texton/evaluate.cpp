@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
-// names are those of shaders_glsl/noise/texton.glsl and texton_gradient.glsl.
+// names are those of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
 #include "mixed_map.h"
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
+#include "surface_impacts.h"
 
 #include <lichen/texton_evaluate.h>
 
@@ -49,11 +50,7 @@ public:
     Vec2 texel = texelAt(place);
     const float frame = frameAt(texel);
     const float minified = std::min(impacts_.level, 1.0f);
-    if (shape_.order == 0) // steps where magnified, none from the first mip on
-      for (float& coordinate : texel) {
-        const float step = std::floor(coordinate) + 0.5f;
-        coordinate = step * (1.0f - minified) + coordinate * minified;
-      }
+    texel = stepped(texel);
     if (!isCubic())
       return fetch(texel, frame, impacts_.level);
     // Between the spline and the first mip.
@@ -76,7 +73,9 @@ public:
       return fetch(clamped({texel[0] + x, texel[1] + y}, reach), frame, level)[0];
     };
     const float half = 0.5f * side;
-    std::array<float, 3> result{first(0.0f, 0.0f), (first(half, 0.0f) - first(-half, 0.0f)) / side,
+    // The value of order 0 has steps; its differences are those between them.
+    const float value = fetch(clamped(stepped(texel), reach), frame, level)[0];
+    std::array<float, 3> result{value, (first(half, 0.0f) - first(-half, 0.0f)) / side,
                                 (first(0.0f, half) - first(0.0f, -half)) / side};
     if (!isCubic())
       return result;
@@ -98,6 +97,18 @@ private:
 
   [[nodiscard]] Vec2 texelAt(const Vec2& place) const {
     return {place[0] + impacts_.middle[0], place[1] + impacts_.middle[1]};
+  }
+
+  /// Of order 0: steps where magnified, none from the first mip on.
+  [[nodiscard]] Vec2 stepped(Vec2 texel) const {
+    if (shape_.order != 0)
+      return texel;
+    const float minified = std::min(impacts_.level, 1.0f);
+    for (float& coordinate : texel) {
+      const float step = std::floor(coordinate) + 0.5f;
+      coordinate = step * (1.0f - minified) + coordinate * minified;
+    }
+    return texel;
   }
 
   /// The top of an impact's frame in the image: of a mix, that of its own place. [GLM17] section 7.
@@ -155,9 +166,19 @@ float knownLevel(const Impacts& impacts) {
 /// the amplitude falls as the deviation does.
 float gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
              const shader::LichenTexton& texton, const shader::LichenMap& map) {
-  const float kept = levelKept(map, impacts.level);
-  const float ratio = kept > 0.0f ? std::sqrt(levelKept(map, knownLevel(impacts)) / kept) : 0.0f;
+  const float kept = textonKept(map, impacts.level);
+  const float ratio = kept > 0.0f ? std::sqrt(textonKept(map, knownLevel(impacts)) / kept) : 0.0f;
   return noise.contrast * ratio * texton.amplitude;
+}
+
+/// Gaussian values of a sum over impacts, and the share of the variance that filtering loses.
+/// `here` is the map at its place in a mix.
+Value gaussianOf(Value sum, float gain, const Impacts& impacts, const shader::LichenMap& here) {
+  const std::array<float, 3> factor{here.sumFactor.x, here.sumFactor.y, here.sumFactor.z};
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] = 0.5f + gain * factor[c] * sum[c];
+  sum[3] = 1.0f - textonKept(here, knownLevel(impacts));
+  return sum;
 }
 
 } // namespace
@@ -197,29 +218,58 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   const Map& map = (*maps_)[mapIndex];
   const Impacts impacts = texton::impactsWithin(0.0f, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
-  Value sum{};
-  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
-    const Value h = textons.at(place);
-    for (std::size_t c = 0; c < 3; ++c)
-      sum[c] += sign * h[c];
-  });
   const shader::LichenMap here = map.mix.at(map.constants, mix);
   const float gain = gainOf(impacts, noise, texton, here);
-  const std::array<float, 3> factor{here.sumFactor.x, here.sumFactor.y, here.sumFactor.z};
-  for (std::size_t c = 0; c < 3; ++c)
-    sum[c] = 0.5f + gain * factor[c] * sum[c];
-  sum[3] = 1.0f - levelKept(here, knownLevel(impacts));
-  return sum;
+  Value sum{};
+  // From so far that nothing is left to see, the mean needs no impacts.
+  if (gain > 0.0f)
+    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+      const Value h = textons.at(place);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += sign * h[c];
+    });
+  return gaussianOf(sum, gain, impacts, here);
+}
+
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                                const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, noise, texton);
+  const Textons textons(map.image, texton, surface.impacts, mix);
+  const shader::LichenMap here = map.mix.at(map.constants, mix);
+  const float gain = gainOf(surface.impacts, noise, texton, here);
+  Value sum{};
+  if (gain > 0.0f)
+    texton::forEachSurfaceImpact(surface, noise, texton, [&](const Vec2& place, float weight) {
+      const Value h = textons.at(place);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += weight * h[c];
+    });
+  return gaussianOf(sum, gain, surface.impacts, here);
+}
+
+Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const Value& gaussian,
+                               const MixPlace& mix) {
+  // Contrast scales what is missing with what is there.
+  const float lost = noise.contrast * noise.contrast * gaussian[3];
+  return decodedGaussian(map.mix.at(map.constants, mix), {gaussian[0], gaussian[1], gaussian[2]},
+                         lost);
 }
 
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const TileFootprint& at,
                                 const MixPlace& mix) const {
-  const Value value = gaussian(mapIndex, noise, texton, at, mix);
-  // Contrast scales what is missing with what is there.
-  const float lost = std::min(1.0f, noise.contrast * noise.contrast * value[3]);
-  const Map& map = (*maps_)[mapIndex];
-  return decodedGaussian(map.mix.at(map.constants, mix), {value[0], value[1], value[2]}, lost);
+  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
+                 mix);
+}
+
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                                const MixPlace& mix) const {
+  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
+                 mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
@@ -230,14 +280,15 @@ std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
   constexpr float kMargin = 0.5f; // what differences reach beyond the texton
   const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
-  std::array<float, 3> sum{};
-  texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
-    const std::array<float, 3> h = textons.gradientAt(place);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += sign * h[k];
-  });
   const shader::LichenMap here = map.mix.at(map.constants, mix);
   const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, noise, texton, here);
+  std::array<float, 3> sum{};
+  if (scale > 0.0f)
+    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+      const std::array<float, 3> h = textons.gradientAt(place);
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[k] += sign * h[k];
+    });
   const std::array<float, 2> meanSlope = map.mix.meanSlope(mix);
   return {here.row0.w + scale * sum[0], scale * sum[1] * texton.texelsPerTileX + meanSlope[0],
           scale * sum[2] * texton.texelsPerTileY + meanSlope[1]};

@@ -12,10 +12,12 @@
 //
 // Relaxed averaged alternating reflections [L05] find the neighbourhood of a good minimum, since
 // they leave bad ones; then alternating projections, which never increase the distance, with
-// Nesterov's momentum restarted where it points uphill [OC15].
+// Nesterov's momentum restarted where it points uphill [OC15]. The second set is narrowed: a slow
+// part that ends at the border costs (border_penalty.h), and no coefficient may stand out.
 // Sources: [GLM17] algorithm 1 and section 4.3; [GLM14] eq. 1 and 2.
 #include "fit.h"
 
+#include "border_penalty.h"
 #include "interpolation.h"
 #include "model_distance.h"
 
@@ -38,6 +40,10 @@ constexpr int kDescents = 40;
 constexpr float kFirstRelaxation = 0.9f;
 constexpr float kLastRelaxation = 0.5f;
 
+/// Most that a texel, all its channels, may have of the root mean square: the flatness of what a
+/// texel has is then about the square of it at the most, the 4 of TARGETS.md (decision 018).
+constexpr float kHighestPeak = 2.0f;
+
 using Spectra = std::vector<HalfSpectrum>;
 
 /// The inverse of the normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and
@@ -59,13 +65,23 @@ Eigen::SparseMatrix<float> inverseNormalMatrix(int size, int period, int order) 
   return inverse.cast<float>().sparseView(1.0f, float(kNegligible));
 }
 
+/// Spectra of the model's power and random phases.
+Spectra randomPhases(const GaussianModel& model, std::uint32_t seed) {
+  Spectra spectra;
+  for (const HalfSpectrum& channel : model.channels)
+    spectra.push_back(
+        forwardFft(phaseRandomizedPlane(channel, seed), model.width(), model.height()));
+  return spectra;
+}
+
 class Fit {
 public:
   Fit(const GaussianModel& model, int width, int height, int order)
       : model_(model), kernelX_(kernelAmplitudes(order, model.width())),
         kernelY_(kernelAmplitudes(order, model.height())),
         inverseX_(inverseNormalMatrix(width, model.width(), order)),
-        inverseY_(inverseNormalMatrix(height, model.height(), order)), work_(model.channels) {
+        inverseY_(inverseNormalMatrix(height, model.height(), order)),
+        border_(inverseX_, inverseY_), work_(model.channels) {
     coefficients_ = {width, height, int(model.channels.size()), {}};
     for (std::size_t c = 0; c < model.channels.size(); ++c)
       transforms_.emplace_back(model.width(), model.height(), width, height);
@@ -74,15 +90,6 @@ public:
 
   [[nodiscard]] const TextonCoefficients& coefficients() const { return coefficients_; }
   void setCoefficients(TextonCoefficients coefficients) { coefficients_ = std::move(coefficients); }
-
-  /// Spectra of the model's power and random phases.
-  [[nodiscard]] Spectra randomPhases(std::uint32_t seed) const {
-    Spectra spectra;
-    for (const HalfSpectrum& channel : model_.channels)
-      spectra.push_back(
-          forwardFft(phaseRandomizedPlane(channel, seed), model_.width(), model_.height()));
-    return spectra;
-  }
 
   /// One averaged reflection of `x` in both sets; the coefficients are those of the second one.
   void reflect(Spectra& x, float relaxation) {
@@ -93,6 +100,8 @@ public:
             kernel * (2.0f * product(phase, model_.channels[c].values[i]) - x[c].values[i]);
     });
     workToCoefficients();
+    border_.adapt(coefficients_);
+    narrow();
     coefficientsToWork();
     forFrequencies([&](std::size_t i, float kernel) {
       const std::complex<float> phase = phaseTowards(x, i);
@@ -112,6 +121,7 @@ public:
         work_[c].values[i] = kernel * product(phase, model_.channels[c].values[i]);
     });
     workToCoefficients();
+    narrow();
   }
 
   /// The same, from the coefficients that there are.
@@ -124,6 +134,7 @@ public:
         work_[c].values[i] = kernel * product(phase, model_.channels[c].values[i]);
     });
     workToCoefficients();
+    narrow();
   }
 
   /// [GLM17] algorithm 1, steps 1 and 2: from the spectrum `x` if there is one, else from the
@@ -197,11 +208,25 @@ private:
     });
   }
 
+  /// A quiet border and no high peaks.
+  void narrow() {
+    border_.apply(coefficients_);
+    const Eigen::Map<const Eigen::MatrixXf> channels(
+        coefficients_.values.data(), Eigen::Index(patchSize()), coefficients_.channels);
+    const Eigen::VectorXf sizes = channels.rowwise().norm();
+    const float highest = kHighestPeak * sizes.norm() / std::sqrt(float(sizes.size()));
+    for (std::size_t i = 0; i < patchSize(); ++i)
+      if (const float size = sizes[Eigen::Index(i)]; size > highest)
+        for (std::size_t c = 0; c < work_.size(); ++c)
+          coefficients_.values[c * patchSize() + i] *= highest / size;
+  }
+
   const GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
   Eigen::SparseMatrix<float> inverseX_;
   Eigen::SparseMatrix<float> inverseY_;
+  BorderPenalty border_;
   std::vector<PatchFft> transforms_;
   Spectra work_;
   TextonCoefficients coefficients_;
@@ -245,8 +270,8 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
+  Spectra x = randomPhases(model, options.seed); // before the fit takes its own memory
   Fit fit(model, options.width, options.height, options.order);
-  Spectra x = fit.randomPhases(options.seed);
   const auto goOn = [&] { return !options.goOn || options.goOn(); };
   if (method == FitMethod::alternatingProjections) {
     // Of white noise only the phases of t^* . alpha^ come through the first projection: uniform and
@@ -260,6 +285,7 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
     fit.reflect(x, kFirstRelaxation + (kLastRelaxation - kFirstRelaxation) * done);
   }
   fit.project(x);
+  x = {}; // as large as the model
   descendWithMomentum(fit, options.goOn);
   return fit.coefficients();
 }

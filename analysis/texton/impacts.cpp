@@ -7,11 +7,24 @@
 namespace lichen::texton {
 namespace {
 
-std::uint32_t wrapped(std::int32_t cell, std::int32_t period) {
+/// A cell's number modulo 2^32, or in [0, period).
+std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
   if (period == 0)
     return std::uint32_t(cell);
-  const std::int32_t rest = cell % period;
+  const std::int64_t rest = cell % period;
   return std::uint32_t(rest < 0 ? rest + period : rest);
+}
+
+/// lichenSetFootprint, where the sampler is trilinear.
+float footprintLevel(const TileFootprint& at, const Vec2& texelsPerTile) {
+  const Vec2 x{at.dx[0] * texelsPerTile[0], at.dx[1] * texelsPerTile[1]};
+  const Vec2 y{at.dy[0] * texelsPerTile[0], at.dy[1] * texelsPerTile[1]};
+  constexpr float kMostSlant = 16.0f;
+  const float squared = std::max({1.0f, x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]});
+  const float area = std::abs(x[0] * y[1] - x[1] * y[0]);
+  const float slant = std::min(squared / std::max(area, std::sqrt(squared)), kMostSlant);
+  const float lambda = std::max(0.0f, 0.5f * std::log2(squared) - 0.25f * std::log2(slant));
+  return std::max(0.5f * lambda, lambda - 0.5f); // lichenSharpLevel
 }
 
 } // namespace
@@ -32,14 +45,8 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
   const Vec2 fraction{noise.fractionI, noise.fractionJ};
   const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
   const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
-  const auto squaredTexels = [&](const Vec2& d) {
-    const float x = d[0] * texelsPerTile[0];
-    const float y = d[1] * texelsPerTile[1];
-    return x * x + y * y;
-  };
   Impacts impacts;
-  impacts.footprintLevel =
-      0.5f * std::log2(std::max({1.0f, squaredTexels(at.dx), squaredTexels(at.dy)}));
+  impacts.footprintLevel = footprintLevel(at, texelsPerTile);
   impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
   const Reach reach = mipReach(impacts.level, texton);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -65,9 +72,8 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     impacts.start[k] = shift + (inside - first) * impacts.cellTexels[k];
     // Half a cell further than the last: sums of sides are rounded.
     impacts.end[k] = impacts.start[k] - (last - first + 0.5f) * impacts.cellTexels[k];
-    const auto sum = std::uint32_t(std::int32_t(cell)) + std::uint32_t(std::int32_t(first)) +
-                     std::uint32_t(origin[k]);
-    impacts.firstCell[k] = wrapped(std::int32_t(sum), period[k]);
+    // 64 bits: 2^28 tiles may have 2^47 cells.
+    impacts.firstCell[k] = wrapped(std::int64_t(cell) + std::int64_t(first) + origin[k], period[k]);
   }
   return impacts;
 }

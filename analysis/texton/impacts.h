@@ -26,8 +26,8 @@ struct Reach {
 /// What all maps of a noise share at one point. A place is [texels], in the frame of an impact's
 /// texton, from the middle of what it reaches.
 struct Impacts {
-  float footprintLevel = 0.0f; ///< log2 of the footprint's longer side in texels, at least 0
-  float level = 0.0f;          ///< the same, of a mip that the textons have
+  float footprintLevel = 0.0f; ///< of the mip that shows what the footprint does, at least 0
+  float level = 0.0f;          ///< likewise, as far as the textons have mips
   Vec2 middle{}, radius{};     ///< [texels] of what a texton reaches, fetched at this level
   std::array<std::uint32_t, 2> firstCell{}; ///< in the period
   Vec2 start{}, end{};                      ///< places seen from corners of cells

@@ -1,64 +1,119 @@
 // SPDX-License-Identifier: MIT
-// Maps of different sizes -> one image of all their channels; see joint_exemplar.h.
+// Maps (height, width, channels each) -> one image (height, width, all channels) in units.
 #include "joint_exemplar.h"
 
 #include "exemplar/resample.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace lichen::texton {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-MatrixXd covarianceOf(std::span<const float> values, std::size_t channels, Eigen::VectorXd& mean) {
-  const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Eigen::Index(channels),
-                                              Eigen::Index(values.size() / channels));
-  mean = all.cast<double>().rowwise().mean();
-  MatrixXd sum = MatrixXd::Zero(all.rows(), all.rows());
-  constexpr Eigen::Index kBlock = 4096; // pixels, so that the copy in double stays small
-  for (Eigen::Index begin = 0; begin < all.cols(); begin += kBlock) {
-    const Eigen::Index count = std::min(kBlock, all.cols() - begin);
-    const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - mean;
-    sum.noalias() += centred * centred.transpose();
+struct Moments {
+  VectorXd mean;
+  MatrixXd covariance;
+};
+
+Moments momentsOf(std::span<const float> values, std::size_t channels) {
+  const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Index(channels),
+                                              Index(values.size() / channels));
+  Moments moments{all.cast<double>().rowwise().mean(), MatrixXd::Zero(all.rows(), all.rows())};
+  constexpr Index kBlock = 4096; // pixels, so that the copy in double stays small
+  for (Index begin = 0; begin < all.cols(); begin += kBlock) {
+    const Index count = std::min(kBlock, all.cols() - begin);
+    const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - moments.mean;
+    moments.covariance.noalias() += centred * centred.transpose();
   }
-  return sum / double(all.cols());
+  moments.covariance /= double(all.cols());
+  return moments;
+}
+
+bool areOneQuantity(MapChannel a, MapChannel b) {
+  const auto isColor = [](MapChannel channel) {
+    return channel == MapChannel::red || channel == MapChannel::green ||
+           channel == MapChannel::blue;
+  };
+  const auto isSlope = [](MapChannel channel) {
+    return channel == MapChannel::slopeX || channel == MapChannel::slopeY;
+  };
+  return a == b || (isColor(a) && isColor(b)) || (isSlope(a) && isSlope(b));
+}
+
+/// What a map's channels vary by: 0 where only the rounding of floats does.
+VectorXd variancesOf(const Moments& moments) {
+  VectorXd variances = moments.covariance.diagonal();
+  for (Index c = 0; c < variances.size(); ++c) {
+    const double rounding = std::numeric_limits<float>::epsilon() * moments.mean[c];
+    if (variances[c] <= rounding * rounding)
+      variances[c] = 0.0;
+  }
+  return variances;
+}
+
+/// The root mean variance of the quantity that each channel is of, and no less than what rounding
+/// to the file's steps makes of nothing.
+VectorXd unitsOf(const MapExemplar& map, const VectorXd& variances) {
+  const double roundingVariance = map.quantum * map.quantum / 12.0;
+  VectorXd units(variances.size());
+  for (Index c = 0; c < units.size(); ++c) {
+    double sum = 0.0;
+    int count = 0;
+    for (Index d = 0; d < units.size(); ++d)
+      if (areOneQuantity(map.channels[std::size_t(c)], map.channels[std::size_t(d)])) {
+        sum += variances[d];
+        ++count;
+      }
+    units[c] = std::sqrt(std::max(sum / count, roundingVariance));
+  }
+  return units;
 }
 
 } // namespace
 
-JointExemplar joined(std::span<const MapExemplar> maps) {
+JointExemplar joinedMaps(std::span<const MapExemplar> maps) {
   JointExemplar joint;
+  Index channels = 0;
   for (const MapExemplar& map : maps) {
     joint.width = std::max(joint.width, map.width);
     joint.height = std::max(joint.height, map.height);
-    joint.channels += map.channels.size();
+    channels += Index(map.channels.size());
   }
-  joint.values.resize(std::size_t(joint.width) * std::size_t(joint.height) * joint.channels);
-  joint.mean.resize(Eigen::Index(joint.channels));
-  Eigen::VectorXd gains = Eigen::VectorXd::Ones(Eigen::Index(joint.channels));
-  std::size_t first = 0;
+  joint.mean.resize(channels);
+  joint.units.resize(channels);
+  VectorXd variances(channels);
+  const std::size_t pixels = std::size_t(joint.width) * std::size_t(joint.height);
+  joint.values.resize(pixels * std::size_t(channels));
+  Index first = 0;
   for (const MapExemplar& map : maps) {
-    const std::size_t n = map.channels.size();
-    const bool fits = map.width == joint.width && map.height == joint.height;
-    const MapExemplar sized =
-        fits ? map : exemplar::resampled(map, joint.width, joint.height, false);
-    for (std::size_t i = 0; i < sized.values.size(); ++i)
-      joint.values[i / n * joint.channels + first + i % n] = sized.values[i];
-    Eigen::VectorXd mean, ignored;
-    const MatrixXd own = covarianceOf(map.values, n, mean);
-    const MatrixXd resized = covarianceOf(sized.values, n, ignored);
-    for (Eigen::Index c = 0; c < Eigen::Index(n); ++c) {
-      joint.mean[Eigen::Index(first) + c] = mean[c];
-      if (resized(c, c) > 0.0)
-        gains[Eigen::Index(first) + c] = std::sqrt(own(c, c) / resized(c, c));
-    }
+    const auto n = Index(map.channels.size());
+    const Moments own = momentsOf(map.values, std::size_t(n));
+    joint.mean.segment(first, n) = own.mean;
+    joint.units.segment(first, n) = unitsOf(map, variancesOf(own));
+    variances.segment(first, n) =
+        variancesOf(own).cwiseQuotient(joint.units.segment(first, n).cwiseAbs2());
+    std::optional<MapExemplar> resized;
+    if (map.width != joint.width || map.height != joint.height)
+      resized = exemplar::resampled(map, joint.width, joint.height, false);
+    const std::vector<float>& values = resized ? resized->values : map.values;
+    for (std::size_t i = 0; i < pixels; ++i)
+      for (Index c = 0; c < n; ++c)
+        joint.values[i * std::size_t(channels) + std::size_t(first + c)] =
+            float((double(values[i * std::size_t(n) + std::size_t(c)]) - own.mean[c]) /
+                  joint.units[first + c]);
     first += n;
   }
-  Eigen::VectorXd ignored;
-  joint.covariance =
-      gains.asDiagonal() * covarianceOf(joint.values, joint.channels, ignored) * gains.asDiagonal();
+  joint.covariance = momentsOf(joint.values, std::size_t(channels)).covariance;
+  const VectorXd gains = (joint.covariance.diagonal().array() > 0.0)
+                             .select(variances.cwiseQuotient(joint.covariance.diagonal()), 0.0)
+                             .cwiseSqrt();
+  joint.covariance = gains.asDiagonal() * joint.covariance * gains.asDiagonal();
   return joint;
 }
 

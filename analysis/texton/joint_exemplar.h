@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: MIT
-// All maps of an exemplar as one image, so that one texton is fitted to all.
+// The maps of a noise as one image, in which each of its quantities counts alike.
 #pragma once
 
 #include <lichen/tiling.h>
 
 #include <Eigen/Dense>
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace lichen::texton {
 
-/// `channels` interleaved values a pixel, those of the first map first.
+/// All maps at the size of the largest. Colours are one quantity, slopes another, and every other
+/// channel is one by itself; a unit is a deviation of the quantity, so that the fit does not depend
+/// on the units in which a map happens to be stored.
 struct JointExemplar {
   int width = 0;
   int height = 0;
-  std::size_t channels = 0;
-  std::vector<float> values;
-  Eigen::VectorXd mean;       ///< of each map's own pixels
-  Eigen::MatrixXd covariance; ///< likewise; between maps of different sizes, of the resampled ones
+  std::vector<float> values; ///< interleaved, in units from the mean
+  Eigen::VectorXd mean;      ///< stored values, of each map's own pixels
+  Eigen::VectorXd units;     ///< stored values a unit, of each channel; above 0
+  /// In units; variances of each map's own pixels, correlations of the resampled ones. 0 for a
+  /// channel without variation.
+  Eigen::MatrixXd covariance;
+
+  [[nodiscard]] int channels() const { return int(mean.size()); }
 };
 
-/// Maps of other sizes are resampled to the widest and highest. At least one. Throws
-/// std::bad_alloc.
-[[nodiscard]] JointExemplar joined(std::span<const MapExemplar> maps);
+/// At least one map, each within the ranges of MapExemplar. Throws std::bad_alloc.
+[[nodiscard]] JointExemplar joinedMaps(std::span<const MapExemplar> maps);
 
 } // namespace lichen::texton

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Maps of n exemplars -> a texton noise with a frame for each step between them.
 //
-// Maps of one kind are brought to units of their deviation, the same in all exemplars, so that none
-// of a set is neglected in the joint fit and contrasts between exemplars stay what they are.
+// A unit of each quantity is its deviation, and the same in all exemplars: none of a set is
+// neglected in the joint fit, and contrasts between exemplars stay what they are.
 // Sources: [GLM17] section 7; docs/decisions/016-mixing.md.
 #include "joint_exemplar.h"
 #include "mixing.h"
@@ -153,36 +153,27 @@ Result<void> checkFrames(const TextonShape& shape) {
                            shape.steps, shape.frameHeight(), rows, kMaxTableSide));
 }
 
-/// The deviation of each channel's map, its channels and all exemplars taken together; 1 where it
-/// does not vary.
-Eigen::VectorXd mapUnits(std::span<const JointExemplar> exemplars,
-                         std::span<const MapExemplar> maps) {
-  Eigen::VectorXd units(Eigen::Index(exemplars.front().channels));
-  Eigen::Index first = 0;
-  for (const MapExemplar& map : maps) {
-    const auto n = Eigen::Index(map.channels.size());
-    double variance = 0.0;
-    for (const JointExemplar& exemplar : exemplars)
-      variance += exemplar.covariance.diagonal().segment(first, n).mean();
-    variance /= double(exemplars.size());
-    units.segment(first, n).setConstant(variance > 0.0 ? std::sqrt(variance) : 1.0);
-    first += n;
-  }
-  return units;
+/// A unit of each channel for all exemplars: the root mean square of their own.
+Eigen::VectorXd sharedUnits(std::span<const JointExemplar> exemplars) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(exemplars.front().units.size());
+  for (const JointExemplar& exemplar : exemplars)
+    squares += exemplar.units.cwiseAbs2();
+  return (squares / double(exemplars.size())).cwiseSqrt();
 }
 
 MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eigen::VectorXd& units,
                      TextonVariance variance) {
+  const Eigen::VectorXd ratios = exemplar.units.cwiseQuotient(units);
+  const auto channels = std::size_t(exemplar.channels());
   for (std::size_t i = 0; i < exemplar.values.size(); ++i)
-    exemplar.values[i] /= float(units[Eigen::Index(i % exemplar.channels)]);
+    exemplar.values[i] *= float(ratios[Eigen::Index(i % channels)]);
   MixExemplar result{
       name,
-      gaussianModel(exemplar.values, exemplar.width, exemplar.height, int(exemplar.channels)),
+      gaussianModel(exemplar.values, exemplar.width, exemplar.height, exemplar.channels()),
       {}};
-  const Eigen::VectorXd inverse = units.cwiseInverse();
   result.covariance = variance == TextonVariance::periodic
                           ? modelCovariance(result.model)
-                          : inverse.asDiagonal() * exemplar.covariance * inverse.asDiagonal();
+                          : ratios.asDiagonal() * exemplar.covariance * ratios.asDiagonal();
   return result;
 }
 
@@ -215,11 +206,7 @@ std::vector<TextonOfMaps> inMapUnits(TextonMix mix, std::span<const Eigen::Vecto
   std::vector<TextonOfMaps> steps;
   for (MixStep& step : mix.steps) {
     TextonOfMaps& result = steps.emplace_back();
-    result.coefficients = std::move(step.texton);
-    std::vector<float>& values = result.coefficients.values;
-    const std::size_t texels = values.size() / std::size_t(units.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] *= float(units[Eigen::Index(i / texels)]);
+    result.coefficients = inStoredUnits(std::move(step.texton), units);
     result.mean = Eigen::VectorXd::Zero(units.size());
     for (std::size_t k = 0; k < means.size(); ++k)
       result.mean += step.weights[k] * means[k];
@@ -247,10 +234,10 @@ Result<TextonMixBake> baked(std::string name, std::span<const MixedExemplar> exe
   std::vector<JointExemplar> joints;
   std::vector<Eigen::VectorXd> means;
   for (const MixedExemplar& exemplar : exemplars) {
-    joints.push_back(joined(exemplar.maps));
+    joints.push_back(joinedMaps(exemplar.maps));
     means.push_back(joints.back().mean);
   }
-  const Eigen::VectorXd units = mapUnits(joints, maps);
+  const Eigen::VectorXd units = sharedUnits(joints);
   std::vector<MixExemplar> models;
   for (std::size_t k = 0; k < exemplars.size(); ++k)
     models.push_back(

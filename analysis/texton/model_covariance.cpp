@@ -2,6 +2,8 @@
 // Model (channels, height, width / 2 + 1) -> covariance (channels x channels).
 #include "model_covariance.h"
 
+#include "transport/covariance_map.h"
+
 namespace lichen::texton {
 
 Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
@@ -26,7 +28,7 @@ Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
 bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted) {
   constexpr double kNegligible = 1e-3;    // of the most variance along a direction
   constexpr double kLeastModelled = 0.01; // of the variance wanted: a gain of ten
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(wanted);
+  const auto axes = transport::principalAxes(wanted);
   for (Eigen::Index k = 0; k < axes.eigenvalues().size(); ++k) {
     const double variance = axes.eigenvalues()[k];
     const auto axis = axes.eigenvectors().col(k);

@@ -11,6 +11,7 @@
 #include "one_grid.h"
 
 #include "model_covariance.h"
+#include "transport/covariance_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ GaussianModel refined(const GaussianModel& model, int width, int height) {
 
 /// The same texture with the phases that make the strongest colour axis a sum of cosines.
 GaussianModel compact(GaussianModel model) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(modelCovariance(model));
+  const auto axes = transport::principalAxes(modelCovariance(model));
   const Eigen::VectorXf axis =
       axes.eigenvectors().col(axes.eigenvectors().cols() - 1).cast<float>();
   for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {

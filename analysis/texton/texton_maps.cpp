@@ -44,6 +44,13 @@ std::vector<double> scaleOf(std::span<const MatrixXd> covariances, Index first, 
 
 } // namespace
 
+TextonCoefficients inStoredUnits(TextonCoefficients coefficients, const Eigen::VectorXd& units) {
+  const std::size_t texels = coefficients.values.size() / std::size_t(units.size());
+  for (std::size_t i = 0; i < coefficients.values.size(); ++i)
+    coefficients.values[i] *= float(units[Index(i / texels)]);
+  return coefficients;
+}
+
 void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar> maps, int bits,
                Noise& noise, std::vector<Table>& tables) {
   std::vector<MatrixXd> covariances;

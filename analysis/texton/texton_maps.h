@@ -19,6 +19,10 @@ struct TextonOfMaps {
   Eigen::VectorXd mean;            ///< of their stored values
 };
 
+/// Coefficients in units of each channel -> of stored values.
+[[nodiscard]] TextonCoefficients inStoredUnits(TextonCoefficients coefficients,
+                                               const Eigen::VectorXd& units);
+
 /// Gives `noise`, whose shape and name are set, a map for each of `maps`, of which pixels are not
 /// read, and appends their tables. A step each of the shape's. `bits` 8 or 16, as
 /// TextonOptions::bits. Throws std::bad_alloc.

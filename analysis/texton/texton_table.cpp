@@ -10,14 +10,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 
 namespace lichen::texton {
 namespace {
-
-/// Texels of the last mip along the shorter side of the coefficients.
-constexpr int kFewestTexels = 4;
 
 /// Texels of one channel, row by row; zero beyond.
 struct Plane {
@@ -107,11 +103,6 @@ std::vector<Plane> mipsOf(const Table& table, std::span<const std::vector<float>
 
 } // namespace
 
-int mipLevelsOf(int coefficientsX, int coefficientsY) {
-  const int shorter = std::min(coefficientsX, coefficientsY);
-  return int(std::bit_width(unsigned(std::max(1, shorter / kFewestTexels))));
-}
-
 Table textonTable(std::span<const TextonCoefficients* const> steps, const TextonShape& shape,
                   std::size_t firstChannel, std::span<const double> scale, int bits) {
   assert(int(steps.size()) == shape.steps);
@@ -135,6 +126,24 @@ Table textonTable(std::span<const TextonCoefficients* const> steps, const Texton
     appendTexels(table.texels, table.format, texels);
   }
   return table;
+}
+
+TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables, int step) {
+  const TextonShape& shape = noise.texton;
+  TextonCoefficients texton{shape.coefficientsX, shape.coefficientsY, 0, {}};
+  for (const NoiseMap& map : noise.maps) {
+    const Table& table = tables[map.image];
+    const std::vector<float> texels = decodeLevel(table, 0);
+    const auto stride = std::size_t(channelCount(table.format));
+    for (std::size_t c = 0; c < map.channels.size(); ++c, ++texton.channels)
+      for (int y = 0; y < texton.height; ++y)
+        for (int x = 0; x < texton.width; ++x) {
+          const std::size_t row = std::size_t(step) * shape.frameHeight() + std::size_t(y);
+          const float texel = texels[(row * table.width + std::size_t(x)) * stride + c];
+          texton.values.push_back(float(map.scale[c] * double(texel)));
+        }
+  }
+  return texton;
 }
 
 std::vector<std::vector<double>> mipLosses(const Table& table, const TextonShape& shape,

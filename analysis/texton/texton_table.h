@@ -11,16 +11,16 @@
 
 namespace lichen::texton {
 
-/// Mip levels of textons of this many coefficients: the last one's texels are at most a quarter of
-/// the shorter side.
-[[nodiscard]] int mipLevelsOf(int coefficientsX, int coefficientsY);
-
 /// The table of some channels, 1 to 3, of one texton for each step: frames one above the other,
 /// with mips of box averages. Each channel is divided by its `scale`; one of scale 0 is 0. `bits`
 /// 16 or 32, of floats.
 [[nodiscard]] Table textonTable(std::span<const TextonCoefficients* const> steps,
                                 const TextonShape& shape, std::size_t firstChannel,
                                 std::span<const double> scale, int bits);
+
+/// The coefficients of a step, the channels of all maps, as the tables of `noise` hold them.
+[[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables,
+                                              int step = 0);
 
 /// NoiseMap::mipLoss of each step of such a table, kMaxTextonLosses values: the mean over its
 /// channels that vary.

@@ -30,7 +30,7 @@ using namespace tiling;
 /// rounding in the file.
 bool spansAll(const ColorSpace& space) {
   constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
-  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
+  const auto solver = transport::principalAxes(space.moments.covariance);
   return space.dimensions() == int(space.moments.mean.size()) &&
          solver.eigenvalues()[0] > kLeastShare * space.moments.covariance.trace();
 }

@@ -86,7 +86,7 @@ Moments momentsOf(std::span<const float> values, int channels) {
 ColorSpace principalSpaceOf(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   ColorSpace space{momentsOf(map.values, channels), {}};
-  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(space.moments.covariance);
+  const auto solver = transport::principalAxes(space.moments.covariance);
   const double roundingVariance = map.quantum * map.quantum / 12.0;
   const double leastVariance = kLeastOverRounding * roundingVariance;
   std::vector<Eigen::Index> kept;

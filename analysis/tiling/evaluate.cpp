@@ -16,13 +16,6 @@ namespace {
 
 using Value = TilingEvaluator::Value;
 
-Value mix(const Value& a, const Value& b, float t) {
-  Value result;
-  for (std::size_t c = 0; c < 4; ++c)
-    result[c] = a[c] + t * (b[c] - a[c]);
-  return result;
-}
-
 /// Abramowitz and Stegun 7.1.28, |error| <= 3e-7.
 float errorFunction(float x) {
   const float a = std::abs(x);
@@ -214,8 +207,7 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
     return decodeJoint(map, gaussian, lost);
   if (map.constants.decoding == LICHEN_DECODING_SEPARABLE)
     return decodeSeparable(map, gaussian, lost);
-  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
-                         std::min(1.0f, lost));
+  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]}, lost);
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,

@@ -2,7 +2,7 @@
 // Stratified samples of the method's Gaussian; count -> count points.
 #include "gaussian_distribution.h"
 
-#include <Eigen/Dense>
+#include "transport/covariance_map.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ void whiten(MatrixXd& points) {
   const VectorXd mean = points.rowwise().mean();
   points.colwise() -= mean;
   const MatrixXd covariance = points * points.transpose() / double(points.cols());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance);
+  const auto solver = transport::principalAxes(covariance);
   const double variance = kGaussianDeviation * kGaussianDeviation;
   // Where there are no more points than dimensions, directions without variance stay without. Such
   // eigenvalues are below 1e-15 of the variance; the least of any larger set is 0.08 (4 points).

@@ -5,7 +5,6 @@
 #include "table_lookup.h"
 #include "transport/covariance_map.h"
 
-#include <Eigen/Eigenvalues>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -103,7 +102,7 @@ InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
 /// axis by axis, exactly, and the rest sampled on what that leaves.
 template <std::size_t kDimensions>
 InverseTable averaged(const InverseTable& table, const ChannelMatrix& loss) {
-  const Eigen::SelfAdjointEigenSolver<ChannelMatrix> solver(loss, Eigen::EigenvaluesOnly);
+  const auto solver = transport::principalAxes(loss);
   const double alike = std::max(0.0, solver.eigenvalues()[0]);
   const InverseTable blurred = blurredAlongAxes(table, alike);
   const double largest = solver.eigenvalues()[loss.rows() - 1];

@@ -14,8 +14,13 @@ constexpr double kNoVariance = 1e-12;
 } // namespace
 
 template <class Matrix>
+Eigen::SelfAdjointEigenSolver<Matrix> principalAxes(const Matrix& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric);
+}
+
+template <class Matrix>
 Matrix power(const Matrix& symmetric, double exponent) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric);
+  const auto solver = principalAxes(symmetric);
   auto values = solver.eigenvalues();
   const double floor = kNoVariance * std::max(values.maxCoeff(), 0.0);
   for (Eigen::Index k = 0; k < values.size(); ++k)
@@ -24,7 +29,7 @@ Matrix power(const Matrix& symmetric, double exponent) {
 }
 
 int rank(const SmallMatrix& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(symmetric, Eigen::EigenvaluesOnly);
+  const auto solver = principalAxes(symmetric);
   const double floor = kNoVariance * std::max(solver.eigenvalues().maxCoeff(), 0.0);
   return int((solver.eigenvalues().array() > floor).count());
 }
@@ -36,6 +41,8 @@ Matrix covarianceMap(const Matrix& from, const Matrix& to) {
   return inverseRoot * power(Matrix(root * to * root), 0.5) * inverseRoot;
 }
 
+template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
+template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principalAxes(const Eigen::MatrixXd&);
 template SmallMatrix power(const SmallMatrix&, double);
 template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
 template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);

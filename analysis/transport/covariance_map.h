@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Powers of covariance matrices, and the linear map that carries one covariance to another.
+// Axes and powers of covariance matrices, and the linear map that carries one covariance to
+// another.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,6 +9,11 @@ namespace lichen::transport {
 
 /// Up to 3 x 3, on the stack: of one map's channels. The functions take Eigen::MatrixXd too.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix. Eigen's solver, compiled
+/// once for each type: it takes seconds in a file that calls its constructor.
+template <class Matrix>
+[[nodiscard]] Eigen::SelfAdjointEigenSolver<Matrix> principalAxes(const Matrix& symmetric);
 
 /// The symmetric matrix with the same eigenvectors and eigenvalues raised to `exponent`.
 /// Eigenvalues below 1e-12 of the largest, which is the rounding of float coordinates, count as
@@ -24,6 +30,9 @@ template <class Matrix>
 template <class Matrix>
 [[nodiscard]] Matrix covarianceMap(const Matrix& from, const Matrix& to);
 
+extern template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
+extern template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
+principalAxes(const Eigen::MatrixXd&);
 extern template SmallMatrix power(const SmallMatrix&, double);
 extern template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
 extern template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);

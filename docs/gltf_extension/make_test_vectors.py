@@ -100,6 +100,28 @@ def impacts_of(i, j, seed, plane, process):
                          "sign": -1 if w >> 31 else 1} for w in words]}
 
 
+def surface_grid(coefficients, order, impacts, tile):
+    # columns = round(tile / side) with side^3 = r^3 / (2 impacts), r^2 = (N + k) (N' + k).
+    thickness = Decimal((coefficients[0] + order) * (coefficients[1] + order)).sqrt()
+    side = thickness / (2 * Decimal(impacts)) ** (Decimal(1) / 3)
+    cells = max(1, int((tile[0] / side + Decimal("0.5")).to_integral_value(rounding="ROUND_FLOOR")))
+    cube = Decimal(tile[0]) / cells
+    return {"coefficients": coefficients, "order": order, "impacts": impacts,
+            "texelsPerTile": tile, "cells": cells,
+            "amplitude": float((3 * cube**3 / thickness).sqrt())}
+
+
+def surface_impacts_of(i, j, k, seed, process):
+    first, second, _ = pcg3d(i % WORD, j % WORD, lattice_seed(seed, 3))
+    words = [pcg((first + k) % WORD)]
+    if process == "poisson":
+        count = poisson_count(pcg((second + k) % WORD))
+        words = [pcg((words[0] + m) % WORD) for m in range(count)]
+    return {"cell": [i, j, k], "seed": seed, "process": process,
+            "impacts": [{"place": [((w >> shift) % 1024 + 0.5) / 1024 for shift in (21, 11, 1)],
+                         "sign": -1 if w >> 31 else 1} for w in words]}
+
+
 WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
 VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
@@ -125,4 +147,8 @@ print(json.dumps({
     "poissonCount": [{"word": w, "count": poisson_count(w)} for w in COUNTS],
     "impacts": [impacts_of(*v, s, p, process)
                 for v in VERTICES for s, p in SEEDS[1:3] for process in ("stratified", "poisson")],
+    "surfaceGrid": [surface_grid(*grid) for grid in GRIDS],
+    "surfaceImpacts": [surface_impacts_of(*v, k, s, process)
+                       for v, k in zip(VERTICES, (0, 1, -1, 7, 2147483647, -5)) for s in (1, 2)
+                       for process in ("stratified", "poisson")],
 }, indent=1))

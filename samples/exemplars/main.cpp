@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's own example exemplars as PNG.
+// lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's own example exemplars as PNG,
+// and a mesh to put them on.
 #include "materials.h"
+#include "scanned_shape.h"
 #include "unsuitable.h"
 
+#include <lichen/files.h>
 #include <lichen/image_io.h>
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
@@ -27,6 +31,9 @@ int fail(ErrorKind kind, const std::string& message) {
   return int(kind);
 }
 
+/// The name of the mesh, which is no picture.
+constexpr const char* kScan = "scan";
+
 /// The materials, then the pictures that do not suit.
 std::vector<exemplars::Material> pictures() {
   std::vector<exemplars::Material> all(exemplars::kMaterials.begin(), exemplars::kMaterials.end());
@@ -35,8 +42,8 @@ std::vector<exemplars::Material> pictures() {
   return all;
 }
 
-int writePictures(const std::filesystem::path& folder, int side,
-                  const std::vector<std::string>& names) {
+int writeFiles(const std::filesystem::path& folder, int side,
+               const std::vector<std::string>& names) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
@@ -47,6 +54,13 @@ int writePictures(const std::filesystem::path& folder, int side,
       continue;
     const std::filesystem::path path = folder / (std::string(picture.name) + ".png");
     const Result<void> written = writeImage(path, picture.generate(side));
+    if (!written)
+      return fail(written.error().kind, written.error().message);
+    std::printf("%s\n", path.c_str());
+  }
+  if (std::find(names.begin(), names.end(), kScan) != names.end()) {
+    const std::filesystem::path path = folder / (std::string(kScan) + ".glb");
+    const Result<void> written = replaceFile(path, exemplars::scannedShapeGlb());
     if (!written)
       return fail(written.error().kind, written.error().message);
     std::printf("%s\n", path.c_str());
@@ -72,8 +86,10 @@ int run(int argc, char** argv) {
   std::vector<std::string> known;
   for (const exemplars::Material& picture : pictures())
     known.emplace_back(picture.name);
+  known.emplace_back(kScan);
 
-  CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB.",
+  CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB; and a mesh "
+               "without texture coordinates.",
                "lichen-exemplars");
   app.set_help_flag("-h,--help", "Print this page and exit");
   app.formatter(cli::helpFormatter());
@@ -81,7 +97,7 @@ int run(int argc, char** argv) {
   std::string folder;
   int side = 0;
   std::vector<std::string> names;
-  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent")->required();
+  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent").required();
   cli::addTexts(app, "NAME", names, "...",
                 "Which ones: " + cli::alternatives(known) + " [default: the " +
                     std::to_string(exemplars::kMaterials.size()) + " materials, which come first]");
@@ -101,7 +117,7 @@ int run(int argc, char** argv) {
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);
-  return writePictures(folder, side, names);
+  return writeFiles(folder, side, names);
 }
 
 } // namespace

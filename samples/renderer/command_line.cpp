@@ -4,6 +4,7 @@
 
 #include "renderer.h"
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
@@ -80,14 +81,11 @@ void addOptions(CLI::App& app, Command& command) {
            "One quantity instead of the shaded scene");
   addText(app, "--device", command.device, "INDEX|NAME",
           "A Vulkan device, or part of its name [default: the best]");
-  const auto addFlag = [&](const char* name, bool& flag, const char* help) {
-    app.add_flag(name, flag, help)->disable_flag_override();
-  };
-  addFlag("--list-devices", command.listDevices, "Print the Vulkan devices there are");
-  addFlag("--validate", command.validate,
+  addFlag(app, "--list-devices", command.listDevices, "Print the Vulkan devices there are");
+  addFlag(app, "--validate", command.validate,
           "Fail if the Vulkan validation layers have anything to say");
-  addFlag("--json", command.json, "One JSON object on standard output, nothing else there");
-  addFlag("--quiet", command.quiet, "No notes and no report; errors only");
+  addFlag(app, "--json", command.json, "One JSON object on standard output, nothing else there");
+  addFlag(app, "--quiet", command.quiet, "No notes and no report; errors only");
 }
 
 } // namespace

@@ -67,13 +67,16 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
   return index >= 0 && std::size_t(index) < value.ArrayLen() ? value.Get(index) : kNull;
 }
 
-/// Where the normals of a material's noise take their texture coordinates; nothing without normals.
+/// Where the normals of a material's noise take their texture coordinates; nothing without normals,
+/// or where the surface's own tangents are what the noise lies along.
 /// The extension is the plugin's to check, later: here a fault counts as absence, and so does a
 /// revision that the plugin ignores.
 std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinygltf::Value& use) {
   const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
   const tinygltf::Value& index = at(use, "noise");
-  if (root == nullptr || !index.IsInt())
+  const tinygltf::Value& mapping = at(use, "mapping");
+  if (root == nullptr || !index.IsInt() ||
+      (mapping.IsString() && mapping.Get<std::string>() == nameOf(Mapping::surface)))
     return std::nullopt;
   const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
   const tinygltf::Value& revision = at(noise, "revision");

@@ -112,10 +112,11 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
                     ", which this version does not know; the core textures are drawn");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
-    if (material.mapping != LICHEN_MAPPING_UV)
+    hasSurfaceNoises_ = hasSurfaceNoises_ || material.mapping == LICHEN_MAPPING_SURFACE;
+    if (material.mapping != LICHEN_MAPPING_UV && material.mapping != LICHEN_MAPPING_SURFACE)
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place +
                                               ": the mapping of the noise is not supported by this "
-                                              "version, uv is"}};
+                                              "version, uv and surface are"}};
     if (material.texCoord > 1)
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
                                               std::to_string(material.texCoord) +

@@ -40,7 +40,9 @@ public:
   /// Whether some noise that is drawn is one of tiling, of textons.
   [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
-  /// Whether some of these is a mix.
+  /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
+  [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
+  /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
@@ -82,6 +84,7 @@ private:
   bool hasOtherTables_ = false;
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;
+  bool hasSurfaceNoises_ = false;
   bool hasMixes_ = false;
 };
 

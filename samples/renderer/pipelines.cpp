@@ -50,15 +50,13 @@ constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat 
   return {location, 0, format, std::uint32_t(offset)};
 }
 
-// Those that depth.vert takes come first.
-constexpr std::size_t kDepthAttributes = 5;
 constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
                                  at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
                                  at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
                                  at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
-                                 at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight)),
-                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
-                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent))};
+                                 at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight))};
 
 VkPipelineColorBlendAttachmentState blending(bool enabled) {
   VkPipelineColorBlendAttachmentState state{};
@@ -138,6 +136,7 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
+  VkBool32 surfaceNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
 };
 
@@ -147,21 +146,26 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{5, offsetof(Constants, surfaceNoises), sizeof(VkBool32)},
+    VkSpecializationMapEntry{6, offsetof(Constants, mixedTextons), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
+void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
+                    const PipelinesUsed& used) {
   Description d;
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
   d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
+    if (!used.surfaces[i])
+      continue;
     const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
-                              shared.otherTables, shared.tilingNoises, shared.mixedTextons};
+                              shared.otherTables, shared.tilingNoises, shared.surfaceNoises,
+                              shared.mixedTextons};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -170,20 +174,24 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   }
 }
 
-void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared) {
+void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
+                  const PipelinesUsed& used) {
   Description d;
   d.layout = pipelines.depthLayout;
   d.vertex = objects.shader(depth_vert);
-  d.attributes = std::span(kAttributes).first(kDepthAttributes);
+  d.attributes = kAttributes;
   d.color = false;
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
   d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
+    if (!used.depthWithGaps[i])
+      continue;
     const Constants constants{.hasNoise = i != 0,
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
+                              .surfaceNoises = shared.surfaceNoises,
                               .mixedTextons = shared.mixedTextons};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
@@ -194,7 +202,7 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
 } // namespace
 
 Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                          const SurfaceConstants& constants) {
+                          const SurfaceConstants& constants, const PipelinesUsed& used) {
   Pipelines pipelines;
   const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
   pipelines.sceneLayout =
@@ -203,9 +211,8 @@ Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
       objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
   pipelines.accumulateLayout = objects.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
-  createSurfaces(objects, pipelines, constants);
-
-  createDepths(objects, pipelines, constants);
+  createSurfaces(objects, pipelines, constants, used);
+  createDepths(objects, pipelines, constants, used);
 
   Description sky;
   sky.layout = pipelines.sceneLayout;

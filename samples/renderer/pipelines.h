@@ -23,6 +23,17 @@ struct SurfaceKind {
   bool hasNoise = false;
   bool hasNormalMap = false;
   bool blends = false;
+
+  [[nodiscard]] std::size_t index() const {
+    return std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 + std::size_t(blends);
+  }
+};
+
+/// Of the pipelines that vary by material, those that a scene draws with. A driver spends most of
+/// the time that a small picture takes on compiling these.
+struct PipelinesUsed {
+  std::array<bool, 8> surfaces{};      ///< by SurfaceKind::index()
+  std::array<bool, 2> depthWithGaps{}; ///< as Pipelines::depthWithGaps
 };
 
 struct Pipelines {
@@ -33,12 +44,9 @@ struct Pipelines {
   std::array<VkPipeline, 2> depthWithGaps{}; ///< of masks and blends; without and with a noise
   VkPipeline sky = VK_NULL_HANDLE;
   VkPipeline accumulate = VK_NULL_HANDLE;
-  std::array<VkPipeline, 8> surfaces{};
+  std::array<VkPipeline, 8> surfaces{}; ///< by SurfaceKind::index(); null where it is not used
 
-  [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const {
-    return surfaces[std::size_t(kind.hasNoise) * 4 + std::size_t(kind.hasNormalMap) * 2 +
-                    std::size_t(kind.blends)];
-  }
+  [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const { return surfaces[kind.index()]; }
 };
 
 struct PipelineLayouts {
@@ -50,15 +58,17 @@ struct PipelineLayouts {
 
 /// What all surfaces of a scene share at compile time.
 struct SurfaceConstants {
-  int debugView = 0;         ///< one of the shaders' DEBUG_ constants
-  bool otherTables = false;  ///< some tiling noise has a separable table, or none
-  bool tilingNoises = false; ///< some noise is one of tiling
-  bool textonNoises = false; ///< some noise is one of textons
-  bool mixedTextons = false; ///< some noise is a mix of textons
+  int debugView = 0;          ///< one of the shaders' DEBUG_ constants
+  bool otherTables = false;   ///< some tiling noise has a separable table, or none
+  bool tilingNoises = false;  ///< some noise is one of tiling
+  bool textonNoises = false;  ///< some noise is one of textons
+  bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
+  bool mixedTextons = false;  ///< some noise is a mix of textons
 };
 
 /// Culling and front face are dynamic.
 [[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                                        const SurfaceConstants& constants);
+                                        const SurfaceConstants& constants,
+                                        const PipelinesUsed& used);
 
 } // namespace lichen::renderer

@@ -79,7 +79,8 @@ public:
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
         {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(), noises_.hasTextonNoises(),
-         noises_.hasMixes()});
+         noises_.hasSurfaceNoises(), noises_.hasMixes()},
+        pipelinesUsed());
   }
 
   void renderFrame(std::uint32_t index) {
@@ -282,6 +283,23 @@ private:
     return scene_.materials[scene_.primitives[instance.primitive].material];
   }
 
+  [[nodiscard]] SurfaceKind kindOf(std::size_t material) const {
+    const Material& drawn = scene_.materials[material];
+    return {noises_.hasNoise(material), drawn.normalTexture.image.has_value(),
+            drawn.alphaMode == AlphaMode::blend};
+  }
+
+  [[nodiscard]] PipelinesUsed pipelinesUsed() const {
+    PipelinesUsed used;
+    for (const Instance& instance : scene_.instances) {
+      const std::size_t m = scene_.primitives[instance.primitive].material;
+      used.surfaces[kindOf(m).index()] = true;
+      if (scene_.materials[m].alphaMode != AlphaMode::opaque)
+        used.depthWithGaps[noises_.hasNoise(m) ? 1 : 0] = true;
+    }
+    return used;
+  }
+
   void bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t material) {
     const std::array sets{gpu_.materialSets[material], noises_.set(material)};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL,
@@ -301,7 +319,8 @@ private:
                                 : pipelines_.depthOpaque);
       if (hasGaps)
         bindMaterial(commands, pipelines_.depthLayout, m);
-      const shader::DepthData draw{clipFromWorld * instance.worldFromObject};
+      const shader::DepthData draw{clipFromWorld * instance.worldFromObject,
+                                   instance.worldFromObject};
       vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                          sizeof draw, &draw);
       drawPrimitive(commands, instance.primitive);
@@ -322,10 +341,7 @@ private:
   void drawSurface(VkCommandBuffer commands, const Instance& instance) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const Material& material = scene_.materials[m];
-    vkCmdBindPipeline(
-        commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-        pipelines_.surface({noises_.hasNoise(m), material.normalTexture.image.has_value(),
-                            material.alphaMode == AlphaMode::blend}));
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
     bindMaterial(commands, pipelines_.sceneLayout, m);
     const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
     vkCmdSetCullMode(commands, material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);

@@ -63,7 +63,8 @@ struct LichenNoise {
   float blendSharpness; // [0.25, 16] exponent of the blend weights
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
   // The lattice of tiling, or the grid of impacts of texton noise: cells per tile, and where the
-  // host's integer tile origin lies inside its cell.
+  // host's integer tile origin lies inside its cell. Cells of surface noise are cubes,
+  // columnsPerTile of them to the width of a tile.
   float columnsPerTile, rowsPerTile;
   float fractionI, fractionJ;       // [0, 1)
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
@@ -75,8 +76,8 @@ struct LichenNoise {
   uint seed;                        // as the material gives it; triplanar derives its planes
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
-  uint method;     // LICHEN_METHOD_*
-  float reserved0; // 0: to a multiple of 16 bytes
+  uint method; // LICHEN_METHOD_*
+  int cellK;   // of surface noise: the third of cellI and cellJ
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
@@ -105,8 +106,8 @@ struct LichenTexton {
   uint mipCount;                        // of the textons' images
   uint steps;                           // frames of an image, one above the other
   uint pointProcess;                    // LICHEN_POINTS_*
-  float amplitude;                      // [texels] of one impact: the root of a cell's area
-  float surfaceCellTexels;              // side of the cubic cells of surface noise
+  float amplitude;         // [texels] of one impact; of surface noise, of one in the tangent plane
+  float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
   // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
   // mask or vertex colours say it.
   float mixWeight, mixPerU, mixPerV;

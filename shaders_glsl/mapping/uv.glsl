@@ -17,12 +17,12 @@ vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
 /// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
 /// lichenSetMix and lichenMixByMask are for.
 void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenNoise noise, LichenTexton texton) {
-  vec2 perUv = vec2(texton.mixPerU, texton.mixPerV);
-  impacts.mixWeight = texton.mixWeight + dot(perUv, uv);
+  impacts.mixWeight = lichenMixWeight(uv, texton);
   // By tile coordinates: the transposed inverse of a rotation with a scale is itself over the
   // scale's square.
   vec2 row = vec2(noise.uvToTileXX, noise.uvToTileXY);
-  impacts.mixGradient = lichenUvToTile(perUv, noise) / dot(row, row);
+  impacts.mixGradient =
+      lichenUvToTile(vec2(texton.mixPerU, texton.mixPerV), noise) / dot(row, row);
 }
 
 /// The place at `uv` with explicit gradients: usable in compute and in non-uniform control flow.

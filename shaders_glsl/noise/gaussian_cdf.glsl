@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cumulative distribution of the Gaussian N(1/2, (1/6)^2) per channel: Gaussian value ->
-// uniform value in [0, 1], absolute error at most 1.2e-6.
+// uniform value in [0, 1], absolute error at most 1.2e-6; distribution and density of N(0, 1).
 // [AS64] Abramowitz and Stegun 1964, 7.1.28.
 #ifndef LICHEN_GAUSSIAN_CDF_GLSL
 #define LICHEN_GAUSSIAN_CDF_GLSL
@@ -23,6 +23,13 @@ vec3 lichenGaussianCdf(vec3 gaussian) {
   y *= y;
   // y is infinite far out in the tail, where 1 / y = 0 is right.
   return 0.5 + 0.5 * sign(t) * (1.0 - 1.0 / y);
+}
+
+vec3 lichenNormalCdf(vec3 x) { return lichenGaussianCdf(0.5 + x / 6.0); }
+
+vec3 lichenNormalDensity(vec3 x) {
+  const float kRootOfTwoPi = 2.506628275;
+  return exp(-0.5 * x * x) / kRootOfTwoPi;
 }
 
 #endif

@@ -11,6 +11,10 @@
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
 
+// 1 when the images' sampler is anisotropic: the textons are then fetched with gradients.
+#ifndef LICHEN_ANISOTROPIC
+#define LICHEN_ANISOTROPIC 0
+#endif
 // 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
 #ifndef LICHEN_PERIODIC_LATTICE
 #define LICHEN_PERIODIC_LATTICE 1
@@ -27,8 +31,11 @@
 /// What all maps of a texton noise share at one point. A place is [texels], in the frame of an
 /// impact's texton, from the middle of what it reaches.
 struct LichenImpacts {
-  float footprintLevel; // log2 of the footprint's longer side in texels, at least 0
-  float level;          // the same, of a mip that the textons have
+  float footprintLevel; // of the mip that shows what the footprint does, at least 0
+  float level;          // likewise, as far as the textons have mips
+#if LICHEN_ANISOTROPIC
+  vec2 majorAxis, minorAxis; // [texels] of the footprint, as far as textons are fetched with it
+#endif
   vec2 middle, radius;  // [texels] of what a texton reaches, fetched at this level
   ivec2 firstCell;      // of those whose impacts may reach the point, in the period
   vec2 start, end;      // places of the point seen from corners of cells: first, beyond the last
@@ -48,11 +55,22 @@ struct LichenWalk {
   float sign;     // of the last impact, +1 or -1
 };
 
-/// `value` reduced to [0, period), for |value| < 2^30; any value where the period is 0.
+/// The number of a cell, a whole float below 2^47 in magnitude: modulo 2^32, or where there is a
+/// period, near [0, period).
+int lichenCellNumber(float cell, int period) {
+  // Conversion of a float that no int holds is undefined: the two halves of the word by themselves.
+  const float kHalfWord = 65536.0;
+  if (bool(LICHEN_PERIODIC_LATTICE) && period != 0)
+    cell -= float(period) * floor(cell / float(period));
+  float high = floor(cell / kHalfWord);
+  return int(high) * int(kHalfWord) + int(cell - high * kHalfWord);
+}
+
+/// `value` reduced to [0, period), for |value| < 2^22 periods; any value where the period is 0.
 int lichenWrapped(int value, int period) {
   if (period == 0)
     return value;
-  // Integer division is slow on many devices; the quotient of floats is off by 1 at most.
+  // Integer division is slow on many devices; the quotient of floats is off by 1 at most so far.
   int rest = value - int(floor(float(value) / float(period))) * period;
   return rest < 0 ? rest + period : (rest >= period ? rest - period : rest);
 }
@@ -64,6 +82,107 @@ void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high)
   high = (ceil(coefficients / side) + 0.5) * side;
 }
 
+/// The level at which a footprint of 2^lambda texels, lambda >= 0, is fetched.
+float lichenSharpLevel(float lambda) {
+  // A trilinear fetch averages more than its level says, by what it interpolates: half a level
+  // lower it has the variance of a pixel's average (docs/decisions/018-texton-filtering.md).
+  return max(0.5 * lambda, lambda - 0.5);
+}
+
+#if LICHEN_ANISOTROPIC
+/// The level of a footprint whose axes have these lengths [texels]: of a square of the same area.
+float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
+  // As lichenTilingLevel has it.
+  return max(0.0, log2(major) - 0.5 * log2(clamp(major / minor, 1.0, maxAnisotropy)));
+}
+#endif
+
+/// The levels and axes of the footprint with these derivatives [texels / pixel].
+void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
+                        LichenNoise noise, LichenTexton texton) {
+  float lastLevel = float(int(texton.mipCount) - 1);
+#if LICHEN_ANISOTROPIC
+  // The axes of the ellipse: eigenvectors of texelsX texelsX^T + texelsY texelsY^T.
+  const float kLeast = 1.0e-10; // texels; keeps axes and levels defined at a point
+  float mean = 0.5 * (dot(texelsX, texelsX) + dot(texelsY, texelsY));
+  float covariance = texelsX.x * texelsX.y + texelsY.x * texelsY.y;
+  float difference = 0.5 * (texelsX.x * texelsX.x + texelsY.x * texelsY.x -
+                            texelsX.y * texelsX.y - texelsY.y * texelsY.y);
+  float root = length(vec2(difference, covariance));
+  float major = sqrt(max(mean + root, kLeast * kLeast));
+  float minor = sqrt(max(mean - root, kLeast * kLeast));
+  vec2 direction = difference >= 0.0 ? vec2(root + difference, covariance)
+                                     : vec2(covariance, root - difference);
+  direction = root > 0.0 ? normalize(direction) : vec2(1.0, 0.0);
+  // What interpolation averages is as wide along the major axis as along the minor one.
+  float blur = minor > 1.0 ? minor - exp2(lichenSharpLevel(log2(minor))) : 0.0;
+  minor -= blur;
+  major -= blur;
+  impacts.footprintLevel = lichenAnisotropicLevel(major, minor, noise.maxAnisotropy);
+  // The frame's zeros are one texel of the last mip wide. A longer footprint than half of it would
+  // see across them, unless it is one fetch.
+  float most = exp2(lastLevel);
+  minor = min(minor, most);
+  major = min(major, max(minor, 0.5 * most));
+  impacts.level = min(lichenAnisotropicLevel(major, minor, noise.maxAnisotropy), lastLevel);
+  impacts.majorAxis = major * direction;
+  impacts.minorAxis = minor * vec2(-direction.y, direction.x);
+#else
+  // Of a slanted pixel a quarter of the way from the longer side to the shorter, which is at least
+  // a texel: the least difference from its average (docs/decisions/018-texton-filtering.md).
+  const float kMostSlant = 16.0;
+  float squared = max(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));
+  float area = abs(texelsX.x * texelsY.y - texelsX.y * texelsY.x);
+  float slant = min(squared / max(area, sqrt(squared)), kMostSlant);
+  impacts.footprintLevel =
+      lichenSharpLevel(max(0.0, 0.5 * log2(squared) - 0.25 * log2(slant)));
+  impacts.level = min(impacts.footprintLevel, lastLevel);
+#endif
+}
+
+/// The footprint as a square of this side [texels, a mip's].
+void lichenSetSquare(inout LichenImpacts impacts, float side) {
+  impacts.level = log2(side);
+#if LICHEN_ANISOTROPIC
+  impacts.majorAxis = vec2(side, 0.0);
+  impacts.minorAxis = vec2(0.0, side);
+#endif
+}
+
+/// How far the footprint is from magnified, 0, to at least the first mip, 1.
+float lichenMinified(LichenImpacts impacts) {
+#if LICHEN_ANISOTROPIC
+  return clamp(0.5 * log2(dot(impacts.majorAxis, impacts.majorAxis)), 0.0, 1.0);
+#else
+  return min(impacts.level, 1.0);
+#endif
+}
+
+/// The texels outside which a texton fetched with this footprint is 0.
+void lichenReach(LichenImpacts impacts, LichenNoise noise, LichenTexton texton, out vec2 low,
+                 out vec2 high) {
+  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+#if LICHEN_ANISOTROPIC
+  // Fetches in a row along the major axis, each at the level of the minor one.
+  float major = length(impacts.majorAxis);
+  float ratio = clamp(major / length(impacts.minorAxis), 1.0, noise.maxAnisotropy);
+  lichenMipReach(max(0.0, log2(major / ratio)), coefficients, low, high);
+  vec2 row = 0.5 * (1.0 - 1.0 / ceil(ratio)) * abs(impacts.majorAxis);
+  low -= row;
+  high += row;
+#else
+  lichenMipReach(impacts.level, coefficients, low, high);
+#endif
+  float minified = lichenMinified(impacts);
+  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0) {
+    vec2 lowMip, highMip;
+    lichenMipReach(minified, coefficients, lowMip, highMip);
+    const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
+    low = min(min(low, lowMip), vec2(-kReach));
+    high = max(max(high, highMip), coefficients + kReach);
+  }
+}
+
 /// Impacts around `position` [tiles, relative to the host's integer tile origin] whose textons
 /// reach it, or reach `margin` texels of their mip beyond.
 LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, vec2 gradientY,
@@ -72,17 +191,9 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   vec2 cellsPerTile = vec2(noise.columnsPerTile, noise.rowsPerTile);
   vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
   LichenImpacts impacts;
-  vec2 texelsX = gradientX * texelsPerTile;
-  vec2 texelsY = gradientY * texelsPerTile;
-  impacts.footprintLevel = 0.5 * log2(max(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY))));
-  impacts.level = min(impacts.footprintLevel, float(int(texton.mipCount) - 1));
+  lichenSetFootprint(impacts, gradientX * texelsPerTile, gradientY * texelsPerTile, noise, texton);
   vec2 low, high;
-  lichenMipReach(impacts.level, coefficients, low, high);
-  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0) {
-    const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
-    low = min(low, vec2(-kReach));
-    high = max(high, coefficients + kReach);
-  }
+  lichenReach(impacts, noise, texton, low, high);
   low -= margin * exp2(impacts.level);
   high += margin * exp2(impacts.level);
   impacts.middle = 0.5 * (low + high);
@@ -98,7 +209,9 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   impacts.start = shift + (inside - first) * impacts.cellTexels;
   // Half a cell further than the last: sums of sides are rounded.
   impacts.end = impacts.start - (last - first + 0.5) * impacts.cellTexels;
-  impacts.firstCell = ivec2(cell) + ivec2(first) + ivec2(noise.cellI, noise.cellJ);
+  impacts.firstCell =
+      ivec2(first) + ivec2(lichenCellNumber(cell.x, noise.periodColumns) + noise.cellI,
+                           lichenCellNumber(cell.y, noise.periodRows) + noise.cellJ);
   if (bool(LICHEN_PERIODIC_LATTICE)) {
     impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, noise.periodColumns);
     impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, noise.periodRows);

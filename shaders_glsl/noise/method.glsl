@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Any noise, whatever its method: a host places it once per fragment (lichenPlaceAt) and evaluates
-// each of its maps there (lichenValue).
+// Any noise, whatever its method: a host places it once per fragment (mapping/) and evaluates each
+// of its maps there (lichenValue).
 #ifndef LICHEN_METHOD_GLSL
 #define LICHEN_METHOD_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "surface_texton.glsl"
 #include "texton.glsl"
 #include "tiling.glsl"
 
@@ -20,11 +21,16 @@
 #ifndef LICHEN_TEXTON_NOISES
 #define LICHEN_TEXTON_NOISES 1
 #endif
+// 0 where no texton noise is mapped onto a surface. Likewise.
+#ifndef LICHEN_SURFACE_TEXTONS
+#define LICHEN_SURFACE_TEXTONS 1
+#endif
 
-/// What all maps of a noise share at one point; the part of the noise's method is set.
+/// What all maps of a noise share at one point; the parts of its method and mapping are set.
 struct LichenPlace {
   LichenTaps taps;
   LichenImpacts impacts;
+  LichenSurfaceImpacts surface;
 };
 
 /// Whether this is texton noise; known at compile time where a method is left out.
@@ -33,6 +39,11 @@ bool lichenIsTexton(LichenNoise noise) {
   bool hasTexton = bool(LICHEN_TEXTON_NOISES);
   bool hasTiling = bool(LICHEN_TILING_NOISES);
   return hasTexton && (!hasTiling || noise.method == uint(LICHEN_METHOD_TEXTON));
+}
+
+/// Whether texton noise is mapped onto a surface; known at compile time where none is.
+bool lichenIsSurface(LichenTexton texton) {
+  return bool(LICHEN_SURFACE_TEXTONS) && texton.surfaceCubeTexels > 0.0;
 }
 
 /// The place at `position` [tiles, relative to the host's integer tile origin] of a pixel with
@@ -54,6 +65,8 @@ LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenN
 vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNoise noise,
                  LichenMap map, LichenTexton texton) {
 #ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise) && lichenIsSurface(texton))
+    return lichenSurfaceTexton(image, table, place.impacts, place.surface, noise, map, texton);
   if (lichenIsTexton(noise))
     return lichenTexton(image, table, place.impacts, noise, map, texton);
 #endif

@@ -24,6 +24,16 @@ vec3 lichenTextonFetch(sampler2D image, vec2 texel, float level, LichenTexton te
   return textureLod(image, texel / size, level).rgb;
 }
 
+/// One fetch at `texel` of the image, filtered to the footprint.
+vec3 lichenTextonFiltered(sampler2D image, vec2 texel, LichenImpacts impacts, LichenTexton texton) {
+#if LICHEN_ANISOTROPIC
+  vec2 size = vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
+  return textureGrad(image, texel / size, impacts.majorAxis / size, impacts.minorAxis / size).rgb;
+#else
+  return lichenTextonFetch(image, texel, impacts.level, texton);
+#endif
+}
+
 /// The cubic B-spline of the coefficients.
 vec3 lichenTextonCubic(sampler2D image, vec2 texel, float frame, LichenTexton texton) {
   // [SH05] section 20.2: two texels of weights a and b are one bilinear fetch at b / (a + b).
@@ -52,22 +62,22 @@ vec3 lichenTextonCubic(sampler2D image, vec2 texel, float frame, LichenTexton te
 /// h at `texel` of its frame, filtered to the footprint.
 vec3 lichenTextonAt(sampler2D image, vec2 texel, LichenImpacts impacts, LichenTexton texton) {
   float frame = lichenTextonFrame(texel, impacts, texton);
-  float minified = min(impacts.level, 1.0);
+  float minified = lichenMinified(impacts);
   // Order 0: steps where magnified, none from the first mip on.
   if (bool(LICHEN_NEAREST_TEXTONS) && texton.order == 0u)
     texel = mix(floor(texel) + 0.5, texel, minified);
-  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0) {
+  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0) {
     // Between the spline and the first mip.
     vec3 magnified = lichenTextonCubic(image, texel, frame, texton);
     vec2 low, high;
-    lichenMipReach(impacts.level, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low,
-                   high);
+    float mip = ceil(minified);
+    lichenMipReach(mip, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
     texel = clamp(texel, low, high);
     texel.y += frame;
-    return mix(magnified, lichenTextonFetch(image, texel, ceil(impacts.level), texton), minified);
+    return mix(magnified, lichenTextonFetch(image, texel, mip, texton), minified);
   }
   texel.y += frame;
-  return lichenTextonFetch(image, texel, impacts.level, texton);
+  return lichenTextonFiltered(image, texel, impacts, texton);
 }
 
 /// The sum over impacts, with mean 0.
@@ -95,11 +105,26 @@ int lichenImpactCount(LichenImpacts impacts, LichenNoise noise, LichenTexton tex
   return count;
 }
 
+/// The share of the variance that textons fetched at a level >= 0 keep: of a trilinear blend of a
+/// mip and the next.
+float lichenTextonKept(float level, LichenMap map) {
+  // docs/theory.md, Filtering: the covariance of the two.
+  int mip = int(level);
+  float fine = lichenMipKept(mip, map);
+  float coarse = lichenMipKept(mip + 1, map);
+  float ratio = fine > 0.0 ? coarse / fine : 0.0;
+  float covariance =
+      coarse * coarse + 0.5 * ratio * ratio * ratio * (fine * fine - coarse * coarse);
+  float t = level - float(mip);
+  float rest = 1.0 - t;
+  return rest * rest * fine * fine + 2.0 * t * rest * covariance + t * t * coarse * coarse;
+}
+
 /// What the sum over impacts is multiplied by. Beyond the last mip textons stay as they are, and
 /// the amplitude falls as the deviation does.
 float lichenTextonGain(LichenImpacts impacts, LichenNoise noise, LichenMap map) {
-  float kept = lichenLevelKept(impacts.level, map);
-  float rest = lichenLevelKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
+  float kept = lichenTextonKept(impacts.level, map);
+  float rest = lichenTextonKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
   return noise.contrast * (kept > 0.0 ? sqrt(rest / kept) : 0.0);
 }
 
@@ -107,13 +132,24 @@ float lichenTextonGain(LichenImpacts impacts, LichenNoise noise, LichenMap map) 
 /// is what lichenMixedMap makes of it; likewise below.
 vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenNoise noise,
                           LichenMap map, LichenTexton texton) {
-  return 0.5 + lichenTextonGain(impacts, noise, map) * map.sumFactor.rgb *
-                   lichenTextonSum(image, impacts, noise, texton);
+  float gain = lichenTextonGain(impacts, noise, map);
+  // From so far that nothing is left to see, the mean needs no impacts.
+  if (gain == 0.0)
+    return vec3(0.5);
+  return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, noise, texton);
 }
 
 /// The share of the Gaussian value's variance that filtering loses.
 float lichenTextonLostVariance(LichenImpacts impacts, LichenMap map) {
-  return 1.0 - lichenLevelKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
+  return 1.0 - lichenTextonKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
+}
+
+/// The value that a Gaussian value stands for.
+vec4 lichenTextonDecode(vec3 gaussian, LichenImpacts impacts, LichenNoise noise, LichenMap map) {
+  float lost = lichenTextonLostVariance(impacts, map);
+  // Contrast scales what is missing with what is there.
+  float scaled = noise.contrast * noise.contrast * lost;
+  return lichenDecodeGaussian(gaussian, scaled, map);
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
@@ -122,11 +158,8 @@ float lichenTextonLostVariance(LichenImpacts impacts, LichenMap map) {
 vec4 lichenTexton(sampler2D image, sampler3D table, LichenImpacts impacts, LichenNoise noise,
                   LichenMap map, LichenTexton texton) {
   LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  float lost = lichenTextonLostVariance(impacts, here);
-  // Contrast scales what is missing with what is there.
-  float scaled = min(1.0, noise.contrast * noise.contrast * lost);
-  return lichenDecodeGaussian(lichenTextonGaussian(image, impacts, noise, here, texton), scaled,
-                              here);
+  return lichenTextonDecode(lichenTextonGaussian(image, impacts, noise, here, texton), impacts,
+                            noise, here);
 }
 
 #endif

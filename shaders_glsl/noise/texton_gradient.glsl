@@ -49,55 +49,72 @@ vec3 lichenTextonCubicGradient(sampler2D image, vec2 texel, float frame, LichenT
   return vec3(dot(values, weightY), dot(slopeX * texels, weightY), dot(values, slopeY));
 }
 
+// What differences reach beyond a texton, in texels of the level.
+#define LICHEN_GRADIENT_MARGIN 0.5
+
 /// Value and derivatives [1 / texel] at `texel` of an impact's frame, filtered to the footprint.
 vec3 lichenTextonGradientAt(sampler2D image, vec2 texel, LichenImpacts impacts,
                             LichenTexton texton) {
   float frame = lichenTextonFrame(texel, impacts, texton);
-  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && impacts.level < 1.0;
-  float level = isCubic ? ceil(impacts.level) : impacts.level;
-  float side = exp2(level);
-  vec2 low, high;
-  lichenMipReach(level, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
+  float minified = lichenMinified(impacts);
+  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0;
+  float side = exp2(isCubic ? ceil(minified) : impacts.level);
+  // Where the image repeats, the next copy does not count.
+  vec2 reach = impacts.radius - LICHEN_GRADIENT_MARGIN * exp2(impacts.level);
+  vec2 low = impacts.middle - reach;
+  vec2 high = impacts.middle + reach;
+  LichenImpacts mip = impacts;
+  if (isCubic) {
+    lichenMipReach(ceil(minified), vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low,
+                   high);
+    lichenSetSquare(mip, side);
+  }
+  // The value of order 0 has steps; its differences are those between them.
+  vec2 valueTexel = texel;
+  if (bool(LICHEN_NEAREST_TEXTONS) && texton.order == 0u)
+    valueTexel = mix(floor(texel) + 0.5, texel, minified);
   vec2 top = vec2(0.0, frame);
   vec2 alongX = vec2(0.5 * side, 0.0);
   vec2 alongY = alongX.yx;
+  vec2 left = clamp(texel - alongX, low, high) + top;
+  vec2 right = clamp(texel + alongX, low, high) + top;
+  vec2 above = clamp(texel - alongY, low, high) + top;
+  vec2 below = clamp(texel + alongY, low, high) + top;
   vec3 differences;
-  differences.x = lichenTextonFetch(image, clamp(texel, low, high) + top, level, texton).x;
-  differences.y =
-      (lichenTextonFetch(image, clamp(texel + alongX, low, high) + top, level, texton).x -
-       lichenTextonFetch(image, clamp(texel - alongX, low, high) + top, level, texton).x) /
-      side;
-  differences.z =
-      (lichenTextonFetch(image, clamp(texel + alongY, low, high) + top, level, texton).x -
-       lichenTextonFetch(image, clamp(texel - alongY, low, high) + top, level, texton).x) /
-      side;
+  differences.x =
+      lichenTextonFiltered(image, clamp(valueTexel, low, high) + top, mip, texton).x;
+  differences.y = (lichenTextonFiltered(image, right, mip, texton).x -
+                   lichenTextonFiltered(image, left, mip, texton).x) /
+                  side;
+  differences.z = (lichenTextonFiltered(image, below, mip, texton).x -
+                   lichenTextonFiltered(image, above, mip, texton).x) /
+                  side;
   if (!isCubic)
     return differences;
-  return mix(lichenTextonCubicGradient(image, texel, frame, texton), differences,
-             min(impacts.level, 1.0));
+  return mix(lichenTextonCubicGradient(image, texel, frame, texton), differences, minified);
 }
 
 /// Impacts for lichenTextonGradient, at `position` [tiles] of a pixel with these gradients.
 LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY,
                                       LichenNoise noise, LichenTexton texton) {
-  return lichenImpactsWithin(0.5, position, gradientX, gradientY, noise, texton);
+  return lichenImpactsWithin(LICHEN_GRADIENT_MARGIN, position, gradientX, gradientY, noise, texton);
 }
 
 /// The stored value of a map's first channel, not clamped, and its derivatives along x and y
 /// [1 / tile]. `table` is that of the map's binding, fetched of mixes only.
 vec3 lichenTextonGradient(sampler2D image, sampler3D table, LichenImpacts impacts,
                           LichenNoise noise, LichenMap map, LichenTexton texton) {
+  LichenMap here = lichenMixedMap(table, impacts, map, texton);
+  float gain = lichenTextonGain(impacts, noise, here);
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, noise);
-  while (lichenGoesOn(walk, impacts)) {
+  while (gain > 0.0 && lichenGoesOn(walk, impacts)) {
     lichenNextImpact(walk, impacts, noise, texton);
     float sign = walk.isReached ? walk.sign : 0.0;
     sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, texton);
   }
-  LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  float scale = here.row0.x * here.sumFactor.x * texton.amplitude *
-                lichenTextonGain(impacts, noise, here);
-  vec3 gradient = scale * sum * vec3(1.0, texton.texelsPerTileX, texton.texelsPerTileY);
+  vec3 gradient = here.row0.x * here.sumFactor.x * texton.amplitude * gain * sum *
+                  vec3(1.0, texton.texelsPerTileX, texton.texelsPerTileY);
   return gradient + vec3(here.row0.w, lichenMixMeanSlope(table, impacts, texton));
 }
 

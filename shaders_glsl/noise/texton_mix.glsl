@@ -16,6 +16,11 @@
 
 bool lichenIsMix(LichenTexton texton) { return bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u; }
 
+/// The weight of a constant or a direction, at texture coordinates.
+float lichenMixWeight(vec2 uv, LichenTexton texton) {
+  return texton.mixWeight + dot(vec2(texton.mixPerU, texton.mixPerV), uv);
+}
+
 /// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
 float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
   if (!lichenIsMix(texton))

@@ -12,9 +12,9 @@
 #include "simplex_lattice.glsl"
 #include "tiling_decode.glsl"
 
-// 1 when the Gaussian images' sampler is anisotropic. Otherwise the level of detail is computed
-// once per map instead of once per tap: the same result, cheaper, and more exact where a driver
-// approximates the level that it takes from gradients.
+// 1 when the images' sampler is anisotropic. Otherwise the level of detail is computed once per map
+// instead of once per tap: the same result, cheaper, and more exact where a driver approximates the
+// level that it takes from gradients.
 #ifndef LICHEN_ANISOTROPIC
 #define LICHEN_ANISOTROPIC 0
 #endif
@@ -148,7 +148,7 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, map);
   // Contrast scales what is missing with what is there.
-  float scaled = min(1.0, noise.contrast * noise.contrast * lost);
+  float scaled = noise.contrast * noise.contrast * lost;
   vec4 value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= lichenTilingFootprintShare(level, lost, map);

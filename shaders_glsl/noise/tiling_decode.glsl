@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a map's blended Gaussian value (float3) stands for, where filtering has taken the fraction
 // `lostVariance` of its variance: the mean of the decoded quantity over what is missing. Of slopes,
-// z is the variance of a slope over what is missing.
+// z is the variance of a slope over what is missing. `lostVariance` is above 1 where contrast is.
 // [HN18] section 4.3; the three ways to decode are those of docs/gltf_extension/README.md, step 6.
 #ifndef LICHEN_TILING_DECODE_GLSL
 #define LICHEN_TILING_DECODE_GLSL
@@ -86,6 +86,47 @@ vec3 lichenDecodeStored(vec3 stored, LichenMap map) {
              greaterThan(value, vec3(0.04045)));
 }
 
+/// The mean of 2^x - 1, x Gaussian and at least 0.
+vec3 lichenMeanLog(vec3 stored, vec3 deviation) {
+  const float kLn2 = 0.6931471806;
+  const float kMostLog = 16.0;  // as in lichenDecodeStored
+  const float kHalfMax = 65504.0; // the most light that a half float holds
+  vec3 isAbove = lichenNormalCdf(stored / deviation);
+  vec3 isAboveTilted = lichenNormalCdf(stored / deviation + kLn2 * deviation);
+  vec3 light = exp2(min(stored + 0.5 * kLn2 * deviation * deviation, kMostLog));
+  return min(light * isAboveTilted - isAbove, kHalfMax);
+}
+
+/// The mean of a stored value, Gaussian about `stored`, decoded.
+vec3 lichenMeanDecoded(vec3 stored, vec3 deviation, LichenMap map) {
+  const float kLeast = 1.0e-6; // deviations below it change nothing, and are divided by
+  deviation = max(deviation, kLeast);
+  if (map.encoding == uint(LICHEN_ENCODING_LOG2))
+    return lichenMeanLog(stored, deviation);
+  // Moments over [0, 1], by parts: M0, M1 = x M0 - s (g(1) - g(0)),
+  // M(k) = x M(k - 1) + (k - 1) s^2 M(k - 2) - s g(1).
+  vec3 below = lichenNormalCdf(-stored / deviation);
+  vec3 above = lichenNormalCdf((stored - 1.0) / deviation);
+  vec3 atZero = deviation * lichenNormalDensity(stored / deviation);
+  vec3 atOne = deviation * lichenNormalDensity((stored - 1.0) / deviation);
+  vec3 moment0 = 1.0 - below - above;
+  vec3 moment1 = stored * moment0 + atZero - atOne;
+  if (map.encoding == uint(LICHEN_ENCODING_LINEAR))
+    return moment1 + above;
+  vec3 variance = deviation * deviation;
+  vec3 moment2 = stored * moment1 + variance * moment0 - atOne;
+  vec3 moment3 = stored * moment2 + 2.0 * variance * moment1 - atOne;
+  vec3 moment4 = stored * moment3 + 3.0 * variance * moment2 - atOne;
+  // The sRGB curve as a polynomial through 0 and 1, whose own error where nothing is hidden is
+  // taken back. Of all such that of the least error, 0.0005, for means from -0.1 to 1.1 and
+  // deviations up to 0.4.
+  const vec4 kCurve = vec4(0.038181, 0.525763, 0.568864, -0.132808);
+  vec3 x = clamp(stored, 0.0, 1.0);
+  vec3 curve = x * (kCurve.x + x * (kCurve.y + x * (kCurve.z + x * kCurve.w)));
+  return kCurve.x * moment1 + kCurve.y * moment2 + kCurve.z * moment3 + kCurve.w * moment4 +
+         above - curve + lichenDecodeStored(stored, map);
+}
+
 /// No table: the stored values are Gaussian themselves.
 vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
   vec3 stored = lichenDecodeRows(gaussian - 0.5, map);
@@ -97,12 +138,7 @@ vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
   // Slopes decode linearly.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     return vec4(stored.xy, 0.5 * (variance.x + variance.y), 1.0);
-  // Three-point Gauss-Hermite quadrature over what is missing.
-  vec3 reach = sqrt(3.0 * variance);
-  return vec4((4.0 * lichenDecodeStored(stored, map) + lichenDecodeStored(stored - reach, map) +
-               lichenDecodeStored(stored + reach, map)) /
-                  6.0,
-              1.0);
+  return vec4(max(lichenMeanDecoded(stored, sqrt(variance), map), 0.0), 1.0);
 }
 
 /// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`

@@ -18,12 +18,13 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 7> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 8> kFamilies{{{"bake", bakeRows},
                                            {"growth", growthRows},
                                            {"transport", transportRows},
                                            {"synth", synthRows},
                                            {"result", resultRows},
                                            {"filter", filterRows},
+                                           {"texton", textonRows},
                                            {"shader", shaderRows}}};
 
 const char* verdict(const Row& row) {

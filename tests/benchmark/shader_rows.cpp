@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, frame by
-// frame in turn.
+// Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, and of
+// textons on a surface in units of those in a plane, frame by frame in turn.
 #include "exemplars.h"
 #include "rows.h"
 #include "screen_pass.h"
@@ -12,6 +12,7 @@
 #include <plain.frag.h>
 #include <plugin_host.h>
 #include <stdexcept>
+#include <surface.frag.h>
 #include <synthetic_texton.h>
 #include <texton.frag.h>
 #include <tiling.frag.gaussian.h>
@@ -43,35 +44,38 @@ std::vector<std::byte> exemplarGlb(const TilingOptions& options) {
 }
 
 /// Uploads the bundle and writes its uniforms.
-void prepare(test::PluginHost& host) {
+void prepare(test::PluginHost& host, LichenMapping mapping = LICHEN_MAPPING_UV) {
   LichenUniformInfo uniforms;
   LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
+  uniforms.overrides = LICHEN_OVERRIDE_MAPPING;
+  uniforms.mapping = mapping;
   const std::vector<test::Point> point(1);
   (void)host.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
 }
 
 /// A shader and the noise that it draws.
 struct Drawn {
+  const char* name;
   ScreenPass& pass;
   VkDescriptorSet set;
 };
 
-Row ratioRow(const std::string& what, double target, Drawn noise, Drawn plain,
+Row ratioRow(const std::string& what, double target, Drawn noise, Drawn unit,
              const DeviceImage& image, const ScreenView& view, const std::string& device) {
-  std::vector<double> noiseSeconds, plainSeconds;
+  std::vector<double> noiseSeconds, unitSeconds;
   for (int frame = -kWarmUpFrames; frame < kFrames; ++frame) {
-    const double plainTime = plain.pass.draw(image, plain.set, view);
+    const double unitTime = unit.pass.draw(image, unit.set, view);
     const double noiseTime = noise.pass.draw(image, noise.set, view);
     if (frame < 0)
       continue;
-    plainSeconds.push_back(plainTime);
+    unitSeconds.push_back(unitTime);
     noiseSeconds.push_back(noiseTime);
   }
-  const double unit = median(plainSeconds);
+  const double seconds = median(unitSeconds);
   char note[160];
-  std::snprintf(note, sizeof note, "%s; plain %.1f ms, medians of %d", device.c_str(), 1e3 * unit,
-                kFrames);
-  return {what, median(noiseSeconds) / unit, target, "", note};
+  std::snprintf(note, sizeof note, "%s; %s %.1f ms, medians of %d", device.c_str(), unit.name,
+                1e3 * seconds, kFrames);
+  return {what, median(noiseSeconds) / seconds, target, "", note};
 }
 
 /// A method or kind of table, a noise of it, and the shader that has its code alone.
@@ -99,27 +103,50 @@ std::vector<std::byte> textonGlb() {
                                    .texelsPerTileY = kExemplarSide});
 }
 
+/// One texel a pixel.
+constexpr ScreenView kFlat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
+/// A hair less: on a surface it is rounded, and a pixel of more than a texel reads two mips.
+constexpr ScreenView kSurfaceFlat{0.999f * kFlat.uvPerScreenX, 0.999f * kFlat.uvPerScreenY, 1.0f};
+/// A floor, 1/4 of a texel a pixel at the near edge, 16 times as far at the other.
+constexpr ScreenView kFloor{0.25f * kFlat.uvPerScreenX, 0.25f * kFlat.uvPerScreenX, 16.0f};
+
+VkDescriptorSetLayout layoutOf(const test::PluginHost& host) {
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
+    throw std::runtime_error("no set layout");
+  return layout;
+}
+
 /// `unit` has the image whose plain fetch is the unit of all ratios.
 void appendRows(std::vector<Row>& rows, const Kind& kind, const test::PluginHost& unit,
                 HeadlessDevice& gpu, const DeviceImage& image) {
   test::PluginHost host(gpu, kind.glb);
   prepare(host);
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  if (lichenVulkanGetSetLayout(host.assets(), 0, &layout) != LICHEN_SUCCESS)
-    throw std::runtime_error("no set layout");
-  ScreenPass plain(gpu, view_vert, plain_frag, layout);
-  ScreenPass noise(gpu, view_vert, kind.fragment, layout);
-  const Drawn drawn{noise, host.set()};
-  const Drawn fetched{plain, unit.set()};
-  // Flat: one texel a pixel. Perspective: a floor, 1/4 of a texel a pixel at the near edge, 16
-  // times as far at the other.
-  const ScreenView flat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
-  const ScreenView floor{0.25f * flat.uvPerScreenX, 0.25f * flat.uvPerScreenX, 16.0f};
+  ScreenPass plain(gpu, view_vert, plain_frag, layoutOf(host));
+  ScreenPass noise(gpu, view_vert, kind.fragment, layoutOf(host));
+  const Drawn drawn{kind.name, noise, host.set()};
+  const Drawn fetched{"plain", plain, unit.set()};
   const std::string device = gpu.properties().deviceName;
   rows.push_back(ratioRow(std::string(kind.name) + " over one plain fetch, 1920 x 1080, flat",
-                          kind.flatTarget, drawn, fetched, image, flat, device));
+                          kind.flatTarget, drawn, fetched, image, kFlat, device));
   rows.push_back(
-      ratioRow("the same, perspective", kind.floorTarget, drawn, fetched, image, floor, device));
+      ratioRow("the same, perspective", kind.floorTarget, drawn, fetched, image, kFloor, device));
+}
+
+void appendSurfaceRows(std::vector<Row>& rows, HeadlessDevice& gpu, const DeviceImage& image) {
+  constexpr double kTarget = 3.0;
+  test::PluginHost plane(gpu, textonGlb());
+  test::PluginHost surface(gpu, textonGlb());
+  prepare(plane);
+  prepare(surface, LICHEN_MAPPING_SURFACE);
+  ScreenPass onPlane(gpu, view_vert, texton_frag, layoutOf(plane));
+  ScreenPass onSurface(gpu, view_vert, surface_frag, layoutOf(surface));
+  const Drawn unit{"texton", onPlane, plane.set()};
+  const Drawn drawn{"surface texton", onSurface, surface.set()};
+  const std::string device = gpu.properties().deviceName;
+  rows.push_back(ratioRow("surface texton, 60 impacts, over texton, 30 impacts, 1920 x 1080, flat",
+                          kTarget, drawn, unit, image, kSurfaceFlat, device));
+  rows.push_back(ratioRow("the same, perspective", kTarget, drawn, unit, image, kFloor, device));
 }
 
 std::vector<Row> measure() {
@@ -149,6 +176,7 @@ std::vector<Row> measure() {
   std::vector<Row> rows;
   for (const Kind& kind : kinds)
     appendRows(rows, kind, unit, gpu, image.value());
+  appendSurfaceRows(rows, gpu, image.value());
   return rows;
 }
 

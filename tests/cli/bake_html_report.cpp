@@ -77,6 +77,26 @@ TEST_CASE("a report holds the measures that compare finds, and nothing from else
     CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a vocabulary
 }
 
+TEST_CASE("a report of textons shows the Gaussian version and the spots that compare tells of") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", smooth(64));
+  const nlohmann::json data =
+      dataOf(reportOf(workplace, input, {"--method", "texton", "--support", "16"}));
+  const nlohmann::json& map = data.at("maps").at(0);
+  CHECK(extentsOf(map.at("gaussian")) == std::array{128u, 128u});
+  CHECK(map["gaussian"] != map.at("result"));
+  CHECK(map.at("table").is_null());
+  const nlohmann::json compared = nlohmann::json::parse(
+      runLichen({"compare", input, workplace.path("noise.glb"), "--json"}).output);
+  REQUIRE(compared.at("kernels").size() == 1);
+  CHECK(compared["kernels"][0].at("map") == "baseColor");
+  CHECK(map.at("kernels") == compared["kernels"][0].at("spots"));
+  CHECK(map["kernels"].size() == 3);
+  const nlohmann::json tiling = dataOf(reportOf(workplace, input))["maps"][0];
+  CHECK(tiling.at("gaussian").is_null());
+  CHECK(tiling.at("kernels").is_null());
+}
+
 TEST_CASE("compare finds the measures of the report when it is told what the bake was told") {
   const Workplace workplace;
   // Light from one side, which flattening removes, and a normal map whose green points down.

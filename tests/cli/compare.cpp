@@ -121,6 +121,28 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
         Approx(first.value("autocovariance_error")).margin(0.01));
 }
 
+TEST_CASE("a texton is held to the exemplar's Gaussian version, not to its colours") {
+  const Workplace workplace;
+  // Few colours: no Gaussian texture has them.
+  const std::string image = workplace.write("moss.png", speckled(128, 128, 3));
+  const std::string bundle =
+      bake(workplace, image, "noise.glb", {"--method", "texton", "--support", "32"});
+  const Compared texton = compared(image, bundle);
+  CHECK(texton.code == 0);
+  CHECK(texton.value("color_distance") > 0.02);
+  CHECK(texton.measures.at("color_distance").at("target").is_null());
+  CHECK(texton.measures.at("spectrum_distance_db").at("target").is_null());
+  CHECK(texton.measures.at("gaussian_spectrum_distance_db").at("target") == 0.5);
+  CHECK(texton.value("gaussian_spectrum_distance_db") < 0.5);
+  CHECK(texton.measures.count("lattice_visibility") == 0);
+  CHECK(texton.value("model_error") > 0.0);
+  CHECK(texton.value("model_error") < 1.0);
+  CHECK(texton.value("flatness") > 1.0);
+  const std::string page = runLichen({"compare", image, bundle}).output;
+  for (const char* words : {"impacts needed", "this texton", "luminance texton", "random phase"})
+    CHECK_THAT(page, Catch::Contains(words));
+}
+
 TEST_CASE("an exemplar of another size than was baked is noted, with the options that mend it") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));
@@ -133,6 +155,35 @@ TEST_CASE("an exemplar of another size than was baked is noted, with the options
   const nlohmann::json report =
       nlohmann::json::parse(runLichen({"compare", image, bundle, "--json"}).output);
   CHECK_THAT(report.at("notes").dump(), Catch::Contains("64 x 64"));
+}
+
+TEST_CASE("the smaller maps of a set of textons are compared at the size of the largest, unnoted") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("rock"));
+  // The same picture twice, once at half the size.
+  const SrgbImage large = smoothGrey(64);
+  SrgbImage small(32, 32, 1);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      *small.pixel(x, y) = (*large.pixel(2 * x, 2 * y) + *large.pixel(2 * x + 1, 2 * y) +
+                            *large.pixel(2 * x, 2 * y + 1) + *large.pixel(2 * x + 1, 2 * y + 1)) /
+                           4.0f;
+  workplace.write("rock/rock_color.png", large);
+  workplace.write("rock/rock_rough.png", small);
+  const std::string rock = workplace.path("rock");
+  const std::string bundle =
+      bake(workplace, rock, "noise.glb", {"--method", "texton", "--support", "16"});
+  const auto errorOf = [&](const std::string& map) {
+    const Compared one = compared(rock, bundle, {"--map", map});
+    const nlohmann::json& spectrum = one.measures.at("gaussian_spectrum_distance_db");
+    CHECK(spectrum.at("target").is_null() == (map != "baseColor"));
+    return one.value("autocovariance_error");
+  };
+  // At its own scale the smaller one would be another.
+  CHECK(errorOf("occlusionRoughnessMetallic") == Approx(errorOf("baseColor")).epsilon(0.1));
+  CHECK_THAT(runLichen({"compare", rock, bundle}).errors, !Catch::Contains("when it was baked"));
+  CHECK_THAT(runLichen({"compare", rock, bundle, "--size", "32"}).errors,
+             Catch::Contains("the exemplar is 32 x 32, but was 64 x 64 when it was baked"));
 }
 
 TEST_CASE("another noise of the bundle is compared when it is named") {

@@ -56,7 +56,7 @@ LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t i
   LICHEN_INIT(properties, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
 
   result = lichenGetMaterialProperties(loaded->bundle, index, &properties);
-  /* LICHEN_NO_NOISE: draw it as any other material. Other mappings are not evaluated yet. */
+  /* LICHEN_NO_NOISE: draw it as any other material. This host's shader has texture coordinates. */
   if (result == LICHEN_SUCCESS &&
       (properties.noise == LICHEN_NO_NOISE || properties.mapping != LICHEN_MAPPING_UV))
     result = LICHEN_ERROR_UNSUPPORTED;

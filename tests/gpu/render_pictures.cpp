@@ -7,6 +7,7 @@
 #include "picture.h"
 #include "rendered.h"
 #include "synthetic_noise.h"
+#include "synthetic_texton.h"
 
 #include <lichen/image_io.h>
 
@@ -123,6 +124,19 @@ std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
   return scene.glb();
 }
 
+/// A ball with a noise of textons, on a ground with the same noise.
+std::vector<std::byte> textonBall(bool withGround = true) {
+  SyntheticTexton texton;
+  texton.smoothings = 1; // grain that a pixel of the ball can show
+  GltfScene scene(syntheticTextonGlb(texton));
+  scene.addBall(0);
+  if (withGround)
+    scene.addGround(0, 40.0f, -1.0f);
+  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
+  scene.addSun(3.0f);
+  return scene.glb();
+}
+
 } // namespace
 
 TEST_CASE("a still life of every material feature is as it was") {
@@ -135,6 +149,17 @@ TEST_CASE("a noise on a ball and on its ground is as it was") {
 
 TEST_CASE("a noise of base colour and ORM is as it was") {
   checkGolden("noise_orm", render(noiseBall(true), settingsOf(192, 108, 2)));
+}
+
+TEST_CASE("textons on a ball and on its ground are as they were") {
+  checkGolden("texton_ball", render(textonBall(), settingsOf(256, 144, 4)));
+}
+
+TEST_CASE("the impacts of textons are as they were") {
+  // Without a ground, as below.
+  RenderSettings settings = settingsOf(128, 72, 1);
+  settings.debugView = "impacts";
+  checkGolden("view_texton-impacts", render(textonBall(false), settings));
 }
 
 TEST_CASE("each debug view of a noise is as it was") {

@@ -85,16 +85,18 @@ double trace(const std::vector<double>& matrix, std::size_t n) {
   return sum;
 }
 
-/// The share of the variance that a bilinear fetch of each mip loses, as the order's own fetch at
-/// the first.
+/// The mean over the channels of the share of the variance that a bilinear fetch of each mip loses,
+/// as the order's own fetch at the first.
 std::vector<double> mipLosses(Plane mip, int order) {
   std::vector<double> losses;
-  const double whole = trace(quadraticForm(mip, order, 0, 0), mip.channels);
+  const std::vector<double> whole = quadraticForm(mip, order, 0, 0);
   double texelArea = 1.0;
   for (std::size_t level = 0; level < kMaxTextonLosses; ++level) {
-    const double kept =
-        level == 0 ? whole : texelArea * trace(quadraticForm(mip, 1, 0, 0), mip.channels);
-    losses.push_back(std::clamp(1.0 - kept / whole, losses.empty() ? 0.0 : losses.back(), 1.0));
+    const std::vector<double> left = level == 0 ? whole : quadraticForm(mip, 1, 0, 0);
+    double kept = 0.0;
+    for (std::size_t i = 0; i < whole.size(); i += mip.channels + 1)
+      kept += texelArea * left[i] / whole[i] / double(mip.channels);
+    losses.push_back(std::clamp(1.0 - kept, losses.empty() ? 0.0 : losses.back(), 1.0));
     mip = halved(mip);
     texelArea *= 4.0;
   }

@@ -10,19 +10,22 @@
 namespace lichen::test {
 namespace {
 
-/// The centred B-spline of an order, and its derivative: Cox and de Boor's recursion, half-open.
-double spline(int order, double x) {
+/// The derivative of the centred B-spline of an order.
+double splineSlope(int order, double x) {
+  return order == 0 ? 0.0 : centredSpline(order - 1, x + 0.5) - centredSpline(order - 1, x - 0.5);
+}
+
+} // namespace
+
+double centredSpline(int order, double x) {
   if (order == 0)
     return x >= -0.5 && x < 0.5 ? 1.0 : 0.0;
   const double half = 0.5 * (order + 1);
-  return ((half + x) * spline(order - 1, x + 0.5) + (half - x) * spline(order - 1, x - 0.5)) /
+  return ((half + x) * centredSpline(order - 1, x + 0.5) +
+          (half - x) * centredSpline(order - 1, x - 0.5)) /
          order;
 }
-double splineSlope(int order, double x) {
-  return order == 0 ? 0.0 : spline(order - 1, x + 0.5) - spline(order - 1, x - 0.5);
-}
 
-/// A Poisson variable of mean 1 by its distribution function, at a quantile.
 int poissonQuantile(double quantile) {
   int count = 0;
   double probability = std::exp(-1.0);
@@ -30,8 +33,6 @@ int poissonQuantile(double quantile) {
     probability /= ++count;
   return count;
 }
-
-} // namespace
 
 TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
                                  const shader::LichenTexton& texton)
@@ -100,12 +101,12 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
             const float* texel =
                 &mips_[mip][(std::size_t(top + row) * std::size_t(width) + std::size_t(column)) *
                             stored];
-            const double h = impact.sign * spline(order, x0) * spline(order, y0);
+            const double h = impact.sign * centredSpline(order, x0) * centredSpline(order, y0);
             for (std::size_t c = 0; c < map.channels.size(); ++c)
               sum.value[c] += h * map.scale[c] * double(texel[c]);
             const double first = impact.sign * map.scale[0] * double(texel[0]);
-            sum.gradient[0] += first * splineSlope(order, x0) * spline(order, y0);
-            sum.gradient[1] += first * spline(order, x0) * splineSlope(order, y0);
+            sum.gradient[0] += first * splineSlope(order, x0) * centredSpline(order, y0);
+            sum.gradient[1] += first * centredSpline(order, x0) * splineSlope(order, y0);
           }
         }
       }

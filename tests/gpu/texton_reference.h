@@ -13,6 +13,11 @@
 
 namespace lichen::test {
 
+/// The centred B-spline of an order: Cox and de Boor's recursion, half-open.
+[[nodiscard]] double centredSpline(int order, double x);
+/// A Poisson variable of mean 1 by its distribution function, at a quantile.
+[[nodiscard]] int poissonQuantile(double quantile);
+
 class TextonReference {
 public:
   /// `noise` is periodic.

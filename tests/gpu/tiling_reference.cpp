@@ -111,6 +111,21 @@ double uniformOf(double gaussian) {
   return 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (gaussian - 0.5));
 }
 
+/// The mean of decode(x + e), e Gaussian, by the midpoint rule over eight deviations either way.
+template <class Decode>
+double meanOver(const Decode& decode, double x, double deviation) {
+  constexpr int kSteps = 400;
+  constexpr double kReach = 8.0;
+  double sum = 0.0, weights = 0.0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double e = kReach * (2.0 * (k + 0.5) / kSteps - 1.0);
+    const double weight = std::exp(-0.5 * e * e);
+    sum += weight * decode(x + deviation * e);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
 /// Step 5: s, and what of it the mips lose at the centres of their texels.
 std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept.x, m.mipKept.y, m.mipKept.z, m.mipKept.w};
@@ -158,7 +173,7 @@ TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map)
 
 TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double lost,
                                                     unsigned dimensions) const {
-  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - lost));
+  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - std::min(1.0, lost)));
   std::array<double, 3> u{};
   for (std::size_t c = 0; c < 3; ++c)
     u[c] = uniformOf(gaussian[c]);
@@ -185,7 +200,7 @@ TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, dou
 
 TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, double lost,
                                                      unsigned dimensions) const {
-  const double row = 0.5 + double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - lost));
+  const double row = 0.5 + double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - std::min(1.0, lost)));
   Decoded value{0.0, 0.0, 0.0, 1.0};
   const std::size_t n = map_.channels.size();
   for (std::size_t c = 0; c < n; ++c) {
@@ -233,8 +248,7 @@ TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, 
     double x = map_.mean[i];
     for (std::size_t j = 0; j <= i; ++j)
       x += 6.0 * l[i][j] * (gaussian[j] - 0.5);
-    const double r = std::sqrt(3.0 * lost * c[i * n + i]);
-    value[i] = 2.0 / 3.0 * decode(x) + (decode(x - r) + decode(x + r)) / 6.0;
+    value[i] = meanOver(decode, x, std::sqrt(lost * c[i * n + i]));
     variances += lost * c[i * n + i];
   }
   if (map_.encoding == ValueEncoding::slope)
@@ -279,7 +293,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   sample.gaussian[3] = lost;
 
   // Step 6.
-  const double s = std::min(1.0, double(n.contrast) * double(n.contrast) * sample.gaussian[3]);
+  const double s = double(n.contrast) * double(n.contrast) * sample.gaussian[3];
   sample.value = !map_.inverseTable         ? withoutTable(sample.gaussian, s)
                  : map_.tableOffset.empty() ? fromTable(sample.gaussian, s, m.dimensions)
                                             : fromTables(sample.gaussian, s, m.dimensions);

@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <exhausted_memory.h>
+#include <functional>
+#include <optional>
 #include <temporary_folder.h>
 
 using namespace lichen;
@@ -38,48 +40,66 @@ enum class First {
 /// What the operation says with memory enough.
 enum class Outcome { success, refusal };
 
-/// Runs `operation`, which returns a Result, with memory that ends at one allocation after another
-/// until it is enough; each failure must be reported as one of resources. One thread only: the
-/// count is the thread's. `afterFailure` is called with memory there again. Returns how many
-/// failures there were.
-template <class Operation, class Check>
-int exhaustMemory(First first, Outcome outcome, Operation operation, Check afterFailure) {
+/// How an operation ended.
+struct Attempt {
+  bool reached = false; ///< the allocation that was to fail
+  std::optional<Error> error;
+};
+
+/// Runs `operation`, which returns a Result, with memory that ends at its `failing`th allocation.
+template <class Operation>
+Attempt attempt(const Operation& operation, int failing) {
+  Attempt ended;
+  const auto result = [&] {
+    const test::ExhaustedMemory memory(failing);
+    auto made = operation();
+    ended.reached = test::ExhaustedMemory::reached();
+    return made;
+  }();
+  if (!result.ok())
+    ended.error = result.error();
+  return ended;
+}
+
+/// Attempts an operation with memory that ends at one allocation after another until it is enough;
+/// each failure must be reported as one of resources. One thread only: the count is the thread's.
+/// `afterFailure` is called with memory there again. Returns how many failures there were.
+int exhaustMemory(First first, Outcome outcome,
+                  const std::function<Attempt(int failing)>& operation,
+                  const std::function<void()>& afterFailure) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   tbb::parallel_for(0, 1, [](int) {}); // oneTBB waits for ever where its first use lacks memory
   constexpr int kSteps = 16;
   int failures = 0;
   for (int failing = 1;; failing += first == First::each ? 1 : std::max(1, failing / kSteps)) {
-    bool reached = false;
-    const auto result = [&] {
-      const test::ExhaustedMemory memory(failing);
-      auto made = operation();
-      reached = test::ExhaustedMemory::reached();
-      return made;
-    }();
+    const auto [reached, error] = operation(failing);
     if (!reached) {
-      REQUIRE(result.ok() == (outcome == Outcome::success));
-      if (!result.ok())
-        REQUIRE(result.error().kind != ErrorKind::resources);
+      REQUIRE(error.has_value() == (outcome == Outcome::refusal));
+      if (error)
+        REQUIRE(error->kind != ErrorKind::resources);
       return failures;
     }
     INFO("allocation " << failing);
-    REQUIRE_FALSE(result.ok());
-    REQUIRE(result.error().kind == ErrorKind::resources);
-    REQUIRE(result.error().message.find("memory") != std::string::npos);
+    REQUIRE(error.has_value());
+    REQUIRE(error->kind == ErrorKind::resources);
+    REQUIRE(error->message.find("memory") != std::string::npos);
     afterFailure();
     ++failures;
   }
 }
 
 template <class Operation>
-int exhaustMemory(First first, Operation operation) {
-  return exhaustMemory(first, Outcome::success, operation, [] {});
+int exhaustMemory(First first, const Operation& operation) {
+  return exhaustMemory(
+      first, Outcome::success, [&](int failing) { return attempt(operation, failing); }, [] {});
 }
 
 /// Of an operation that refuses its input, whose message is the first that needs memory.
 template <class Operation>
-int exhaustRefusal(Operation operation) {
-  return exhaustMemory(First::each, Outcome::refusal, operation, [] {});
+int exhaustRefusal(const Operation& operation) {
+  return exhaustMemory(
+      First::each, Outcome::refusal, [&](int failing) { return attempt(operation, failing); },
+      [] {});
 }
 
 MapExemplar oneChannel(MapExemplar map) {
@@ -176,7 +196,7 @@ TEST_CASE("an evaluation that runs out of memory says so, whichever allocation f
   options.width = options.height = 64;
   CHECK(exhaustMemory(First::each, [&] { return synthesize(bundle, options); }) > 3);
   CHECK(exhaustMemory(First::each, [&] {
-          return synthesizePreview(bundle, 0, MapTarget::baseColor, 1, 1);
+          return synthesizePreview(bundle, MaterialNoise(), MapTarget::baseColor, 1);
         }) > 3);
 }
 
@@ -199,9 +219,11 @@ TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no fi
   for (const char* name : {"x.glb", "x.gltf"}) {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / name;
-    CHECK(exhaustMemory(
-              First::sampled, Outcome::success, [&] { return writeBundle(path, file); },
-              [&] { REQUIRE(folder.entryCount() == 0); }) > 50);
+    CHECK(
+        exhaustMemory(
+            First::sampled, Outcome::success,
+            [&](int failing) { return attempt([&] { return writeBundle(path, file); }, failing); },
+            [&] { REQUIRE(folder.entryCount() == 0); }) > 50);
   }
 }
 
@@ -264,7 +286,7 @@ TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails
   options.tileable = true;
   CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
   constexpr auto kMap = MapTarget::baseColor;
-  CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, 0, kMap, 1, 0); }) > 0);
+  CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, MaterialNoise(), kMap, 0); }) > 0);
   CHECK(exhaustRefusal([&] { return TilingEvaluator::create(bundle, 1); }) > 0);
 
   const SrgbImage empty;

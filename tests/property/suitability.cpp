@@ -95,6 +95,24 @@ double predictedCloudiness(const MapExemplar& map) {
 
 } // namespace
 
+TEST_CASE("a small map of a set is judged by the texels that the set's texton has of it") {
+  // Two waves a side: of 32 of the map's own pixels, and of 64 texels of the largest map's.
+  constexpr int kSide = 64;
+  std::vector<float> values;
+  for (int i = 0; i < kSide * kSide; ++i)
+    values.push_back(0.5f + 0.2f * float(std::sin(2.0 * std::numbers::pi * 2.0 * i / kSide)));
+  const MapExemplar map = grey(kSide, kSide, std::move(values));
+  const auto slow = [&](int texels) {
+    const Result<std::vector<Risk>> risks = assessTextonSuitability(map, 40, {}, texels, texels);
+    REQUIRE(risks);
+    REQUIRE(risks.value().back().name == "low-frequency");
+    return risks.value().back();
+  };
+  CHECK(slow(0).level == Risk::Level::none);
+  CHECK(slow(2 * kSide).level == Risk::Level::severe);
+  CHECK_THAT(slow(2 * kSide).remedy, Catch::Contains("--support 80"));
+}
+
 TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
     for (const Risk& risk : risksOf(baseColor(material.generate(256)))) {

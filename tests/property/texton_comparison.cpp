@@ -195,10 +195,15 @@ TEST_CASE("the alternating projections of order 0 are algorithm 2") {
 TEST_CASE("whole, every comparison kernel has the model's texture") {
   const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
   CHECK(relativeModelError(model, exemplarKernel(model, 21, 18), 0) < kNoError);
-  const KernelComparison comparison = compareKernels(model, kLuminanceWeights, {21, 18, 30.0, 1});
-  CHECK(comparison.synthesisOriented.relativeError < kNoError);
-  CHECK(comparison.luminance.relativeError < kNoError);
-  CHECK(comparison.randomPhase.relativeError < kNoError);
+  FitOptions whole;
+  whole.width = 21;
+  whole.height = 18;
+  whole.order = 0;
+  const KernelComparison comparison = compareKernels(
+      model, fitCoefficients(model, whole, FitMethod::transportDistance), 0, kLuminanceWeights);
+  CHECK(comparison.texton.modelError < kNoError);
+  CHECK(comparison.luminance.modelError < kNoError);
+  CHECK(comparison.randomPhase.modelError < kNoError);
 }
 
 TEST_CASE("parts of random-phase textures have noises as strong as the model's, on average") {
@@ -303,20 +308,22 @@ TEST_CASE("starts scatter by less than 1 % of the error") {
   CHECK(std::sqrt(squares - sum * sum) < 0.01 * sum);
 }
 
-TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
+TEST_CASE("of one support the texton is as near to the model as any, and as flat as a random part",
           "[large]") {
   // [GLM14] figure 4; their support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
     INFO(material.name);
     const GaussianModel model = modelOf(material.generate(128));
-    const KernelComparison comparison = compareKernels(model, kLuminanceWeights, {31, 31, 30.0, 1});
-    CHECK(comparison.synthesisOriented.relativeError < comparison.luminance.relativeError);
-    CHECK(comparison.luminance.relativeError < comparison.randomPhase.relativeError);
+    const KernelComparison comparison =
+        compareKernels(model, fitCoefficients(model, spotOptions(31), FitMethod::transportDistance),
+                       0, kLuminanceWeights);
+    // A hundredth is what an even texton without a visible border may cost (decision 018).
+    CHECK(comparison.texton.modelError < 1.01 * comparison.luminance.modelError);
+    CHECK(comparison.luminance.modelError < comparison.randomPhase.modelError);
     // Normally distributed values have 3; energy gathered in a few pixels has hundreds.
-    CHECK(comparison.synthesisOriented.flatness < 4.5);
+    CHECK(comparison.texton.flatness < 4.0);
     CHECK(comparison.randomPhase.flatness < 4.5);
     CHECK(comparison.luminance.flatness > 50.0);
-    CHECK(comparison.luminance.excessKurtosis == Approx(comparison.luminance.flatness / 30.0));
   }
 }
 

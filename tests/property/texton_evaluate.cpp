@@ -35,10 +35,11 @@ struct Evaluation {
     texton = shaderTexton(bundle, material, {});
   }
 
-  /// Stored values less their mean, at a place in texels seen through pixels of 2^level texels.
+  /// Stored values less their mean, at a place in texels whose footprint is this mip's.
   [[nodiscard]] std::array<double, 3> at(double x, double y, double level = 0.0) const {
-    const float pixelX = std::exp2(float(level)) / texton.texelsPerTileX;
-    const float pixelY = std::exp2(float(level)) / texton.texelsPerTileY;
+    const float side = std::exp2(float(level > 0.0 ? level + 0.5 : 0.0));
+    const float pixelX = side / texton.texelsPerTileX;
+    const float pixelY = side / texton.texelsPerTileY;
     TileFootprint place;
     place.position = {float(x) / texton.texelsPerTileX, float(y) / texton.texelsPerTileY};
     place.dx = {pixelX, 0.0f};

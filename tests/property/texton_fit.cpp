@@ -2,14 +2,20 @@
 // Texton coefficients against the definitions, and against the papers' algorithm.
 #include "example_exemplar.h"
 
+#include <lichen/spectrum.h>
+
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <texton/border_penalty.h>
+#include <texton/color_correction.h>
+#include <texton/comparison.h>
 #include <texton/fit.h>
 #include <texton/interpolation.h>
+#include <texton/model_covariance.h>
 #include <vector>
 
 using namespace lichen;
@@ -113,27 +119,74 @@ TEST_CASE("the relative model error is its definition, for every order and odd s
   }
 }
 
-TEST_CASE("a texton nearer to the model than the papers' algorithm finds") {
-  // Of this exemplar, the mean of three starts each; what the two reach differs by far more than
-  // what starts differ by, under 0.5 %.
-  const GaussianModel model = modelOf(threeMaterials(64, 64, 7));
-  for (const int order : {0, 1, 3}) {
-    for (const int side : {16, 32}) {
-      double ours = 0.0;
-      double papers = 0.0;
+TEST_CASE("a texton is nearer to the model than the papers' algorithm finds, and has no border") {
+  // Three materials in patches of some 20 texels: slow waves that reach beyond the supports.
+  const GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
+  const auto corrected = [&](const FitOptions& options, FitMethod method) {
+    TextonCoefficients texton = fitCoefficients(model, options, method);
+    REQUIRE(correctCovariance(texton, options.order, modelCovariance(model)));
+    return texton;
+  };
+  struct Bound {
+    int side;
+    double papers;     // error over that of the papers' algorithm
+    double visibility; // of the border, mean over the starts
+  };
+  // Of three starts each; what starts differ by is under 0.5 %. Without the border's penalty the
+  // visibility is 0.9 and 1.2, 1.1 and 1.4, 2.5 and 2.0 for the orders 0 and 1.
+  for (const Bound& bound : {Bound{16, 1.01, 0.85}, Bound{32, 0.99, 1.05}, Bound{64, 0.995, 1.7}}) {
+    for (const int order : {0, 1, 3}) {
+      double ours = 0.0, papers = 0.0, visibility = 0.0;
       for (const std::uint32_t seed : {1u, 2u, 3u}) {
-        FitOptions options = support(side, order);
+        FitOptions options = support(bound.side - order, order);
         options.seed = seed;
-        const auto error = [&](FitMethod method) {
-          return relativeModelError(model, fitCoefficients(model, options, method), order);
-        };
-        ours += error(FitMethod::transportDistance);
-        papers += error(FitMethod::alternatingProjections);
+        const TextonCoefficients texton = corrected(options, FitMethod::transportDistance);
+        ours += relativeModelError(model, texton, order);
+        papers +=
+            relativeModelError(model, corrected(options, FitMethod::alternatingProjections), order);
+        visibility += borderVisibility(texton) / 3.0;
+        CHECK(flatness(texton, kLuminanceWeights) <= 4.0);
       }
-      INFO("order " << order << ", support " << side);
-      CHECK(ours < papers);
+      INFO("order " << order << ", support " << bound.side);
+      CHECK(ours < bound.papers * papers);
+      CHECK(visibility < bound.visibility);
     }
   }
+}
+
+TEST_CASE("the visibility of a border is the mean step across it over that inside") {
+  // Steps averaged along runs of a quarter of the side, term by term.
+  TextonCoefficients texton{9, 8, 1, {}};
+  for (int i = 0; i < 72; ++i)
+    texton.values.push_back(float(i * i % 11) - 3.0f);
+  const auto at = [&](int x, int y) {
+    const bool isInside = x >= 0 && y >= 0 && x < 9 && y < 8;
+    return isInside ? double(texton.values[std::size_t(y * 9 + x)]) : 0.0;
+  };
+  double border = 0.0, inside = 0.0;
+  constexpr int kRun = 2; // a quarter of 8, and of 9 rounded
+  for (int x = 0; x <= 9; ++x)
+    for (int y = 0; y + kRun <= 8; ++y) {
+      const double step = (at(x, y) + at(x, y + 1) - at(x - 1, y) - at(x - 1, y + 1)) / kRun;
+      (x == 0 || x == 9 ? border : inside) += step * step / 7 / (x == 0 || x == 9 ? 2 : 8);
+    }
+  for (int y = 0; y <= 8; ++y)
+    for (int x = 0; x + kRun <= 9; ++x) {
+      const double step = (at(x, y) + at(x + 1, y) - at(x, y - 1) - at(x + 1, y - 1)) / kRun;
+      (y == 0 || y == 8 ? border : inside) += step * step / 8 / (y == 0 || y == 8 ? 2 : 7);
+    }
+  CHECK(borderVisibility(texton) == Approx(std::sqrt(border / inside)).epsilon(1e-5));
+}
+
+TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
+  // A few dots on grey: the texton of least error would be a dot, and the noise single dots too.
+  MapExemplar dots = threeMaterials(64, 64, 21);
+  std::fill(dots.values.begin(), dots.values.end(), 0.5f);
+  for (const std::size_t pixel : {517u, 1840u, 3033u})
+    std::fill_n(dots.values.begin() + std::ptrdiff_t(3 * pixel), 3, 1.0f);
+  for (const int order : {0, 1, 3})
+    CHECK(flatness(fitCoefficients(modelOf(dots), support(24, order), FitMethod::transportDistance),
+                   kLuminanceWeights) <= 4.0);
 }
 
 TEST_CASE("a support as large as the exemplar holds the model whole, in every order") {
@@ -141,9 +194,9 @@ TEST_CASE("a support as large as the exemplar holds the model whole, in every or
   for (const int order : {0, 1, 3}) {
     FitOptions options = support(24, order);
     options.height = 20;
-    // Any phases fit.
+    // Any phases fit, so that hardly any error is left for a quiet border.
     CHECK(relativeModelError(model, fitCoefficients(model, options, FitMethod::transportDistance),
-                             order) < 1e-3);
+                             order) < 0.03);
   }
 }
 

@@ -373,8 +373,13 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
   options = sized(63, 128); // under half of the tile's 128 texels
   options.tileable = true;
   CHECK(refused(options));
-  CHECK_FALSE(synthesizePreview(exampleBundle(), 0, MapTarget::baseColor, 1, 0));
-  CHECK_FALSE(synthesizePreview(exampleBundle(), 1, MapTarget::baseColor, 1, 1));
+  CHECK_FALSE(synthesizePreview(exampleBundle(), MaterialNoise(), MapTarget::baseColor, 0));
+  MaterialNoise material;
+  material.noise = 1;
+  CHECK_FALSE(synthesizePreview(exampleBundle(), material, MapTarget::baseColor, 1));
+  material = {};
+  material.contrast = 5.0;
+  CHECK_FALSE(synthesizePreview(exampleBundle(), material, MapTarget::baseColor, 1));
 }
 
 TEST_CASE("a noise that this version cannot evaluate is refused by name") {

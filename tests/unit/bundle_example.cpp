@@ -31,40 +31,118 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   return map;
 }
 
-/// A texton of pattern texels, those outside the coefficients 0.
-Table patternTexton(const TextonShape& shape, TexelFormat format) {
-  Table table{"",
+/// Averages of 2 x 2 texels of an image of even sides, `channels` interleaved values each.
+std::vector<double> halved(const std::vector<double>& image, std::size_t width,
+                           std::size_t channels = 1) {
+  std::vector<double> half;
+  const std::size_t row = width * channels;
+  for (std::size_t y = 0; y < image.size() / row; y += 2)
+    for (std::size_t x = 0; x < width; x += 2)
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double* texel = &image[y * row + x * channels + c];
+        half.push_back((texel[0] + texel[channels] + texel[row] + texel[row + channels]) / 4.0);
+      }
+  return half;
+}
+
+/// A texton's table of an image of its frames, `channels` interleaved values a texel, with mips.
+Table textonTable(std::string name, const TextonShape& shape, TexelFormat format,
+                  std::vector<double> image) {
+  Table table{std::move(name),
               format,
               shape.frameWidth(),
               shape.frameHeight() * std::uint32_t(shape.steps),
               0,
               std::uint32_t(shape.mipLevels),
               {}};
-  const auto channels = std::size_t(channelCount(format));
   for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
-    const std::uint32_t width = table.width >> level, height = table.height >> level;
-    std::vector<float> values(channels * width * height);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t x = i / channels % width;
-      const std::size_t y = i / channels / width % (shape.frameHeight() >> level);
-      if (x << level < std::size_t(shape.coefficientsX) &&
-          y << level < std::size_t(shape.coefficientsY))
-        values[i] = float(i * 37 % 256) / 512.0f - 0.25f;
-    }
+    if (level > 0)
+      image = halved(image, table.width >> (level - 1), std::size_t(channelCount(format)));
+    const std::vector<float> values(image.begin(), image.end());
     appendTexels(table.texels, format, values);
   }
   return table;
 }
 
-/// Averages of 2 x 2 texels of a square image.
-std::vector<double> halved(const std::vector<double>& image, std::size_t side) {
-  std::vector<double> half;
-  for (std::size_t y = 0; y < side; y += 2)
-    for (std::size_t x = 0; x < side; x += 2)
-      half.push_back((image[y * side + x] + image[y * side + x + 1] + image[(y + 1) * side + x] +
-                      image[(y + 1) * side + x + 1]) /
-                     4.0);
-  return half;
+/// Sum over k, l of b(k - l) p(k) q(l) of two channels of an image: [GLM17] section 4.1.
+double product(const std::vector<double>& image, std::size_t width, std::size_t channels,
+               std::array<std::size_t, 2> pair, int order) {
+  // The B-splines of degrees 3 and 7 at the integers.
+  const std::vector<double> b =
+      order == 1 ? std::vector{2.0 / 3.0, 1.0 / 6.0}
+                 : std::vector{151.0 / 315.0, 397.0 / 1680.0, 1.0 / 42.0, 1.0 / 5040.0};
+  const auto columns = std::ptrdiff_t(width);
+  const auto rows = std::ptrdiff_t(image.size() / channels / width);
+  const auto at = [&](std::ptrdiff_t x, std::ptrdiff_t y, std::size_t c) {
+    const bool isInside = x >= 0 && y >= 0 && x < columns && y < rows;
+    return isInside ? image[std::size_t(y * columns + x) * channels + c] : 0.0;
+  };
+  double sum = 0.0;
+  for (std::ptrdiff_t y = 0; y < rows; ++y)
+    for (std::ptrdiff_t x = 0; x < columns; ++x)
+      for (std::ptrdiff_t v = -order; v <= order; ++v)
+        for (std::ptrdiff_t u = -order; u <= order; ++u)
+          sum += b[std::size_t(std::abs(u))] * b[std::size_t(std::abs(v))] * at(x, y, pair[0]) *
+                 at(x + u, y + v, pair[1]);
+  return sum;
+}
+
+/// The shares of their deviation and mean that the steps of a mix have of the first one's.
+constexpr std::array<double, 3> kMixShares = {1.0, 0.75, 0.5};
+
+/// Gives a map of a mix of order 3 a texton of pattern texels, less with each step, of its own
+/// variance, and the statistics of it.
+Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map) {
+  const auto stored = std::size_t(channelCount(format));
+  const std::size_t n = map.channels.size();
+  const std::size_t width = shape.frameWidth(), height = shape.frameHeight();
+  std::vector<double> frame(stored * width * height);
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const std::size_t x = i / stored % width, y = i / stored / width;
+    if (x < std::size_t(shape.coefficientsX) && y < std::size_t(shape.coefficientsY))
+      frame[i] = double(i * 37 % 256) / 512.0 - 0.25;
+  }
+  constexpr double kDeviations = 6.0;
+  std::vector<double> energy;
+  for (std::size_t c = 0; c < stored; ++c)
+    energy.push_back(product(frame, width, stored, {c, c}, shape.order));
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    frame[i] /= kDeviations * std::sqrt(energy[i % stored]);
+  map.scale.clear();
+  for (std::size_t c = 0; c < n; ++c)
+    map.scale.push_back(kDeviations * std::sqrt(map.covariance[c * n + c]));
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t d = 0; d < n; ++d)
+      if (c != d)
+        map.covariance[c * n + d] =
+            map.scale[c] * map.scale[d] *
+            product(frame, width, stored, {std::min(c, d), std::max(c, d)}, shape.order);
+  // Losses of the mips and of one average more, by bilinear interpolation.
+  map.mipLoss = {0.0};
+  std::vector<double> mip = frame;
+  double area = 1.0;
+  for (std::size_t level = 1; level <= std::size_t(shape.mipLevels); ++level) {
+    mip = halved(mip, width >> (level - 1), stored);
+    area *= 4.0;
+    double kept = 0.0;
+    for (std::size_t c = 0; c < n; ++c)
+      kept += 36.0 * area * product(mip, width >> level, stored, {c, c}, 1) / double(n);
+    map.mipLoss.push_back(1.0 - kept);
+  }
+  std::vector<double> image;
+  for (const double share : kMixShares) {
+    for (const double texel : frame)
+      image.push_back(share * texel);
+    if (share == kMixShares.front())
+      continue;
+    MapStatistics step{map.mean, map.covariance, map.mipLoss};
+    for (double& mean : step.mean)
+      mean *= share;
+    for (double& covariance : step.covariance)
+      covariance *= share * share;
+    map.laterSteps.push_back(std::move(step));
+  }
+  return textonTable("", shape, format, std::move(image));
 }
 
 /// The integral of the square of what bilinear interpolation makes of texels of one unit.
@@ -86,6 +164,16 @@ MaterialNoise useOf(std::size_t noise) {
   MaterialNoise use;
   use.noise = noise;
   return use;
+}
+
+/// The only noise of a file without a scene: of one map, and used by one material.
+void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
+  noise.maps.push_back(std::move(map));
+  file.bundle.noises.push_back(std::move(noise));
+  file.bundle.materials.push_back(useOf(0));
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
 }
 
 } // namespace
@@ -127,12 +215,7 @@ BundleFile smallest() {
   map.inverseTable = addTable(
       file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
   map.levels = levels(2);
-  noise.maps.push_back(std::move(map));
-  file.bundle.noises.push_back(std::move(noise));
-  file.bundle.materials.push_back(useOf(0));
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  file.generator = "lichen tests";
+  addNoise(file, std::move(noise), std::move(map));
   return file;
 }
 
@@ -159,27 +242,12 @@ BundleFile smallestTexton() {
   map.scale = {6.0 * std::sqrt(map.covariance[0])};
   for (double& texel : texels)
     texel /= 6.0 * std::sqrt(energy); // so that the variance is the map's
-  Table table{"dune.height.texton",
-              TexelFormat::r16Sfloat,
-              std::uint32_t(side),
-              std::uint32_t(side),
-              0,
-              std::uint32_t(shape.mipLevels),
-              {}};
   const std::vector<double> coarse = halved(texels, side);
-  for (const std::vector<double>& level : {texels, coarse}) {
-    const std::vector<float> values(level.begin(), level.end());
-    appendTexels(table.texels, table.format, values);
-  }
   constexpr double kCoarseTexelArea = 4.0;
   map.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
-  map.image = addTable(file.bundle, std::move(table));
-  noise.maps.push_back(std::move(map));
-  file.bundle.noises.push_back(std::move(noise));
-  file.bundle.materials.push_back(useOf(0));
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  file.generator = "lichen tests";
+  map.image = addTable(file.bundle, textonTable("dune.height.texton", shape, TexelFormat::r16Sfloat,
+                                                std::move(texels)));
+  addNoise(file, std::move(noise), std::move(map));
   return file;
 }
 
@@ -192,17 +260,8 @@ BundleFile textonMix() {
   noise.method = Method::texton;
   noise.texton = {9, 17, 3, 2, 100, 50, 3};
   const auto addMap = [&](NoiseMap map, TexelFormat format) {
-    map.image = addTable(bundle, patternTexton(noise.texton, format));
-    map.scale.assign(map.channels.size(), 0.6);
-    map.mipLoss = {0.0, 0.25, 0.5, 1.0};
-    for (const double share : {0.75, 0.5}) { // of mean and deviation
-      MapStatistics step{map.mean, map.covariance, {0.0, 0.375, 0.75, 1.0}};
-      for (double& mean : step.mean)
-        mean *= share;
-      for (double& covariance : step.covariance)
-        covariance *= share * share;
-      map.laterSteps.push_back(std::move(step));
-    }
+    Table table = patternTexton(noise.texton, format, map);
+    map.image = addTable(bundle, std::move(table));
     noise.maps.push_back(std::move(map));
   };
   addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 1),

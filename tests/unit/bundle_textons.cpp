@@ -160,11 +160,11 @@ TEST_CASE("every fault of a mix's later steps is found") {
            [&](GlbParts& p) { steps(p)[0]["covariance"][0] = -0.01; }},
           {"a step without losses", "required", [&](GlbParts& p) { steps(p)[1].erase("mipLoss"); }},
           {"other levels than the first step's", "map-mip-loss",
-           [&](GlbParts& p) { steps(p)[1]["mipLoss"].erase(3); }},
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"].erase(2); }},
           {"a loss at level 0", "map-mip-loss",
            [&](GlbParts& p) { steps(p)[1]["mipLoss"][0] = 0.1; }},
           {"losses that decrease", "map-mip-loss",
-           [&](GlbParts& p) { steps(p)[1]["mipLoss"][3] = 0.1; }},
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"][2] = 0.0; }},
       });
 }
 

@@ -2,6 +2,7 @@
 // Memory that runs out on demand; see exhausted_memory.h.
 #include "exhausted_memory.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -11,23 +12,29 @@ namespace {
 thread_local int untilExhausted = 0; // counts down while positive
 thread_local bool exhausted = false;
 thread_local int spared = 0;
+thread_local std::size_t mostBytes = 0;
 
 } // namespace
 
 namespace lichen::test {
 
-ExhaustedMemory::ExhaustedMemory(int n) { untilExhausted = n; }
+ExhaustedMemory::ExhaustedMemory(int n) {
+  untilExhausted = n;
+  mostBytes = 0;
+}
 ExhaustedMemory::~ExhaustedMemory() {
   untilExhausted = 0;
   exhausted = false;
 }
 bool ExhaustedMemory::reached() { return exhausted; }
+std::size_t ExhaustedMemory::largest() { return mostBytes; }
 void ExhaustedMemory::spare() { ++spared; }
 void ExhaustedMemory::refuse() { --spared; }
 
 } // namespace lichen::test
 
 void* operator new(std::size_t size) {
+  mostBytes = std::max(mostBytes, size);
   if (spared == 0) {
     if (untilExhausted > 0 && --untilExhausted == 0)
       exhausted = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both backends, whichever the library was built with.
+#include "exhausted_memory.h"
 #include "fft_backend.h"
 
 #include <lichen/fft.h>
@@ -135,6 +136,25 @@ TEST_CASE("a patch is transformed as the plane of zeros around it, and cut out o
       CHECK(worst < kTolerance);
     }
   }
+}
+
+TEST_CASE("the transforms of a patch allocate nothing") {
+  for (const Backend& backend : kBackends)
+    for (const auto& [width, height] : kSizes) {
+      INFO(backend.name << " " << width << " x " << height);
+      const auto transform = backend.patch(width, height, width, (height + 1) / 2);
+      std::vector<float> patch = noise(width, (height + 1) / 2, 8);
+      HalfSpectrum spectrum{width, height, {}};
+      spectrum.values.resize(std::size_t(spectrum.columns()) * std::size_t(height));
+      bool allocated = false;
+      {
+        const test::ExhaustedMemory none(1);
+        transform->forward(patch, spectrum);
+        transform->inverse(spectrum, patch);
+        allocated = test::ExhaustedMemory::reached();
+      }
+      CHECK_FALSE(allocated);
+    }
 }
 
 TEST_CASE("the two backends agree on an image of prime sides") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes of others: what is read of their meshes, what is kept of their bytes, what is refused.
 #include "bundle_example.h"
+#include "exhausted_memory.h"
 #include "temporary_folder.h"
 #include "tiny_scene.h"
 
@@ -227,6 +228,36 @@ TEST_CASE("meshes that cannot be read are refused by name") {
                p["indices"] = s.addAccessor(std::vector<std::uint16_t>{0, 1, 4}, "SCALAR", 5123, 1);
              }),
              Contains("index 4"));
+}
+
+TEST_CASE(
+    "accessors of more elements than they have bytes are refused before room is made for them") {
+  static constexpr std::size_t kMost = std::size_t(1) << 25; // elements of any accessor
+  static constexpr std::size_t kRoom = std::size_t(1) << 20; // bytes; those would take 400 MB
+  const auto refusal = [](const auto& alter) {
+    TinyScene scene = example::tableScene();
+    alter(scene, scene.json["meshes"][0]["primitives"][0]);
+    const test::ExhaustedMemory measured;
+    std::string message = refusalOf(scene);
+    CHECK(test::ExhaustedMemory::largest() < kRoom);
+    return message;
+  };
+  using Catch::Contains;
+  CHECK_THAT(
+      refusal([](auto& s, auto& p) {
+        s.json["accessors"][p["attributes"]["POSITION"].template get<std::size_t>()]["count"] =
+            kMost;
+      }),
+      Contains("33554432 elements of 12 bytes") && Contains("pass the end"));
+  CHECK_THAT(refusal([](auto& s, auto& p) {
+               s.json["accessors"][p["indices"].template get<std::size_t>()]["count"] = kMost;
+             }),
+             Contains("33554432 elements of") && Contains("pass the end"));
+  CHECK_THAT(refusal([](auto& s, auto& p) {
+               s.json["accessors"][p["attributes"]["POSITION"].template get<std::size_t>()] = {
+                   {"componentType", 5126}, {"count", kMost}, {"type", "VEC3"}};
+             }),
+             Contains("33554432 without bytes; 1 to 1048576 is accepted"));
 }
 
 TEST_CASE("a GLB keeps its chunks and its text but for what is added") {

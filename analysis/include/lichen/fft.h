@@ -52,7 +52,8 @@ struct HalfSpectrum {
 class PatchFft {
 public:
   /// The patch is the plane's first patchWidth x patchHeight pixels, at least 1 x 1 and at most
-  /// width x height. Throws std::bad_alloc; the transforms do not.
+  /// width x height. Throws std::bad_alloc; the transforms do not, and allocate nothing but what
+  /// KissFFT takes for sizes with a prime factor above 5.
   PatchFft(int width, int height, int patchWidth, int patchHeight);
   PatchFft(PatchFft&&) noexcept;
   PatchFft& operator=(PatchFft&&) noexcept;

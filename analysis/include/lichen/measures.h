@@ -18,6 +18,11 @@ inline constexpr double kColorDistanceTarget = 0.003;
 inline constexpr double kSpectrumDistanceTargetDb = 0.6;
 inline constexpr double kAnisotropicSpectrumDistanceTargetDb = 1.2;
 inline constexpr double kSeamVisibilityTarget = 1.1;
+inline constexpr std::string_view kGaussianSpectrumDistanceName = "gaussian_spectrum_distance_db";
+/// Of a texton's result against its exemplar's Gaussian texture.
+inline constexpr double kGaussianSpectrumDistanceTargetDb = 0.5;
+/// Of a texton: a third more than normally distributed values have.
+inline constexpr double kFlatnessTarget = 4.0;
 /// Of a result that spans kLatticeExemplars a side: a smaller one shows more by chance.
 inline constexpr double kLatticeVisibilityTarget = 0.03;
 inline constexpr int kLatticeExemplars = 16;
@@ -40,6 +45,13 @@ struct Measure {
 /// Thread-safe, deterministic.
 [[nodiscard]] Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar,
                                                          const SrgbImage& result);
+
+/// The same of a result by textons, whose colours and spectrum are not held to a target, since they
+/// are those of a Gaussian texture; and gaussian_spectrum_distance_db, to that texture of the
+/// exemplar. Errors as above.
+[[nodiscard]] Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
+                                                                 const SrgbImage& gaussian,
+                                                                 const SrgbImage& result);
 
 /// lattice_visibility of a result that spans kLatticeExemplars a side. Errors as its own.
 [[nodiscard]] Result<Measure> measureLattice(const SrgbImage& result, const LatticeView& view);

@@ -6,6 +6,7 @@
 #include <lichen/map_picture.h>
 #include <lichen/measures.h>
 #include <lichen/progress.h>
+#include <lichen/texton_comparison.h>
 
 #include <optional>
 
@@ -15,18 +16,24 @@ struct NoiseComparison {
   MapLook look;
   SrgbImage exemplar; ///< as a picture
   SrgbImage result;   ///< likewise
-  /// As measureResult() gives them, and lattice_visibility.
+  /// As measureResult() gives them, and of tiling lattice_visibility; of a texton as
+  /// measureGaussianResult(), and model_error and flatness.
   std::vector<Measure> measures;
+  /// Of a texton: gaussianVersion() as a picture, and other spots of its support.
+  std::optional<SrgbImage> gaussian;
+  std::optional<KernelComparison> kernels;
 };
 
-/// The exemplar's map of the noise, synthesized with `seed` at four exemplars a side, one texel a
-/// pixel, and for lattice_visibility at sixteen; at most 4096 pixels a side each. The noise's
-/// encoding is taken for both.
-/// Errors: usage for an index out of range or a map that the noise has not; badInput, naming both
-/// numbers, for an exemplar of other channels; resources for memory; environment when `progress`
-/// stops it. Deterministic.
-[[nodiscard]] Result<NoiseComparison> compareNoise(const Bundle& bundle, std::size_t noise,
-                                                   std::uint32_t seed, const MapExemplar& exemplar,
+/// The exemplar's map of the material's noise, synthesized with the material's pattern at four
+/// exemplars a side, one texel a pixel, and for lattice_visibility at sixteen; at most 4096 pixels
+/// a side each. The noise's encoding is taken for both; of textons the exemplar is resampled to the
+/// size that all maps of the noise had.
+/// Errors: usage for an index or a parameter out of range or a map that the noise has not;
+/// badInput, naming both numbers, for an exemplar of other channels; resources for memory;
+/// environment when `progress` stops it. Deterministic.
+[[nodiscard]] Result<NoiseComparison> compareNoise(const Bundle& bundle,
+                                                   const MaterialNoise& material,
+                                                   const MapExemplar& exemplar,
                                                    const Progress& progress = {});
 
 } // namespace lichen

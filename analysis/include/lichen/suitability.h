@@ -40,9 +40,13 @@ struct Risk {
                                                           double firstPixels = 1.0);
 
 /// The risks of a texton noise of one map, "histogram", "outlines" and "low-frequency": whether the
-/// material is a Gaussian texture at all, and whether `support` texels hold it. Errors and threads
-/// as above. O(N log N). Source: docs/decisions/017-texton-risks.md.
+/// material is a Gaussian texture at all, and whether `support` texels hold it. The noise has
+/// `widthTexels` x `heightTexels` of them where the map has its pixels, those of the largest map of
+/// the set; 0: as many as the map has. Errors and threads as above. O(N log N).
+/// Source: docs/decisions/017-texton-risks.md.
 [[nodiscard]] Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
-                                                                const Progress& progress = {});
+                                                                const Progress& progress = {},
+                                                                int widthTexels = 0,
+                                                                int heightTexels = 0);
 
 } // namespace lichen

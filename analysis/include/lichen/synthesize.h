@@ -45,6 +45,10 @@ struct SynthesisOptions {
   Progress progress; ///< empty: nobody watches
 };
 
+/// The pattern of a material: its noise, seed, blending, contrast and impacts. Where its noise lies
+/// on a surface is none of it.
+[[nodiscard]] SynthesisOptions patternOf(const MaterialNoise& material);
+
 /// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
 /// footprint of one pixel. The result holds decoded values: light for colour; as many channels as
 /// the map has. Errors: usage for options out of range or a map that the noise has not; resources
@@ -52,11 +56,12 @@ struct SynthesisOptions {
 /// any number of threads.
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
-/// A power-of-two image of `tiles` exemplars a side on a periodic lattice, for the core slots of a
-/// glTF material. It has the texels of the noise's widest and highest map, so that the images of
-/// all maps have one size; at most 1024 pixels a side. A mix is shown in its middle. Errors: usage
-/// for an index out of range, a map that the noise has not, or tiles outside [1, 1024].
-[[nodiscard]] Result<LinearImage> synthesizePreview(const Bundle& bundle, std::size_t noise,
-                                                    MapTarget map, std::uint32_t seed, int tiles);
+/// A power-of-two image of the material's pattern, `tiles` exemplars a side and repeating, for the
+/// core slots of a glTF material. It has the texels of the noise's widest and highest map, so that
+/// the images of all maps have one size; at most 1024 pixels a side. A mix is shown in its middle.
+/// Errors: usage for an index or
+/// a parameter out of range, a map that the noise has not, or tiles outside [1, 1024].
+[[nodiscard]] Result<LinearImage>
+synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget map, int tiles);
 
 } // namespace lichen

@@ -39,16 +39,19 @@ inline constexpr NumberRange kTextonSupportRange{4.0, double(kMaxTextonSide)};
 
 /// How near a texton is to the Gaussian texture that it stands for.
 struct TextonQuality {
-  /// Relative model error [GLM17 section 4.4] over all channels: 0 for equal spectra.
+  /// Relative model error [GLM17 section 4.4] over all channels, each quantity (colours, slopes,
+  /// every other channel) in its own deviation: 0 for equal spectra.
   double modelError = 0.0;
   std::vector<double> channelErrors; ///< of each channel alone, in the order of the maps
   /// Of one half of the exemplar, the texton fitted to the other: what holds for the material and
   /// not for the one picture. None where a half is smaller than the support.
   std::optional<double> heldOutError;
-  /// r^2 sum l^4 / (sum l^2)^2 of the first map's coefficients, of colours their luminance: 1 where
+  /// r^2 sum l^4 / (sum l^2)^2 of the first map's texton, of colours their luminance: 1 where
   /// all count alike, 3 where they are Gaussian, more where few count and more impacts are needed.
   double flatness = 0.0;
-  double covarianceError = 0.0; ///< of what is stored, relative to the covariance wanted
+  /// The largest error of a covariance between two channels over their two deviations, of the
+  /// texels as they are stored, half floats or floats.
+  double covarianceError = 0.0;
 };
 
 /// What a bake made: tables numbered from 0 in the maps of `noise`.
@@ -63,7 +66,8 @@ struct TextonBake {
 /// targets. The support is no larger than the exemplar. `name` names the noise and, with the
 /// target, its tables.
 /// Errors: usage for options or maps outside their ranges; badInput where the photograph varies and
-/// its periodic component does not, so that no texton has its covariance; resources when memory
+/// its periodic component does not, or where so few coefficients do not, so that no texton has its
+/// covariance; resources when memory
 /// does not suffice, environment when `options.progress` stops it.
 /// Thread-safe; runs on all cores, and the same bytes for any number of threads. O(N log N) in the
 /// number of pixels. Sources: [GLM17] section 4, [GLM14], [M11].

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The CPU twin of shaders_glsl/noise/texton.glsl and texton_gradient.glsl: the noise from the
-// bundle alone.
+// The CPU twin of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl: the
+// noise from the bundle alone.
 #pragma once
 
 #include <lichen/bundle.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/surface_footprint.h>
 #include <lichen/tile_footprint.h>
 
 #include <array>
@@ -48,6 +49,15 @@ public:
                                const shader::LichenTexton& texton, const TileFootprint& at,
                                const MixPlace& mix = {}) const;
 
+  /// Both on a surface, with the parameters of a material of the mapping surface. Of slopes, the
+  /// value is in the tangent space that normal and tangent span but for the material's rotation.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                               const MixPlace& mix = {}) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                               const MixPlace& mix = {}) const;
+
   /// The stored value of the map's first channel, not clamped, and its derivatives along x and y,
   /// per tile.
   [[nodiscard]] std::array<float, 3> gradient(std::size_t map, const shader::LichenNoise& noise,
@@ -57,6 +67,9 @@ public:
 
 private:
   struct Map;
+  static Value decoded(const Map& map, const shader::LichenNoise& noise,
+                       const shader::LichenTexton& texton, const Value& gaussian,
+                       const MixPlace& mix);
   explicit TextonEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
 
   std::shared_ptr<const std::vector<Map>> maps_;

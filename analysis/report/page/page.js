@@ -24,15 +24,17 @@ async function loaded(picture) {
   return image;
 }
 
-// ---- the three pictures ------------------------------------------------------------------------
+// ---- the pictures ------------------------------------------------------------------------------
 
 /// One view of all panes of a map, in pixels of the exemplar's picture: its centre, and how many
 /// CSS pixels one of them spans. The exemplar lies in the middle of what repeats.
 class Viewer {
-  constructor(root, original, exemplar, result) {
+  /// Of the pictures, `original` and `gaussian` may be null.
+  constructor(root, {original, exemplar, gaussian, result}) {
     this.root = root;
     this.original = original;
     this.exemplar = exemplar;
+    this.gaussian = gaussian;
     this.result = result;
     const aspect = Math.min(2, Math.max(0.75, result.width / result.height));
     root.style.setProperty('--aspect', aspect);
@@ -153,7 +155,8 @@ class Viewer {
       context.drawImage(centred, (result.width - centred.width) / 2,
                         (result.height - centred.height) / 2);
     } else {
-      context.fillStyle = context.createPattern(exemplar, 'repeat');
+      const repeated = canvas.dataset.pane === 'gaussian' ? this.gaussian : exemplar;
+      context.fillStyle = context.createPattern(repeated, 'repeat');
       context.fillRect(0, 0, result.width, result.height);
     }
   }
@@ -217,7 +220,7 @@ function histogram(data) {
 function spectrumChart(data, width) {
   const box = {width, height: 300, left: 52, right: 16, top: 10, bottom: 48};
   const lowest = 1 / data.cropSide, highest = 0.5;
-  const all = [...data.exemplar.slice(1), ...data.result.slice(1)];
+  const all = [data.exemplar, data.result, data.gaussian ?? []].flatMap((p) => p.slice(1));
   const step = 10; // dB
   const bottom = step * Math.floor(Math.min(...all) / step);
   const top = Math.max(bottom + step, step * Math.ceil(Math.max(...all) / step));
@@ -234,6 +237,8 @@ function spectrumChart(data, width) {
   plot.text(plot.toX(0.5), box.height - 6, 'cycles per pixel', 'middle');
   const curve = (powers) => powers.slice(1).map((power, i) => [x((i + 1) * lowest), y(power)]);
   plot.path(curve(data.exemplar), 'exemplar');
+  if (data.gaussian)
+    plot.path(curve(data.gaussian), 'gaussian');
   plot.path(curve(data.result), 'result');
   return plot.svg;
 }
@@ -303,6 +308,20 @@ function measureRow(measure) {
   return row;
 }
 
+function kernelRow(kernel) {
+  const row = document.createElement('tr');
+  const name = element('th', kernel.name);
+  name.scope = 'row';
+  const numbers = {'Model error': kernel.modelError.toFixed(3), 'Flatness': kernel.flatness.toFixed(1),
+                   'Impacts needed': String(Math.round(kernel.impactsNeeded))};
+  row.append(name, ...Object.entries(numbers).map(([column, text]) => {
+    const cell = element('td', text, 'number');
+    cell.dataset.column = column;
+    return cell;
+  }));
+  return row;
+}
+
 function riskItem(risk) {
   const item = document.createElement('li');
   const look = {none: 'good', mild: 'warn', severe: 'bad'}[risk.level];
@@ -346,12 +365,16 @@ async function addMap(map) {
   find('.target').textContent = map.target;
   find('.channels').textContent = map.summary;
   find('.measures tbody').append(...map.measures.map(measureRow));
+  find('.kernels tbody').append(...(map.kernels ?? []).map(kernelRow));
+  find('.kernels-section').hidden = !map.kernels;
   find('.risks').append(...map.risks.map(riskItem));
   find('.risks-section').hidden = map.risks.length === 0;
   find('.histograms').append(...map.histograms.map(histogram));
   if (map.spectrum) {
     fill(find('.spectrum'), (width) => spectrumChart(map.spectrum, width));
     find('.spectrum-section').hidden = false;
+    for (const selector of ['.key.gaussian', '.gaussian-name'])
+      find(selector).hidden = !map.spectrum.gaussian;
   }
   for (const canvas of article.querySelectorAll('.panes canvas'))
     canvas.setAttribute('aria-label', `${map.target}: ${canvas.dataset.pane}`);
@@ -364,11 +387,13 @@ async function addMap(map) {
   if (map.table)
     await showTable(find('.table'), map.table);
   find('.steps').textContent = map.steps.map((step) => ', ' + step).join('');
-  find('.panes').classList.toggle('four', map.original !== null);
   find('.original').hidden = map.original === null;
-  const [original, exemplar, result] = await Promise.all(
-    [map.original, map.exemplar, map.result].map((picture) => picture && loaded(picture)));
-  new Viewer(find('.viewer'), original, exemplar, result);
+  find('figure.gaussian').hidden = map.gaussian === null;
+  const panes = article.querySelectorAll('.panes figure:not([hidden])').length;
+  find('.panes').classList.toggle('four', panes === 4);
+  const [original, exemplar, gaussian, result] = await Promise.all(
+    [map.original, map.exemplar, map.gaussian, map.result].map((p) => p && loaded(p)));
+  new Viewer(find('.viewer'), {original, exemplar, gaussian, result});
   await image.decode();
 }
 

@@ -21,8 +21,8 @@ namespace lichen {
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
 /// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
-/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, [0, 1], is
-/// missing.
+/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, at least 0 and
+/// above 1 where contrast is, is missing: its mean over what is missing, for sRGB within 0.0005.
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
                                                    float lostVariance);
@@ -37,11 +37,19 @@ struct Placement {
   /// whole.
   std::int64_t tileOriginX = 0;
   std::int64_t tileOriginY = 0;
-  bool periodic = false;     ///< repeat after periodTilesX x periodTilesY tiles
-  double periodTilesX = 0.0; ///< at least about half a tile; whole texels, for an exact seam
+  std::int64_t tileOriginZ = 0; ///< of surface noise alone, whose tiles are as high as wide
+  bool periodic = false;        ///< repeat after periodTilesX x periodTilesY tiles; not on surfaces
+  double periodTilesX = 0.0;    ///< at least about half a tile; whole texels, for an exact seam
   double periodTilesY = 0.0;
   double maxAnisotropy = 1.0; ///< of the sampler that fetches the Gaussian images
 };
+
+/// How many times as many impacts a point of a surface sees as one of a plane: many count little.
+/// The excess kurtosis of a sum with the weights of [GLM17] section 6 is 9/5 that of a plain one.
+inline constexpr double kSurfaceImpacts = 2.0;
+
+/// The plane of latticeSeed() for noise on surfaces: 0 is uv, 0 to 2 are triplanar's.
+inline constexpr std::uint32_t kSurfacePlane = 3;
 
 /// The parameters of `material`, whose noise index must be valid.
 [[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,

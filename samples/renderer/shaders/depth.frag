@@ -7,12 +7,17 @@
 
 layout(location = 0) in vec4 texCoords;
 layout(location = 1) in float vertexAlpha;
-layout(location = 2) in float mixWeight;
+layout(location = 2) in vec3 worldPosition;
+layout(location = 3) in vec3 worldNormal;
+layout(location = 4) in vec4 worldTangent;
+layout(location = 5) in float mixWeight;
 
 const float kBlendedCutoff = 0.5;
 
 void main() {
-  Footprint footprint = Footprint(texCoords, dFdx(texCoords), dFdy(texCoords), mixWeight);
+  Footprint footprint =
+      Footprint(texCoords, dFdx(texCoords), dFdy(texCoords), worldPosition, dFdx(worldPosition),
+                dFdy(worldPosition), worldNormal, worldTangent, mixWeight);
   LichenPlace place;
   if (kHasNoise)
     place = noisePlace(footprint);

@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: MIT
 // Vertices to the clip space of a light.
 #include "scene_interface.h"
+#include "world_frame.glsl"
 
 layout(push_constant) uniform DepthBlock { DepthData draw; };
 
 layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
@@ -14,11 +17,16 @@ layout(location = 6) in float vertexMixWeight;
 
 layout(location = 0) out vec4 texCoords;
 layout(location = 1) out float vertexAlpha;
-layout(location = 2) out float mixWeight;
+layout(location = 2) out vec3 worldPosition;
+layout(location = 3) out vec3 worldNormal;
+layout(location = 4) out vec4 worldTangent;
+layout(location = 5) out float mixWeight;
 
 void main() {
   texCoords = vec4(texCoord0, texCoord1);
   vertexAlpha = color.a;
   mixWeight = vertexMixWeight;
+  worldPosition = (draw.worldFromObject * vec4(position, 1.0)).xyz;
+  toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
   gl_Position = draw.clipFromObject * vec4(position, 1.0);
 }

@@ -14,6 +14,7 @@ const float kLineWeight = 0.03; // the least weight that is no longer on a line 
 const float kCellDarkest = 0.15;
 const float kCellContrast = 0.5;
 const float kMostImpacts = 60.0; // of a pixel, twice the usual mean
+const float kSurfaceImpacts = 2.0; // times as many on a surface
 const float kLeastNDotV = 1e-3; // keeps the visibility term finite
 
 layout(location = 0) in vec3 worldPosition;
@@ -81,7 +82,12 @@ vec3 shownGaussian(vec3 gaussian, LichenMap map) {
 }
 
 /// The views that texton noises have.
-vec3 textonDebug(LichenImpacts impacts) {
+vec3 textonDebug(LichenPlace place) {
+  LichenImpacts impacts = place.impacts;
+  bool isSurface = lichenIsSurface(noiseData.texton);
+  if (kDebugView == DEBUG_IMPACTS && isSurface)
+    return ramp(float(lichenSurfaceImpactCount(place.surface, noiseData.noise, noiseData.texton)) /
+                (kSurfaceImpacts * kMostImpacts));
   if (kDebugView == DEBUG_IMPACTS)
     return ramp(float(lichenImpactCount(impacts, noiseData.noise, noiseData.texton)) /
                 kMostImpacts);
@@ -89,10 +95,15 @@ vec3 textonDebug(LichenImpacts impacts) {
     return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
-  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
+  LichenMap map = lichenMixedMap(baseColorTable, impacts,
+                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
+                                 noiseData.texton);
+  if (isSurface)
+    return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, impacts, place.surface,
+                                                     noiseData.noise, map, noiseData.texton),
+                         map);
   return shownGaussian(
-      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, here, noiseData.texton), map);
+      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
 }
 
 vec3 noiseDebug(Footprint footprint) {
@@ -101,7 +112,7 @@ vec3 noiseDebug(Footprint footprint) {
   LichenPlace place = noisePlace(footprint);
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noiseData.noise))
-    return textonDebug(place.impacts);
+    return textonDebug(place);
 #endif
   LichenTaps taps = place.taps;
   if (kDebugView == DEBUG_IMPACTS)
@@ -126,7 +137,9 @@ vec3 noiseDebug(Footprint footprint) {
 void main() {
   float scale = frame.environment.z;
   Footprint footprint =
-      Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale, mixWeight);
+      Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale, worldPosition,
+                dFdx(worldPosition) * scale, dFdy(worldPosition) * scale, worldNormal, worldTangent,
+                mixWeight);
   vec3 normal = normalize(worldNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   Surface surface = surfaceAt(footprint, vertexColor);
   if (material.flags.y == ALPHA_OPAQUE)

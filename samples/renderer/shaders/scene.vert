@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Vertices to the world and to clip space.
 #include "scene_interface.h"
+#include "world_frame.glsl"
 
 layout(std140, set = SET_FRAME, binding = BINDING_FRAME) uniform FrameBlock { FrameData frame; };
 layout(push_constant) uniform DrawBlock { DrawData draw; };
@@ -24,14 +25,8 @@ layout(location = 5) out float mixWeight;
 
 void main() {
   vec4 world = draw.worldFromObject * vec4(position, 1.0);
-  mat3 linear = mat3(draw.worldFromObject);
-  // Normals transform by the cofactors, which a singular matrix has too; mirroring turns them.
-  mat3 cofactors = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]),
-                        cross(linear[0], linear[1]));
-  float mirror = dot(linear[0], cofactors[0]) < 0.0 ? -1.0 : 1.0;
+  toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
   worldPosition = world.xyz;
-  worldNormal = mirror * (cofactors * normal);
-  worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
   texCoords = vec4(texCoord0, texCoord1);
   vertexColor = color;
   mixWeight = vertexMixWeight;

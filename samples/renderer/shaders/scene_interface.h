@@ -114,6 +114,7 @@ struct DrawData {
 
 struct DepthData {
   mat4 clipFromObject;
+  mat4 worldFromObject;
 };
 
 #ifdef __cplusplus

@@ -8,8 +8,11 @@
 // Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
-layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
+// Whether some noise is mapped onto a surface without texture coordinates.
+layout(constant_id = 5) const bool kSurfaceNoises = true;
+layout(constant_id = 6) const bool kMixedTextons = true; // whether some are mixes
 #define LICHEN_TILING_NOISES kTilingNoises
+#define LICHEN_SURFACE_TEXTONS kSurfaceNoises
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
@@ -65,6 +68,10 @@ struct Footprint {
   vec4 texCoords; // two sets
   vec4 dx;        // their screen-space gradients, scaled for averaging frames
   vec4 dy;
+  vec3 position; // in the world, and its gradients likewise
+  vec3 positionDx, positionDy;
+  vec3 normal; // of the side that is front, not normalised
+  vec4 tangent;
   float mixWeight; // of the vertices
 };
 
@@ -89,17 +96,15 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
   return textureGrad(image, place.uv, place.gradients[0], place.gradients[1]);
 }
 
-/// The weight of a mix that is not in the noise's uniform block. dx and dy are the gradients of the
-/// noise's own texture coordinates.
-void setMix(inout LichenImpacts impacts, Footprint f, vec2 dx, vec2 dy) {
+/// The weight of a mix that is not in the noise's uniform block. The tile coordinate's gradients
+/// are 0 where there is none: on a surface all impacts have the weight of the point.
+void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
   if (material.mixSource.x == MIX_FROM_VERTICES)
     lichenSetMix(impacts, f.mixWeight, vec2(0.0));
   if (material.mixSource.x != MIX_FROM_MASK)
     return;
   TexturePlace mask = texturePlace(TEXTURE_MIX, material.mixSource.y, f);
   vec4 channel = vec4(equal(ivec4(0, 1, 2, 3), ivec4(material.mixSource.z)));
-  mat2 tileGradients =
-      mat2(lichenUvToTile(dx, noiseData.noise), lichenUvToTile(dy, noiseData.noise));
   lichenMixByMask(impacts, mixTexture, channel, mask.uv, mask.gradients, tileGradients,
                   noiseData.texton);
 }
@@ -107,13 +112,26 @@ void setMix(inout LichenImpacts impacts, Footprint f, vec2 dx, vec2 dy) {
 /// The place in the noise, which all its maps share.
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
+  vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton)) {
+    LichenPlace place =
+        lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,
+                               noiseData.noise, noiseData.texton);
+    if (lichenIsMix(noiseData.texton)) {
+      lichenSetMix(place.impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
+      setMix(place.impacts, f, mat2(0.0));
+    }
+    return place;
+  }
+#endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
-  LichenPlace place = lichenPlaceUvGrad(second ? f.texCoords.zw : f.texCoords.xy, dx, dy,
-                                        noiseData.noise, noiseData.texton);
+  LichenPlace place = lichenPlaceUvGrad(uv, dx, dy, noiseData.noise, noiseData.texton);
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsMix(noiseData.texton))
-    setMix(place.impacts, f, dx, dy);
+    setMix(place.impacts, f,
+           mat2(lichenUvToTile(dx, noiseData.noise), lichenUvToTile(dy, noiseData.noise)));
 #endif
   return place;
 }

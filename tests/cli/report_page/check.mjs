@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Opens reports of `lichen bake --report` in Chromium, from files and without a network, and looks
 // at what a person would.
-// node check.mjs CHROMIUM REPORT.html NAME [SCREENSHOT_FOLDER]
+// node check.mjs CHROMIUM REPORT.html NAME tiling|texton [SCREENSHOT_FOLDER]
 import assert from 'node:assert/strict';
 import {createHash} from 'node:crypto';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 
-const [executablePath, report, expectedName, screenshots] = process.argv.slice(2);
+const [executablePath, report, expectedName, method, screenshots] = process.argv.slice(2);
 const address = pathToFileURL(report).href;
 const kPhone = {width: 390, height: 844};
 
@@ -52,8 +52,13 @@ const checks = {
     assert.equal(await page.title(), expectedName + ' - bake report');
     const names = await page.$$eval('.measures tbody th',
                                     (cells) => cells.map((cell) => cell.querySelector('.detail').remove() ?? cell.textContent));
-    assert.deepEqual(names, ['color_distance', 'spectrum_distance_db', 'autocovariance_error',
-                             'seam_visibility', 'lattice_visibility']);
+    const expected = {
+      tiling: ['color_distance', 'spectrum_distance_db', 'autocovariance_error', 'seam_visibility',
+               'lattice_visibility'],
+      texton: ['color_distance', 'spectrum_distance_db', 'gaussian_spectrum_distance_db',
+               'autocovariance_error', 'seam_visibility', 'model_error', 'flatness'],
+    };
+    assert.deepEqual(names, expected[method]);
     const verdicts = await page.$$eval('.measures td:last-child', (a) => a.map((b) => b.textContent));
     assert.ok(verdicts.every((verdict) => /met|missed|no target|not measured/.test(verdict)));
     assert.match(await page.textContent('#command'), /^lichen bake /);
@@ -72,17 +77,19 @@ const checks = {
     });
     assert.equal(sizes.length, 4);
     assert.ok(sizes.every((size) => size > 0));
-    const [exemplar, repetition, result] = await paneDigests(page);
-    assert.equal(new Set([exemplar, repetition, result]).size, 3);
+    const panes = await paneDigests(page);
+    assert.equal(panes.length, method === 'texton' ? 4 : 3);
+    assert.equal(new Set(panes).size, panes.length);
   },
 
-  async 'zoom and movement change all three panes together, and magnified texels are squares'(
+  async 'zoom and movement change all panes together, and magnified texels are squares'(
       {page}) {
     const before = await paneDigests(page);
     const zoom = () => page.textContent('.zoom');
     const fitted = await zoom();
     await page.click('button[data-zoom="in"]');
-    assert.equal(parseInt(await zoom(), 10), Math.round(2 * parseFloat(fitted)));
+    const doubled = 2 * parseInt(fitted, 10); // of what is shown, which is rounded
+    assert.ok(Math.abs(parseInt(await zoom(), 10) - doubled) <= 1, `${await zoom()} of ${fitted}`);
     const zoomed = await paneDigests(page);
     zoomed.forEach((digest, i) => assert.notEqual(digest, before[i]));
     await page.focus('canvas[data-pane="result"]');
@@ -112,7 +119,27 @@ const checks = {
     assert.notDeepEqual(await paneDigests(page), zoomed);
   },
 
+  async 'a texton stands beside two other spots, and its spectrum beside the Gaussian one'({page}) {
+    const isTexton = method === 'texton';
+    assert.equal(await page.isVisible('.kernels-section'), isTexton);
+    assert.equal(await page.isVisible('.gaussian-name'), isTexton);
+    assert.equal(await page.locator('.spectrum path.gaussian').count(), isTexton ? 1 : 0);
+    const spots = await page.$$eval('.kernels tbody tr', (rows) => rows.map(
+      (row) => [...row.children].map((cell) => cell.textContent)));
+    if (!isTexton)
+      return assert.deepEqual(spots, []);
+    assert.deepEqual(spots.map(([name]) => name),
+                     ['this texton', 'luminance texton', 'random phase, cropped']);
+    for (const [, error, flatness, impacts] of spots) {
+      assert.ok(error > 0 && error < 2, `model error ${error}`);
+      assert.ok(Math.abs(impacts - 10 * flatness) <= 1, `${impacts} impacts, flatness ${flatness}`);
+    }
+  },
+
   async 'the slider shows other levels of the inverse table'({page}) {
+    assert.equal(await page.isVisible('.table'), method === 'tiling');
+    if (method !== 'tiling')
+      return;
     const shown = () => page.$eval('.table canvas', (canvas) => canvas.toDataURL());
     const first = await shown();
     await page.focus('.table input');

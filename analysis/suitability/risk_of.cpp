@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A score and what was measured -> a risk in words.
+#include "risk_of.h"
+
+#include "calibration.h"
+
+#include <cmath>
+
+namespace lichen::suitability {
+
+Risk riskOf(std::string_view name, double score, const std::string& measured,
+            const std::string& consequence, std::string remedy) {
+  if (score < kMildScore)
+    return {name, score, Risk::Level::none, measured, {}};
+  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
+          measured + ", " + consequence, std::move(remedy)};
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+} // namespace lichen::suitability

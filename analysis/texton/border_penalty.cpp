@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Texton coefficients (channels, height, width) -> the same with a quiet border.
+//
+// Let p be the coefficients of one channel, P p their part in the first cosines of both axes, which
+// is what varies slowly, and V the weights of the coefficients near the border. Wanted is the q
+// that makes (q - p)^T B (q - p) + weight (P q)^T V (P q) least, with B = B_y (x) B_x the normal
+// matrix. That is a correction of as many dimensions as there are cosines:
+// q = p - B^-1 C^T A (weight L / (1 + weight L)) A^T C p, with C the cosines, and A and L the modes
+// and eigenvalues of the border's quadratic form over C B^-1 C^T.
+// Why, and the numbers: docs/decisions/018-border-of-textons.md.
+#include "border_penalty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unsupported/Eigen/KroneckerProduct>
+
+namespace lichen::texton {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::MatrixXf;
+
+// Measured over six photographs and supports of 16, 32 and 64 (decision 018).
+constexpr Index kSlowCosines = 8;     // along a side: up to three and a half waves
+constexpr double kBorderWidth = 0.25; // of the side, on each
+constexpr double kMostWeight = 0.1;   // from which it starts
+constexpr double kLeastWeight = 1e-3; // from which the reflections can still raise it to the most
+/// The power of the visibility by which one reflection changes the weight: slower than the fit.
+constexpr double kAdaption = 0.25;
+
+constexpr double kRunOfSide = 0.25;
+
+/// Mean square of what `steps` average to over runs of `length`.
+double runEnergy(const Eigen::VectorXf& steps, Index length) {
+  double energy = 0.0, run = 0.0;
+  for (Index i = 0; i < steps.size(); ++i) {
+    run += double(steps[i]) - (i >= length ? double(steps[i - length]) : 0.0);
+    energy += i + 1 >= length ? run * run : 0.0;
+  }
+  return energy / (double(steps.size() - length + 1) * double(length) * double(length));
+}
+
+struct StepEnergies {
+  double border = 0.0;
+  double inside = 0.0;
+};
+
+/// Of the steps from column to column, and from the zeros around.
+StepEnergies stepsBetweenColumns(const MatrixXf& plane) {
+  const Index lines = plane.cols();
+  const Index length = std::max(Index(1), Index(std::lround(kRunOfSide * double(plane.rows()))));
+  StepEnergies energies;
+  for (Index line = 1; line < lines; ++line)
+    energies.inside += runEnergy(plane.col(line) - plane.col(line - 1), length) / double(lines - 1);
+  energies.border =
+      0.5 * (runEnergy(plane.col(0), length) + runEnergy(plane.col(lines - 1), length));
+  return energies;
+}
+
+/// Row k: the cosine of k half waves, of unit length.
+MatrixXd cosines(Index size) {
+  MatrixXd rows(std::min(kSlowCosines, (size + 1) / 2), size);
+  for (Index k = 0; k < rows.rows(); ++k)
+    for (Index i = 0; i < size; ++i)
+      rows(k, i) = std::sqrt((k == 0 ? 1.0 : 2.0) / double(size)) *
+                   std::cos(std::numbers::pi * (double(i) + 0.5) * double(k) / double(size));
+  return rows;
+}
+
+/// 1 inside, falling to 0 at both ends.
+Eigen::VectorXd window(Index size) {
+  Eigen::VectorXd weights(size);
+  for (Index i = 0; i < size; ++i) {
+    const double fromEnd = std::min(double(i) + 0.5, double(size - i) - 0.5);
+    const double part = std::min(1.0, fromEnd / (kBorderWidth * double(size)));
+    const double root = std::sin(0.5 * std::numbers::pi * part);
+    weights[i] = root * root;
+  }
+  return weights;
+}
+
+} // namespace
+
+double borderVisibility(const TextonCoefficients& coefficients) {
+  const Index texels = Index(coefficients.width) * coefficients.height;
+  double visibility = 0.0;
+  for (int c = 0; c < coefficients.channels; ++c) {
+    const Eigen::Map<const MatrixXf> plane(coefficients.values.data() + c * texels,
+                                           coefficients.width, coefficients.height);
+    const StepEnergies rows = stepsBetweenColumns(plane);
+    const StepEnergies columns = stepsBetweenColumns(plane.transpose());
+    if (const double border = rows.border + columns.border; border > 0.0)
+      visibility = std::max(visibility, std::sqrt(border / (rows.inside + columns.inside)));
+  }
+  return visibility;
+}
+
+BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<float>& inverseX,
+                             const Eigen::SparseMatrix<float>& inverseY) {
+  const MatrixXd x = cosines(inverseX.rows()), y = cosines(inverseY.rows());
+  const MatrixXd smoothX = inverseX.cast<double>() * x.transpose();
+  const MatrixXd smoothY = inverseY.cast<double>() * y.transpose();
+  // A patch is column-major, a column of it a row of the texton: x is the faster index.
+  const MatrixXd power = Eigen::kroneckerProduct(MatrixXd(y * smoothY), MatrixXd(x * smoothX));
+  const MatrixXd insideX = x * window(x.cols()).asDiagonal() * x.transpose();
+  const MatrixXd insideY = y * window(y.cols()).asDiagonal() * y.transpose();
+  const MatrixXd border = MatrixXd::Identity(power.rows(), power.cols()) -
+                          MatrixXd(Eigen::kroneckerProduct(insideY, insideX));
+  const Eigen::LLT<MatrixXd> root(power);
+  const MatrixXd lower = root.matrixL();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(lower.transpose() * border * lower);
+  modes_ = root.matrixU().solve(axes.eigenvectors());
+  costs_ = axes.eigenvalues().cwiseMax(0.0);
+  analysisX_ = x.cast<float>();
+  analysisY_ = y.cast<float>();
+  synthesisX_ = smoothX.cast<float>();
+  synthesisY_ = smoothY.cast<float>();
+  setWeight(kMostWeight);
+}
+
+void BorderPenalty::setWeight(double weight) {
+  weight_ = weight;
+  const Eigen::VectorXd removed =
+      (weight * costs_.array() / (1.0 + weight * costs_.array())).matrix();
+  shrinkage_ = (modes_ * removed.asDiagonal() * modes_.transpose()).cast<float>();
+}
+
+void BorderPenalty::adapt(const TextonCoefficients& coefficients) {
+  setWeight(std::clamp(weight_ * std::pow(borderVisibility(coefficients), kAdaption), kLeastWeight,
+                       kMostWeight));
+}
+
+void BorderPenalty::apply(TextonCoefficients& coefficients) const {
+  const Index texels = Index(coefficients.width) * coefficients.height;
+  for (int c = 0; c < coefficients.channels; ++c) {
+    Eigen::Map<MatrixXf> patch(coefficients.values.data() + c * texels, coefficients.width,
+                               coefficients.height);
+    const MatrixXf slow = analysisX_ * patch * analysisY_.transpose();
+    const Eigen::VectorXf removed = shrinkage_ * slow.reshaped();
+    patch -= synthesisX_ * removed.reshaped(slow.rows(), slow.cols()) * synthesisY_.transpose();
+  }
+}
+
+} // namespace lichen::texton

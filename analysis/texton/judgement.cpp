@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// A stored texton and its exemplar -> how near it is to the Gaussian texture, beside other spots;
+// and that texture itself.
+//
+// Sources: [GLM14] section 4, [GLM17] section 4.4.
+#include "comparison.h"
+#include "exemplar/resample.h"
+#include "gaussian_texture.h"
+#include "model_covariance.h"
+#include "transport/covariance_map.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lichen {
+namespace {
+
+using namespace texton;
+using Eigen::MatrixXd;
+
+Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
+
+GaussianModel modelOf(const MapExemplar& exemplar) {
+  return gaussianModel(exemplar.values, exemplar.width, exemplar.height,
+                       int(exemplar.channels.size()));
+}
+
+/// Those of the first frame.
+TextonCoefficients storedCoefficients(const Table& image, const TextonShape& shape,
+                                      const NoiseMap& map) {
+  const std::vector<float> texels = decodeLevel(image, 0);
+  const auto stride = std::size_t(channelCount(image.format));
+  TextonCoefficients stored{shape.coefficientsX, shape.coefficientsY, int(map.channels.size()), {}};
+  for (std::size_t c = 0; c < map.channels.size(); ++c)
+    for (std::size_t y = 0; y < std::size_t(shape.coefficientsY); ++y)
+      for (std::size_t x = 0; x < std::size_t(shape.coefficientsX); ++x)
+        stored.values.push_back(float(map.scale[c]) * texels[(y * image.width + x) * stride + c]);
+  return stored;
+}
+
+Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                                  const MapExemplar& exemplar) {
+  const auto [width, height] = exemplarSize(bundle, noise, map);
+  const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
+  const GaussianModel model =
+      modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
+  return compareKernels(model, storedCoefficients(bundle.tables[map.image], noise.texton, map),
+                        noise.texton.order, seenWeights(map.channels));
+}
+
+/// What the pictures of an encoding can hold.
+std::pair<float, float> shownRange(ValueEncoding encoding) {
+  constexpr float kNone = std::numeric_limits<float>::max();
+  switch (encoding) {
+  case ValueEncoding::slope:
+    return {-kNone, kNone};
+  case ValueEncoding::log2:
+    return {0.0f, kNone};
+  default:
+    return {0.0f, 1.0f};
+  }
+}
+
+MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
+                              std::uint64_t seed) {
+  const GaussianModel model = modelOf(exemplar);
+  MapExemplar result = exemplar;
+  result.width = 2 * exemplar.width;
+  result.height = 2 * exemplar.height;
+  const NoisePlanes noise = gaussianTexture(model, {0, 0, result.width, result.height, true}, seed);
+  const auto n = Eigen::Index(map.channels.size());
+  const MatrixXd wanted = Eigen::Map<const MatrixXd>(map.covariance.data(), n, n);
+  const MatrixXd correction = transport::covarianceMap(modelCovariance(model), wanted);
+  const auto [least, most] = shownRange(map.encoding);
+  const std::size_t pixels = noise.values.size() / std::size_t(n);
+  result.values.resize(noise.values.size());
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (Eigen::Index c = 0; c < n; ++c) {
+      double value = map.mean[std::size_t(c)];
+      for (Eigen::Index d = 0; d < n; ++d)
+        value += correction(c, d) * double(noise.values[std::size_t(d) * pixels + i]);
+      result.values[i * std::size_t(n) + std::size_t(c)] = std::clamp(float(value), least, most);
+    }
+  return result;
+}
+
+} // namespace
+
+Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIndex,
+                                       const MapExemplar& exemplar) {
+  const auto exhausted = [] { return "not enough memory to compare a texton with other spots"; };
+  return withinMemory(exhausted, [&]() -> Result<KernelComparison> {
+    if (noiseIndex >= bundle.noises.size())
+      return usage("noise " + std::to_string(noiseIndex) + ": the bundle has " +
+                   std::to_string(bundle.noises.size()));
+    const Noise& noise = bundle.noises[noiseIndex];
+    if (noise.method != Method::texton)
+      return usage("noise '" + noise.name + "' has the method " +
+                   std::string(nameOf(noise.method)) + ", not texton");
+    const std::optional<std::size_t> place = findMap(noise, exemplar.target);
+    if (!place)
+      return usage("noise '" + noise.name + "' has no map " + std::string(nameOf(exemplar.target)));
+    const NoiseMap& map = noise.maps[*place];
+    if (map.channels != exemplar.channels)
+      return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
+                                            std::string(nameOf(map.target)) + " of noise '" +
+                                            noise.name + "'"};
+    return compared(bundle, noise, map, exemplar);
+  });
+}
+
+Result<MapExemplar> gaussianVersion(const NoiseMap& map, const MapExemplar& exemplar,
+                                    std::uint64_t seed) {
+  const auto exhausted = [] { return "not enough memory for the exemplar's Gaussian texture"; };
+  return withinMemory(exhausted, [&]() -> Result<MapExemplar> {
+    if (map.channels != exemplar.channels)
+      return usage("the exemplar has other channels than the map " +
+                   std::string(nameOf(map.target)));
+    return gaussianTextureOf(map, exemplar, seed);
+  });
+}
+
+} // namespace lichen

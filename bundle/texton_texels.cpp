@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// Whether a texton's texels are what the format says of them: 0 around the coefficients, mips that
+// are averages, and the variance that the map states, as far as the rounding of texels tells.
+//
+// The noise's covariance is sum over k, l of b(k - l) alpha(k) alpha(l)^T, alpha being scale x
+// texels. A texel that is off by e at the most moves a sum of products a a' by no more than
+// sum b (|a| e' + e |a'| + e e'). Sources: [GLM17] sections 4.1 and 5.2.
+#include "extension_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace lichen {
+namespace {
+
+/// Of a number that is written with some seven digits.
+constexpr double kTextRounding = 1e-6;
+
+/// How far rounding may take a texel: a share of it, and what is lost of the smallest ones.
+struct Rounding {
+  double share = 0.0;
+  double least = 0.0;
+};
+
+/// Twice what one rounding to nearest does, so that a mip may be made of texels that were rounded.
+Rounding roundingOf(TexelFormat format) {
+  const bool isHalf = texelBytes(format) == 2 * std::size_t(channelCount(format));
+  constexpr double kSumsOfSingles = 4.0; // an average of four adds and divides in single precision
+  return isHalf ? Rounding{0x1p-10, 0x1p-24} : Rounding{kSumsOfSingles * 0x1p-23, 0x1p-149};
+}
+
+/// Texels of one channel of a frame, row by row, and 0 around them; with what each may be off.
+struct Plane {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<double> values;
+  std::vector<double> errors;
+};
+
+std::vector<double> magnitudes(const Plane& plane) {
+  std::vector<double> values = plane.values;
+  for (double& value : values)
+    value = std::abs(value);
+  return values;
+}
+
+/// Averages of 2 x 2 texels, those beyond the borders 0.
+std::vector<double> halved(std::span<const double> values, std::size_t width, std::size_t height) {
+  std::vector<double> half;
+  for (std::size_t y = 0; y < height; y += 2)
+    for (std::size_t x = 0; x < width; x += 2) {
+      double sum = 0.0;
+      for (std::size_t v = y; v < std::min(y + 2, height); ++v)
+        for (std::size_t u = x; u < std::min(x + 2, width); ++u)
+          sum += values[v * width + u];
+      half.push_back(sum / 4.0);
+    }
+  return half;
+}
+
+Plane halved(const Plane& plane) {
+  return {(plane.width + 1) / 2, (plane.height + 1) / 2,
+          halved(plane.values, plane.width, plane.height),
+          halved(plane.errors, plane.width, plane.height)};
+}
+
+/// b_j, j = 0 .. order: the B-spline of degree 2 order + 1 at the integers. [GLM17] section 4.1.
+std::span<const double> kernelAutocorrelation(int order) {
+  static constexpr std::array<double, 1> kBox = {1.0};
+  static constexpr std::array<double, 2> kTent = {2.0 / 3.0, 1.0 / 6.0};
+  static constexpr std::array<double, 4> kCubic = {151.0 / 315.0, 397.0 / 1680.0, 1.0 / 42.0,
+                                                   1.0 / 5040.0};
+  if (order == 0)
+    return kBox;
+  return order == 1 ? std::span<const double>(kTent) : std::span<const double>(kCubic);
+}
+
+/// Sum over k, l of b(k - l) p(k) q(l) of two planes of this width.
+double product(std::span<const double> p, std::span<const double> q, std::size_t width, int order) {
+  const std::span<const double> b = kernelAutocorrelation(order);
+  const auto columns = std::ptrdiff_t(width);
+  const auto rows = std::ptrdiff_t(p.size() / width);
+  std::vector<double> alongX(q.size());
+  for (std::ptrdiff_t y = 0; y < rows; ++y)
+    for (std::ptrdiff_t x = 0; x < columns; ++x)
+      for (std::ptrdiff_t j = std::max(x - order, std::ptrdiff_t(0));
+           j <= std::min(x + order, columns - 1); ++j)
+        alongX[std::size_t(y * columns + x)] +=
+            b[std::size_t(std::abs(j - x))] * q[std::size_t(y * columns + j)];
+  double sum = 0.0;
+  for (std::ptrdiff_t y = 0; y < rows; ++y)
+    for (std::ptrdiff_t j = std::max(y - order, std::ptrdiff_t(0));
+         j <= std::min(y + order, rows - 1); ++j)
+      for (std::ptrdiff_t x = 0; x < columns; ++x)
+        sum += b[std::size_t(std::abs(j - y))] * p[std::size_t(y * columns + x)] *
+               alongX[std::size_t(j * columns + x)];
+  return sum;
+}
+
+/// A sum of products, and how far rounding may have taken it.
+struct Moment {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+Moment momentOf(const Plane& p, const Plane& q, int order) {
+  const std::vector<double> ofP = magnitudes(p), ofQ = magnitudes(q);
+  return {product(p.values, q.values, p.width, order),
+          product(ofP, q.errors, p.width, order) + product(p.errors, ofQ, p.width, order) +
+              product(p.errors, q.errors, p.width, order)};
+}
+
+/// What is checked, and where its faults are recorded.
+struct Texton {
+  ObjectReader& reader;
+  const TextonShape& shape;
+  const NoiseMap& map;
+  const Table& image;
+  std::vector<std::vector<float>> levels; ///< of the image, decoded
+};
+
+/// One channel of a frame.
+Plane planeOf(const Texton& texton, std::size_t step, std::uint32_t level, std::size_t channel) {
+  const auto stride = std::size_t(channelCount(texton.image.format));
+  const Rounding rounding = roundingOf(texton.image.format);
+  Plane plane{texton.shape.frameWidth() >> level, texton.shape.frameHeight() >> level, {}, {}};
+  const std::size_t texels = plane.width * plane.height;
+  for (std::size_t i = step * texels; i < (step + 1) * texels; ++i) {
+    const auto value = double(texton.levels[level][i * stride + channel]);
+    plane.values.push_back(value);
+    plane.errors.push_back(rounding.share * std::abs(value) + rounding.least);
+  }
+  return plane;
+}
+
+std::string placeOf(std::size_t x, std::size_t y, std::uint32_t level) {
+  return "at texel (" + std::to_string(x) + ", " + std::to_string(y) + ") of level " +
+         std::to_string(level);
+}
+
+std::string text(double value) { return nlohmann::json(value).dump(); }
+
+/// Whether a frame is 0 but for its coefficients.
+bool checkBorders(const Texton& texton) {
+  const auto stride = std::size_t(channelCount(texton.image.format));
+  for (std::size_t y = 0; y < texton.image.height; ++y)
+    for (std::size_t x = 0; x < texton.image.width; ++x) {
+      if (x < std::size_t(texton.shape.coefficientsX) &&
+          y % texton.shape.frameHeight() < std::size_t(texton.shape.coefficientsY))
+        continue;
+      const float* texel = &texton.levels[0][(y * texton.image.width + x) * stride];
+      for (std::size_t c = 0; c < texton.map.channels.size(); ++c)
+        if (texel[c] != 0.0f) {
+          texton.reader.error("texton-border", "texton",
+                              text(double(texel[c])) + " " + placeOf(x, y, 0) +
+                                  ", outside of the coefficients; 0 is accepted there");
+          return false;
+        }
+    }
+  return true;
+}
+
+/// Whether each mip has the averages of the level above it.
+bool checkMips(const Texton& texton, std::size_t step) {
+  for (std::uint32_t level = 1; level < texton.image.mipLevels; ++level)
+    for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
+      const Plane mip = planeOf(texton, step, level, c);
+      const Plane average = halved(planeOf(texton, step, level - 1, c));
+      for (std::size_t i = 0; i < mip.values.size(); ++i)
+        if (std::abs(mip.values[i] - average.values[i]) > mip.errors[i] + average.errors[i]) {
+          const std::size_t row = step * mip.height + i / mip.width;
+          texton.reader.error("texton-mips", "texton",
+                              text(mip.values[i]) + " " + placeOf(i % mip.width, row, level) +
+                                  "; the average of those of the level above, " +
+                                  text(average.values[i]) + ", is accepted");
+          return false;
+        }
+    }
+  return true;
+}
+
+/// Whether each scale is six times the deviation of its channel, of a mix the greatest.
+void checkScale(const Texton& texton) {
+  constexpr double kDeviations = 6.0;
+  const std::size_t n = texton.map.channels.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    double variance = texton.map.covariance[c * n + c];
+    for (const MapStatistics& step : texton.map.laterSteps)
+      variance = std::max(variance, step.covariance[c * n + c]);
+    const double wanted = kDeviations * std::sqrt(variance);
+    if (std::abs(texton.map.scale[c] - wanted) > kTextRounding * wanted)
+      return texton.reader.error("texton-scale", "scale",
+                                 text(texton.map.scale[c]) + " at " + std::to_string(c) +
+                                     "; six times the deviation, " + text(wanted) +
+                                     ", is accepted");
+  }
+}
+
+/// Whether the noise of a step has the covariance that is stated of it.
+void checkCovariance(const Texton& texton, std::size_t step,
+                     const std::vector<double>& covariance) {
+  const std::size_t n = texton.map.channels.size();
+  std::vector<Plane> planes;
+  for (std::size_t c = 0; c < n; ++c)
+    planes.push_back(planeOf(texton, step, 0, c));
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t d = 0; d <= c; ++d) {
+      const Moment moment = momentOf(planes[c], planes[d], texton.shape.order);
+      const double factor = texton.map.scale[c] * texton.map.scale[d];
+      const double stated = covariance[c * n + d];
+      if (std::abs(factor * moment.value - stated) >
+          factor * moment.error + kTextRounding * std::abs(stated))
+        return texton.reader.error("texton-covariance", "covariance",
+                                   text(stated) + " of channels " + std::to_string(d) + " and " +
+                                       std::to_string(c) + "; that of the texton's noise, " +
+                                       text(factor * moment.value) + ", is accepted");
+    }
+}
+
+/// The share of a channel's variance that each level of averaging keeps; none of one that does not
+/// vary.
+std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size_t channel,
+                               std::size_t levels) {
+  Plane plane = planeOf(texton, step, 0, channel);
+  const Moment whole = momentOf(plane, plane, texton.shape.order);
+  if (whole.value <= 0.0)
+    return {};
+  std::vector<Moment> kept{{1.0, 0.0}};
+  double texelArea = 1.0;
+  for (std::uint32_t level = 1; level < levels; ++level) {
+    texelArea *= 4.0;
+    plane = level < texton.image.mipLevels ? planeOf(texton, step, level, channel) : halved(plane);
+    // Minified textons are interpolated bilinearly, whatever the order.
+    const Moment moment = momentOf(plane, plane, 1);
+    const double share = texelArea * moment.value / whole.value;
+    kept.push_back({share, (texelArea * moment.error + share * whole.error) / whole.value});
+  }
+  return kept;
+}
+
+/// Whether each level of averaging loses the share of a step's variance that is stated of it: the
+/// mean of what it takes from the channels that vary, no less than the level before.
+void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
+  std::vector<Moment> kept(mipLoss.size());
+  double varying = 0.0;
+  for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
+    const std::vector<Moment> shares = keptShares(texton, step, c, mipLoss.size());
+    varying += shares.empty() ? 0.0 : 1.0;
+    for (std::size_t level = 0; level < shares.size(); ++level) {
+      kept[level].value += shares[level].value;
+      kept[level].error += shares[level].error;
+    }
+  }
+  double loss = 0.0, error = kTextRounding;
+  for (std::size_t level = 0; level < kept.size(); ++level) {
+    if (varying > 0.0) {
+      loss = std::clamp(1.0 - kept[level].value / varying, loss, 1.0);
+      error = std::max(error, kept[level].error / varying);
+    }
+    const double stated = mipLoss[level];
+    if (std::abs(loss - stated) > error)
+      return texton.reader.error("texton-mip-loss", "mipLoss",
+                                 text(stated) + " at " + std::to_string(level) +
+                                     "; that of the texton's noise, " + text(loss) +
+                                     ", is accepted");
+  }
+}
+
+} // namespace
+
+void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+                       const Table& image) {
+  Texton texton{reader, shape, map, image, {}};
+  for (std::uint32_t level = 0; level < image.mipLevels; ++level)
+    texton.levels.push_back(decodeLevel(image, level));
+  if (!checkBorders(texton))
+    return;
+  for (std::size_t step = 0; step < std::size_t(shape.steps); ++step)
+    if (!checkMips(texton, step))
+      return;
+  checkScale(texton);
+  checkCovariance(texton, 0, map.covariance);
+  checkLosses(texton, 0, map.mipLoss);
+  for (std::size_t k = 0; k < map.laterSteps.size(); ++k) {
+    checkCovariance(texton, k + 1, map.laterSteps[k].covariance);
+    checkLosses(texton, k + 1, map.laterSteps[k].mipLoss);
+  }
+}
+
+} // namespace lichen

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Contact sheet: textons on a floor that recedes to the horizon; each exemplar a row, unfiltered (one
+# point a pixel), filtered, and supersampled (64 points a pixel).
+#   samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png...
+# Needs a release build, a Vulkan device and ImageMagick (Debian package imagemagick).
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")/.." && pwd)
+lichen=${LICHEN:-$here/build/release/bin/lichen}
+render=${LICHEN_RENDER:-$here/build/release/bin/lichen-render}
+width=480
+height=300
+points=8 # a pixel, along each axis
+
+if [ $# -lt 2 ]; then
+  echo "usage: samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
+  exit 2
+fi
+command -v montage >/dev/null || { echo "perspective_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
+for program in "$lichen" "$render"; do
+  [ -x "$program" ] || { echo "perspective_sheet: $program is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+done
+
+output=$1
+shift
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# A floor of 80 x 80 with one exemplar a unit, seen from 0.35 above it, a little below the horizon.
+positions='\x00\x00\x20\xc2\x00\x00\x00\x00\x00\x00\x80\x3f'  # -40 0 1
+positions+='\x00\x00\x20\x42\x00\x00\x00\x00\x00\x00\x80\x3f' # 40 0 1
+positions+='\x00\x00\x20\xc2\x00\x00\x00\x00\x00\x00\x9e\xc2' # -40 0 -79
+positions+='\x00\x00\x20\x42\x00\x00\x00\x00\x00\x00\x9e\xc2' # 40 0 -79
+normal='\x00\x00\x00\x00\x00\x00\x80\x3f\x00\x00\x00\x00'
+coordinates='\x00\x00\x00\x00\x00\x00\xa0\x42\x00\x00\xa0\x42\x00\x00\xa0\x42'
+coordinates+='\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xa0\x42\x00\x00\x00\x00'
+indices='\x00\x00\x01\x00\x02\x00\x02\x00\x01\x00\x03\x00'
+printf "$positions$normal$normal$normal$normal$coordinates$indices" >"$work/floor.bin"
+cat >"$work/floor.gltf" <<'SCENE'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+ "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0.35, 1], "rotation": [-0.13, 0, 0, 0.9915]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.6, "znear": 0.01, "zfar": 200}}],
+ "materials": [{"name": "floor"}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
+   "indices": 3, "material": 0, "mode": 4}]}],
+ "buffers": [{"uri": "floor.bin", "byteLength": 140}],
+ "bufferViews": [{"buffer": 0, "byteLength": 128}, {"buffer": 0, "byteOffset": 128, "byteLength": 12}],
+ "accessors": [
+  {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+   "min": [-40, 0, -79], "max": [40, 0, 1]},
+  {"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC3"},
+  {"bufferView": 0, "byteOffset": 96, "componentType": 5126, "count": 4, "type": "VEC2"},
+  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]}
+SCENE
+
+panels=()
+for exemplar in "$@"; do
+  name=$(basename "${exemplar%.*}")
+  "$lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --method texton --preview none --quiet
+  "$lichen" apply "$work/floor.gltf" --noise "$work/$name.glb" --material all -o "$work/scene.glb" --quiet
+  shot=("$render" "$work/scene.glb" --debug-view base-color --frames 1 --quiet)
+  "${shot[@]}" --size "${width}x${height}" -o "$work/$name-filtered.png"
+  "${shot[@]}" --size "$((width * points))x$((height * points))" -o "$work/$name-fine.png"
+  convert "$work/$name-fine.png" -sample "${width}x${height}!" "$work/$name-unfiltered.png"
+  # Light is averaged, not its code.
+  convert "$work/$name-fine.png" -colorspace RGB -scale "${width}x${height}!" -colorspace sRGB \
+    "$work/$name-supersampled.png"
+  for kind in unfiltered filtered supersampled; do
+    panels+=("$work/$name-$kind.png")
+  done
+done
+montage "${panels[@]}" -tile 3x -geometry +4+4 -background white -quality 92 "$output"
+echo "$output"

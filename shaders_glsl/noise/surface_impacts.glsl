@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The impacts of a texton noise that reach a point of a surface: a point in space and the frame of
+// its tangent plane -> a walk over the places at which the point lies in their textons, projected
+// onto that plane, and their weights.
+// [GLM17] Galerne, Leclaire and Moisan 2017, section 6: points of a process in space, with signs as
+// in the plane. They lie in cubes, one in each (stratified) or a Poisson number of mean 1.
+// Specified bit for bit in docs/gltf_extension/README.md.
+#ifndef LICHEN_SURFACE_IMPACTS_GLSL
+#define LICHEN_SURFACE_IMPACTS_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "hash.glsl"
+#include "impacts.glsl"
+
+/// What all maps of a surface noise share at one point, beside its LichenImpacts. Ways are in cubes,
+/// from the corner of the one that holds the point. A place of the point seen from an impact has
+/// three parts: two in texels, in the frame of the impact's texton, from the middle of what that
+/// reaches, and the height over the tangent plane in units of the greatest that counts.
+struct LichenSurfaceImpacts {
+  vec3 place;  // of the point seen from its cube's corner
+  mat3 axes;   // `way * axes` is how much less the place is, seen from the way's end
+  vec3 radius; // of places from which impacts reach the point
+  ivec3 cell;  // the cube that holds the point
+  vec2 firstColumn, lastColumn; // those of cubes, all along z, that may reach the point
+  // Where along z the places of a column are in reach, by each of their parts: half the length of
+  // it, the middle of it in the column (0, 0), and how that moves from column to column.
+  vec3 columnReach, columnMiddle, columnStepX, columnStepY;
+};
+
+/// A walk over the cubes, column by column. All of it but the last three members is about the next
+/// impact, which may turn out not to exist or not to reach the point. It is small: devices that
+/// compute pixels together carry each member through their loops under a mask.
+struct LichenSurfaceWalk {
+  vec2 column; // way to the column
+  uvec2 columnHash;
+  float cube, lastCube; // ways along z: to the cube, and to the last of the column
+  uint index;           // of the impact in its cube
+  bool isReached;       // whether the last impact exists and reaches the point
+  vec2 place;           // of the point, seen from the last impact
+  float weight;         // of the last impact, with its sign
+};
+
+/// How thick a layer of impacts a point sees. [texels]
+float lichenSurfaceThickness(LichenTexton texton) {
+  // [GLM17] section 6: r, the side of a square texton; of another that of the square of its area.
+  ivec2 support = ivec2(texton.coefficientsX, texton.coefficientsY) + int(texton.order);
+  return sqrt(float(support.x) * float(support.y));
+}
+
+/// Impacts that reach `position` [tile widths, relative to the host's integer tile origin], where
+/// the exemplar's x and y lie along the unit vectors `right` and `down` of a tangent plane with the
+/// normal `outward`. `impacts` are those of a plane at this footprint.
+LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down, vec3 outward,
+                                            LichenImpacts impacts, LichenNoise noise,
+                                            LichenTexton texton) {
+  LichenSurfaceImpacts surface;
+  float side = texton.surfaceCubeTexels;
+  float greatestHeight = 0.5 * lichenSurfaceThickness(texton);
+  vec3 scale = vec3(side, side, side / greatestHeight);
+  surface.axes = mat3(scale.x * right, scale.y * down, scale.z * outward);
+  vec3 grid = position * noise.columnsPerTile;
+  vec3 cell = floor(grid);
+  vec3 inside = grid - cell;
+  surface.cell = ivec3(cell) + ivec3(noise.cellI, noise.cellJ, noise.cellK);
+  // An impact has the middle of its coefficients at its own place.
+  vec2 shift = 0.5 * vec2(ivec2(texton.coefficientsX, texton.coefficientsY)) - impacts.middle;
+  surface.place = inside * surface.axes + vec3(shift, 0.0);
+  surface.radius = vec3(impacts.radius, 1.0);
+  // The impacts in reach lie in a box that is askew among the cubes.
+  vec3 middle = inside + (shift.x * right + shift.y * down) / side;
+  vec3 reach = surface.radius / scale;
+  reach = reach.x * abs(right) + reach.y * abs(down) + reach.z * abs(outward);
+  surface.firstColumn = floor(middle.xy - reach.xy);
+  surface.lastColumn = floor(middle.xy + reach.xy);
+  // Where a column comes out of the box through each pair of its faces; parallel to them it hardly
+  // does.
+  const float kLeastSlope = 1.0 / 65536.0;
+  vec3 slope = vec3(right.z, down.z, outward.z);
+  slope = mix(slope, vec3(kLeastSlope), lessThan(abs(slope), vec3(kLeastSlope)));
+  vec3 perWay = 1.0 / (slope * scale);
+  vec3 alongX = vec3(surface.axes[0].x, surface.axes[1].x, surface.axes[2].x);
+  vec3 alongY = vec3(surface.axes[0].y, surface.axes[1].y, surface.axes[2].y);
+  surface.columnReach = (surface.radius + 0.5 * (abs(alongX) + abs(alongY))) * abs(perWay);
+  surface.columnStepX = -alongX * perWay;
+  surface.columnStepY = -alongY * perWay;
+  surface.columnMiddle =
+      surface.place * perWay + 0.5 * (surface.columnStepX + surface.columnStepY);
+  return surface;
+}
+
+/// Sets what a walk knows of its column.
+void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                       LichenNoise noise) {
+  vec3 middle = surface.columnMiddle + walk.column.x * surface.columnStepX +
+                walk.column.y * surface.columnStepY;
+  vec3 low = middle - surface.columnReach;
+  vec3 high = middle + surface.columnReach;
+  // Where nothing is in reach it has one cube, which is looked at in vain.
+  walk.cube = floor(max(low.x, max(low.y, low.z)));
+  walk.lastCube = floor(min(high.x, min(high.y, high.z)));
+  uvec2 cell = uvec2(surface.cell.xy + ivec2(walk.column));
+  walk.columnHash = lichenPcg3d(uvec3(cell, noise.seedWord)).xy;
+}
+
+/// A walk before its first impact.
+LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceImpacts surface, LichenNoise noise) {
+  LichenSurfaceWalk walk;
+  walk.column = surface.firstColumn;
+  walk.index = 0u;
+  walk.isReached = false;
+  walk.place = vec2(0.0);
+  walk.weight = 0.0;
+  lichenEnterColumn(walk, surface, noise);
+  return walk;
+}
+
+/// To the next column, row by row.
+void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                      LichenNoise noise) {
+  walk.column.x += 1.0;
+  if (walk.column.x > surface.lastColumn.x)
+    walk.column = vec2(surface.firstColumn.x, walk.column.y + 1.0);
+  lichenEnterColumn(walk, surface, noise);
+}
+
+/// Where an impact lies in its cube, [0, 1).
+vec3 lichenImpactInCube(uint word) {
+  // 10 bits each, below the sign, and the middle of what they tell apart.
+  const float kStep = 1.0 / 1024.0;
+  return (vec3(ivec3(uvec3(word >> 21u, word >> 11u, word >> 1u) & 1023u)) + 0.5) * kStep;
+}
+
+/// One step of a walk.
+void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                       LichenNoise noise, LichenTexton texton) {
+  bool isPoisson =
+      bool(LICHEN_POISSON_POINTS) && texton.pointProcess == uint(LICHEN_POINTS_POISSON);
+  uint cell = uint(surface.cell.z + int(walk.cube));
+  uint word = lichenPcg(walk.columnHash.x + cell);
+  uint count = 1u;
+  if (isPoisson) {
+    word = lichenPcg(word + walk.index);
+    count = lichenPoissonCount(lichenPcg(walk.columnHash.y + cell));
+  }
+  vec3 way = vec3(walk.column, walk.cube) + lichenImpactInCube(word);
+  vec3 place = surface.place - way * surface.axes;
+  walk.place = place.xy;
+  // [GLM17] section 6: less and less of what is far from the tangent plane.
+  float weight = 1.0 - abs(place.z);
+  walk.weight = (word & 0x80000000u) != 0u ? -weight : weight;
+  walk.isReached = walk.index < count && all(lessThan(abs(place), surface.radius));
+  ++walk.index;
+  if (!isPoisson || walk.index >= count) {
+    walk.index = 0u;
+    walk.cube += 1.0;
+    if (walk.cube > walk.lastCube)
+      lichenNextColumn(walk, surface, noise);
+  }
+}
+
+/// Whether a walk has not come to the end of its cubes.
+bool lichenGoesOn(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
+  return walk.column.y <= surface.lastColumn.y;
+}
+
+/// Goes on to the next impact that reaches the point, or to the end. Pixels that are computed
+/// together mostly agree on it, and then nothing is fetched in vain.
+void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
+                             LichenNoise noise, LichenTexton texton) {
+  // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.
+  walk.isReached = false;
+  while (!walk.isReached && lichenGoesOn(walk, surface))
+    lichenSurfaceStep(walk, surface, noise, texton);
+}
+
+#endif

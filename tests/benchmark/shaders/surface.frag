@@ -1,0 +1,30 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Texton noise on a plane in space, as texton.frag has it on texture coordinates: the same pixels
+// see the same texels.
+
+// The usual material, as in texton.frag.
+#define LICHEN_TILING_NOISES 0
+#define LICHEN_PERIODIC_LATTICE 0
+#define LICHEN_POISSON_POINTS 0
+#define LICHEN_MIXED_TEXTONS 0
+#define LICHEN_CUBIC_TEXTONS 0
+#define LICHEN_NEAREST_TEXTONS 0
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "lichen.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  // A plane that is askew to the cubes, as most of a surface is.
+  const vec3 kNormal = normalize(vec3(1.0, 2.0, 3.0));
+  const vec3 kTangent = normalize(vec3(3.0, 0.0, -1.0));
+  vec3 position =
+      lichenUniforms.noise.tileSizeMetres * (uv.x * kTangent + uv.y * cross(kNormal, kTangent));
+  LichenPlace place = LICHEN_PLACE_SURFACE(position, dFdx(position), dFdy(position), kNormal,
+                                           vec4(kTangent, -1.0));
+  colour = LICHEN_NOISE(0, place);
+}

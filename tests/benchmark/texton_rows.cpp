@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Textons: time of a bake, distance from the model beside the papers' algorithm, and how even they
+// are. The numbers of docs/decisions/018-border-of-textons.md.
+#include "exemplars.h"
+#include "rows.h"
+
+#include <lichen/spectrum.h>
+#include <lichen/texton.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <materials.h>
+#include <texton/border_penalty.h>
+#include <texton/color_correction.h>
+#include <texton/comparison.h>
+#include <texton/fit.h>
+#include <texton/model_covariance.h>
+
+namespace lichen::bench {
+namespace {
+
+using namespace texton;
+
+MapExemplar crop(const SrgbImage& image, int side) {
+  SrgbImage part(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      std::copy_n(image.pixel(x, y), 3, part.pixel(x, y));
+  return baseColorMap(part);
+}
+
+GaussianModel modelOf(const MapExemplar& map) {
+  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+}
+
+/// With the model's covariance, as the authors' own textons.
+TextonCoefficients fitted(const GaussianModel& model, int support, int order, FitMethod method) {
+  FitOptions options;
+  options.width = options.height = support - order;
+  options.order = order;
+  TextonCoefficients texton = fitCoefficients(model, options, method);
+  if (!correctCovariance(texton, order, modelCovariance(model)))
+    std::fprintf(stderr, "lichen-bench: a texton without its model's covariance\n");
+  return texton;
+}
+
+TextonBake bakedTexton(const MapExemplar& map, const TextonOptions& options) {
+  Result<TextonBake> bake = bakeTexton("benchmark", {&map, 1}, options);
+  if (!bake) {
+    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
+    std::exit(int(bake.error().kind));
+  }
+  return std::move(bake).value();
+}
+
+void appendTimes(std::vector<Row>& rows) {
+  constexpr int kRuns = 5;
+  const std::array<std::pair<int, double>, 2> sizes{{{128, 0.05}, {768, 1.0}}};
+  for (const auto& [width, target] : sizes) {
+    MapExemplar map = baseColorMap(exemplars::rust(width));
+    map.height = std::min(width, 512);
+    map.values.resize(std::size_t(map.width) * std::size_t(map.height) * map.channels.size());
+    const std::string size = std::to_string(map.width) + " x " + std::to_string(map.height);
+    rows.push_back(
+        {"texton of " + size + " RGB: model, fit and colours",
+         medianSeconds(kRuns,
+                       [&] { return fitted(modelOf(map), 64, 1, FitMethod::transportDistance); }),
+         target, "s", "rust, support 64, median of 5"});
+    rows.push_back({"the whole bake, with a half held out and the table",
+                    medianSeconds(kRuns, [&] { return bakedTexton(map, {}); }), target, "s",
+                    "rust, median of 5"});
+  }
+}
+
+/// A number of each exemplar, and which has the greatest.
+struct Sample {
+  std::vector<double> values;
+  double worst = 0.0;
+  std::string worstName;
+
+  void add(double value, const std::string& name) {
+    if (values.empty() || value > worst) {
+      worst = value;
+      worstName = name;
+    }
+    values.push_back(value);
+  }
+};
+
+void appendSample(std::vector<Row>& rows, const std::string& what, const Sample& sample,
+                  double target, const std::string& note) {
+  rows.push_back({what + ", median", median(sample.values), target, "",
+                  std::to_string(sample.values.size()) + " exemplars" + note});
+  rows.push_back({"the same, worst", sample.worst, target, "", sample.worstName});
+}
+
+/// Beside the papers' own algorithm, of one size and support.
+void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, int side,
+                int support, double target) {
+  Sample ratios, flatnesses, borders, papersBorders;
+  for (const Exemplar& exemplar : exemplars) {
+    const GaussianModel model = modelOf(crop(exemplar.image, side));
+    const TextonCoefficients ours = fitted(model, support, 1, FitMethod::transportDistance);
+    const TextonCoefficients papers = fitted(model, support, 1, FitMethod::alternatingProjections);
+    ratios.add(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),
+               exemplar.name);
+    flatnesses.add(flatness(ours, kLuminanceWeights), exemplar.name);
+    borders.add(borderVisibility(ours), exemplar.name);
+    papersBorders.add(borderVisibility(papers), exemplar.name);
+  }
+  const std::string where =
+      " at " + std::to_string(support) + " of " + std::to_string(side) + " texels";
+  appendSample(rows, "texton model error over the papers'" + where, ratios, target, "");
+  appendSample(rows, "flatness" + where, flatnesses, 4.0, "");
+  appendSample(rows, "visibility of the border" + where, borders, median(papersBorders.values),
+               "; the target is the median of the papers' textons");
+}
+
+/// Steps and cubic splines; the bilinear ones are above.
+void appendOrders(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars) {
+  for (const int order : {0, 3}) {
+    Sample flatnesses;
+    for (const Exemplar& exemplar : exemplars)
+      flatnesses.add(flatness(fitted(modelOf(crop(exemplar.image, 128)), 32, order,
+                                     FitMethod::transportDistance),
+                              kLuminanceWeights),
+                     exemplar.name);
+    appendSample(rows, "flatness of order " + std::to_string(order) + " at 32 of 128 texels",
+                 flatnesses, 4.0, "");
+  }
+}
+
+void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars) {
+  Sample floats, halves;
+  TextonOptions options;
+  for (const Exemplar& exemplar : exemplars) {
+    MapExemplar map = crop(exemplar.image, 128);
+    if (&exemplar == &exemplars.front()) // grey, on which the authors' code fails
+      for (std::size_t i = 0; i < map.values.size(); i += 3)
+        map.values[i + 1] = map.values[i + 2] = map.values[i];
+    options.bits = 16;
+    floats.add(bakedTexton(map, options).quality.covarianceError, exemplar.name);
+    options.bits = 8;
+    halves.add(bakedTexton(map, options).quality.covarianceError, exemplar.name);
+  }
+  appendSample(rows, "texton covariance error, 32-bit texels", floats, 1e-6, ", one made grey");
+  // A texel a is off by a uniform error of at most 2^-11 a, and C = a^T B a by twice the sum of
+  // a (B a) times these errors. Its deviation over C is 2 2^-11 / sqrt(3 n) times the root of the
+  // flatness, 2 at most, times |a| |B a| / (a^T B a), by Kantorovich's inequality at most 5/3 for
+  // eigenvalues of B between 1/9 and 1. Four deviations.
+  const double coefficients = double(options.support - 1) * double(options.support - 1);
+  appendSample(rows, "the same, half floats", halves,
+               4.0 * 2.0 * std::exp2(-11) / std::sqrt(3.0 * coefficients) * 2.0 * 5.0 / 3.0,
+               "; the target is what their rounding explains");
+}
+
+} // namespace
+
+std::vector<Row> textonRows() {
+  std::vector<Row> rows;
+  appendTimes(rows);
+  const std::vector<Exemplar> exemplars = exemplars256();
+  appendFits(rows, exemplars, 128, 16, 0.985);
+  appendFits(rows, exemplars, 128, 32, 0.985);
+  appendFits(rows, exemplars, 128, 64, 0.93);
+  for (const int support : {16, 32, 64})
+    appendFits(rows, exemplars, 256, support, 1.0);
+  appendOrders(rows, exemplars);
+  appendCovarianceErrors(rows, exemplars);
+  return rows;
+}
+
+} // namespace lichen::bench

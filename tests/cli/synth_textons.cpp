@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// How many impacts `lichen` shows of a texton noise, and how they lie: those of the material, or
+// those that `synth` is told.
+#include "command_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+/// A grey grain of little contrast, so that no value of its noise is clamped.
+SrgbImage faintGrain() {
+  SrgbImage image = speckled(64, 64, 1);
+  for (float& value : image.values)
+    value = 0.5f + 0.1f * (value - 0.5f);
+  return image;
+}
+
+std::string bakeTexton(const Workplace& workplace, const std::string& name,
+                       const Arguments& more = {}) {
+  Arguments options{"--method", "texton", "--support", "16"};
+  options.insert(options.end(), more.begin(), more.end());
+  return bake(workplace, workplace.write("grain.png", encodePng(faintGrain(), 16).value()), name,
+              options);
+}
+
+/// Fourth moment of the values over the squared second, less 3.
+double excessKurtosis(const std::vector<float>& values) {
+  double mean = 0.0, second = 0.0, fourth = 0.0;
+  for (const float value : values)
+    mean += double(value) / double(values.size());
+  for (const float value : values) {
+    const double square = std::pow(double(value) - mean, 2.0);
+    second += square / double(values.size());
+    fourth += square * square / double(values.size());
+  }
+  return fourth / (second * second) - 3.0;
+}
+
+/// Of the stored values that `synth` makes.
+double synthKurtosis(const Workplace& workplace, const std::string& bundle, const Arguments& more) {
+  Arguments arguments{"synth", bundle, "-o", workplace.path("synth.exr"), "--size", "256x256"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = runLichen(arguments);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  auto image = std::get<LinearImage>(readImage(workplace.path("synth.exr")).value().pixels);
+  for (float& value : image.values)
+    value = linearToSrgb(value);
+  return excessKurtosis(image.values);
+}
+
+/// The base colour's PNG in a GLB.
+SrgbImage previewOf(const Workplace& workplace, const std::string& name) {
+  const std::string file = workplace.read(name);
+  std::uint32_t textBytes = 0;
+  std::memcpy(&textBytes, file.data() + 12, sizeof textBytes);
+  const auto gltf = nlohmann::json::parse(file.substr(20, textBytes));
+  const nlohmann::json& view =
+      gltf.at("bufferViews").at(gltf.at("images").at(0).at("bufferView").get<std::size_t>());
+  const std::size_t chunk = 20 + textBytes + 8;
+  workplace.write("preview.png", file.substr(chunk + view.value("byteOffset", std::size_t(0)),
+                                             view.at("byteLength").get<std::size_t>()));
+  return std::get<SrgbImage>(readImage(workplace.path("preview.png")).value().pixels);
+}
+
+// A Poisson process of L impacts on a grain of normally distributed coefficients has an excess
+// kurtosis of about 3 / L ([GLM14]: flatness / L), one impact a cell less than that.
+constexpr double kFewImpacts = 2.0;
+constexpr double kFewExcess = 3.0 / kFewImpacts;
+
+} // namespace
+
+TEST_CASE("synth shows the impacts and points of the material, unless it is told others") {
+  const Workplace workplace;
+  const std::string plain = bakeTexton(workplace, "plain.glb");
+  const std::string sparse =
+      bakeTexton(workplace, "sparse.glb", {"--impacts", "2", "--points", "poisson"});
+  const Arguments size{"--size", "64x64"};
+  const SrgbImage usual = synth(workplace, plain, size);
+  const SrgbImage own = synth(workplace, sparse, size);
+  CHECK(own.values != usual.values);
+  CHECK(
+      own.values ==
+      synth(workplace, plain, {"--size", "64x64", "--impacts", "2", "--points", "poisson"}).values);
+  CHECK(usual.values ==
+        synth(workplace, sparse, {"--size", "64x64", "--impacts", "30", "--points", "stratified"})
+            .values);
+}
+
+TEST_CASE("fewer impacts are less normal, and those of a Poisson process less than one a cell") {
+  const Workplace workplace;
+  const std::string bundle = bakeTexton(workplace, "grain.glb");
+  const double poisson =
+      synthKurtosis(workplace, bundle, {"--impacts", "2", "--points", "poisson"});
+  const double stratified =
+      synthKurtosis(workplace, bundle, {"--impacts", "2", "--points", "stratified"});
+  const double many = synthKurtosis(workplace, bundle, {"--impacts", "400", "--points", "poisson"});
+  // Some 256 supports, whose local variances scatter by a deviation or two: a third either way.
+  CHECK(poisson > 0.6 * kFewExcess);
+  CHECK(stratified < poisson - 0.4 * kFewExcess);
+  CHECK(std::abs(many) < 0.1 * kFewExcess);
+}
+
+TEST_CASE("the preview, the measures and the report are of the material's impacts") {
+  const Workplace workplace;
+  const std::string input = workplace.path("grain.png");
+  const Arguments few{"--impacts", "1",        "--points",
+                      "poisson",   "--report", workplace.path("report.html")};
+  const std::string usual = bakeTexton(workplace, "usual.glb");
+  const std::string sparse = bakeTexton(workplace, "sparse.glb", few);
+  // One impact in the mean is none at a place of e: the mean colour.
+  CHECK(excessKurtosis(previewOf(workplace, "sparse.glb").values) > 1.0);
+  CHECK(std::abs(excessKurtosis(previewOf(workplace, "usual.glb").values)) < 0.3);
+  const auto colorDistance = [&](const std::string& bundle) {
+    const auto report =
+        nlohmann::json::parse(runLichen({"compare", input, bundle, "--json"}).output);
+    return report.at("measures").at(0).at("value").get<double>();
+  };
+  const double found = colorDistance(sparse);
+  CHECK(found > 1.3 * colorDistance(usual));
+  const std::string page = workplace.read("report.html");
+  CHECK_THAT(page, Catch::Contains("\"value\":" + nlohmann::json(found).dump()));
+  REQUIRE(runLichen({"merge", sparse, "-o", workplace.path("merged.glb")}).code == 0);
+  CHECK(previewOf(workplace, "merged.glb").values == previewOf(workplace, "sparse.glb").values);
+}
+
+TEST_CASE("options of the method that a noise is not of are refused with its name") {
+  const Workplace workplace;
+  const std::string texton = bakeTexton(workplace, "grain.glb");
+  const std::string tiling =
+      bake(workplace, workplace.write("moss.png", smoothGrey(16)), "moss.glb");
+  const auto refuse = [&](const std::string& bundle, const std::string& option,
+                          const std::string& value, const std::vector<std::string>& words) {
+    checkRefusal({"synth", bundle, "-o", workplace.path("new.png"), option, value},
+                 int(ErrorKind::usage), words);
+  };
+  refuse(tiling, "--impacts", "20", {"--impacts", "texton", "'moss'", "tiling"});
+  refuse(tiling, "--points", "poisson", {"--points", "texton", "'moss'", "tiling"});
+  refuse(texton, "--sharpness", "2", {"--sharpness", "tiling", "'grain'", "texton"});
+  refuse(texton, "--blend", "linear", {"--blend", "tiling", "'grain'", "texton"});
+  refuse(texton, "--impacts", "0.5", {"--impacts 0.5: a number from 1 to 1000 is accepted"});
+  refuse(texton, "--points", "blue", {"--points blue: stratified or poisson is accepted"});
+}
+
+TEST_CASE("check finds no fault in the texels of textons of any order, precision and set") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("rock"));
+  workplace.write("rock/rock_color.png", speckled(24, 20, 3));
+  workplace.write("rock/rock_normal.png", smooth(16));
+  workplace.write("rock/rock_rough.png", smoothGrey(12));
+  for (const char* order : {"0", "1", "3"})
+    for (const char* precision : {"8", "16"}) {
+      INFO("order " << order << ", precision " << precision);
+      const std::string bundle = bake(workplace, workplace.path("rock"), "rock.glb",
+                                      {"--method", "texton", "--support", "12", "--order", order,
+                                       "--precision", precision, "--preview", "none"});
+      const Ended ended = runLichen({"check", bundle});
+      INFO(ended.output);
+      CHECK(ended.code == 0);
+      CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 0 warnings\n"));
+    }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Noise on surfaces without texture coordinates, drawn: each pixel against the CPU twin at the
+// place in the world that it sees.
+#include "rendered.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <array>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr int kSide = 48;
+constexpr float kDistance = 3.0f, kFieldOfView = 0.4f;
+
+/// A turned, moved and scaled square without texture coordinates that fills the picture, its
+/// exemplar's x along (4, 3, 0) / 5 of the object.
+struct Square {
+  explicit Square(const SyntheticTexton& texton) : file(syntheticTextonBundle(texton)) {
+    MaterialNoise& use = *file.bundle.materials[0];
+    use.mapping = Mapping::surface;
+    use.rotation = 0.4;
+    use.scale = 0.6;
+    use.seed = 3;
+  }
+
+  [[nodiscard]] LinearImage picture(const char* view, bool isDoubleSided = false) const {
+    GltfScene scene(encodeGlb(file).value());
+    scene.json["materials"][0]["doubleSided"] = isDoubleSided;
+    const std::size_t positions = scene.addFloats({-4, -4, 0, 4, -4, 0, 4, 4, 0, -4, 4, 0}, 3);
+    const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+    std::vector<float> tangents;
+    for (int vertex = 0; vertex < 4; ++vertex)
+      tangents.insert(tangents.end(), {0.8f, 0.6f, 0.0f, 1.0f});
+    const std::size_t indices = isDoubleSided ? scene.addIndices({0, 2, 1, 0, 3, 2}, 2)
+                                              : scene.addIndices({0, 1, 2, 0, 2, 3}, 2);
+    scene.addMesh(
+        {{"POSITION", positions}, {"NORMAL", normals}, {"TANGENT", scene.addFloats(tangents, 4)}},
+        indices, 0,
+        {{"translation", {0.3, -0.2, 0.1}},
+         {"rotation", {0, 0, std::sin(kTurn / 2), std::cos(kTurn / 2)}},
+         {"scale", {0.5, 0.5, 0.5}}});
+    scene.addCamera(kDistance, kFieldOfView);
+    renderer::RenderSettings settings = settingsOf(kSide, kSide, 1);
+    settings.debugView = view;
+    return render(scene.glb(), settings);
+  }
+
+  /// Where a pixel sees the square, in the world.
+  [[nodiscard]] SurfaceFootprint footprint(int x, int y) const {
+    const float half = (kDistance - kHeight) * std::tan(kFieldOfView / 2);
+    const float pixel = 2.0f * half / kSide;
+    SurfaceFootprint at;
+    at.position = {(float(x) + 0.5f) * pixel - half, half - (float(y) + 0.5f) * pixel, kHeight};
+    at.dx = {pixel, 0.0f, 0.0f};
+    at.dy = {0.0f, -pixel, 0.0f};
+    at.normal = {0.0f, 0.0f, 1.0f};
+    at.tangent = {0.8f * std::cos(kTurn) - 0.6f * std::sin(kTurn),
+                  0.8f * std::sin(kTurn) + 0.6f * std::cos(kTurn), 0.0f, 1.0f};
+    return at;
+  }
+
+  [[nodiscard]] TextonEvaluator::Value twinAt(int x, int y) const {
+    const MaterialNoise& use = *file.bundle.materials[0];
+    return twin.evaluate(0, shaderNoise(file.bundle, use, {}), shaderTexton(file.bundle, use, {}),
+                         footprint(x, y));
+  }
+
+  static constexpr float kTurn = 0.7f, kHeight = 0.1f;
+  BundleFile file;
+  TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
+};
+
+} // namespace
+
+TEST_CASE("colours on a surface are those of the place in the world, on both of its sides") {
+  const Square square({.wholeFloats = true});
+  for (const bool fromBehind : {false, true}) {
+    const LinearImage picture = square.picture("base-color", fromBehind);
+    double spread = 0.0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const auto expected = square.twinAt(x, y);
+        for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
+          REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
+        spread += std::pow(double(expected[0]) - 0.222, 2) / (kSide * kSide);
+      }
+    CHECK(spread > 1e-4); // there is something to see
+  }
+}
+
+TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent") {
+  const Square square({.channels = 2, .wholeFloats = true});
+  const LinearImage picture = square.picture("normals");
+  const double turn = square.file.bundle.materials[0]->rotation;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const auto slopes = square.twinAt(x, y);
+      const auto tangent = square.footprint(x, y).tangent;
+      // From the exemplar's frame, whose y is up here, to that of the tangent.
+      const double along = std::cos(turn) * double(slopes[0]) + std::sin(turn) * double(slopes[1]);
+      const double up = std::cos(turn) * double(slopes[1]) - std::sin(turn) * double(slopes[0]);
+      const double tangentX = double(tangent[0]), tangentY = double(tangent[1]);
+      const double length = std::sqrt(1.0 + along * along + up * up);
+      const std::array<double, 3> normal{(-along * tangentX + up * tangentY) / length,
+                                         (-along * tangentY - up * tangentX) / length,
+                                         1.0 / length};
+      for (std::size_t c = 0; c < 3; ++c)
+        REQUIRE(double(picture.pixel(x, y)[c]) ==
+                Approx(0.5 + 0.5 * normal[c]).margin(1.0 / 255.0));
+    }
+}

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Texton noise on surfaces in the shader, through the plugin, against the CPU twin, and both
+// against an oracle that sums all impacts of a large box in double precision.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "surface_reference.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+/// As surface_evaluate.comp has them.
+enum Quantity { kValue, kGaussian, kImpacts };
+
+/// As surface_evaluate.comp reads it.
+struct SurfacePoint {
+  std::array<float, 4> position{};
+  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: weight and derivatives in a mix
+  std::array<float, 4> tangent{};
+};
+
+using Vec = SurfaceReference::Vec;
+
+/// Orthonormal, as an implementation of the format makes it of a normal and a tangent.
+struct Frame {
+  Vec right{}, down{}, outward{};
+};
+
+Frame frameOf(const SurfacePoint& point, double rotation) {
+  const auto dot = [](const Vec& a, const Vec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  Frame f;
+  Vec tangent{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    f.outward[k] =
+        double(point.normal[k]) / std::hypot(point.normal[0], point.normal[1], point.normal[2]);
+    tangent[k] = double(point.tangent[k]);
+  }
+  Vec right{}, down{};
+  const double slant = dot(tangent, f.outward);
+  for (std::size_t k = 0; k < 3; ++k)
+    right[k] = tangent[k] - slant * f.outward[k];
+  const double length = std::sqrt(dot(right, right));
+  for (std::size_t k = 0; k < 3; ++k)
+    right[k] /= length;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+    down[k] = -double(point.tangent[3]) * (f.outward[a] * right[b] - f.outward[b] * right[a]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    f.right[k] = std::cos(rotation) * right[k] + std::sin(rotation) * down[k];
+    f.down[k] = std::cos(rotation) * down[k] - std::sin(rotation) * right[k];
+  }
+  return f;
+}
+
+/// Points some tiles around with any frame, a quarter of them along the grid's axes, and footprints
+/// from a quarter of a texel to beyond the last mip.
+std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_t count) {
+  std::mt19937 generator(11u);
+  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), weight(-0.2f, 1.2f);
+  std::normal_distribution<float> gaussian;
+  std::vector<SurfacePoint> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    SurfacePoint& point = points[k];
+    const float pixel = std::exp2(level(generator)) / float(texton.texelsPerTileX);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.position[axis] = tiles(generator);
+      point.normal[axis] = gaussian(generator);
+      point.tangent[axis] = gaussian(generator);
+      point.gradientX[axis] = pixel * gaussian(generator);
+      point.gradientY[axis] = 0.3f * pixel * gaussian(generator);
+    }
+    if (k % 4 == 0) {
+      point.normal = point.tangent = {};
+      point.normal[k / 4 % 3] = k / 12 % 2 == 0 ? 2.0f : -2.0f;
+      point.tangent[(k / 4 + 1 + k / 24 % 2) % 3] = 3.0f;
+    }
+    point.tangent[3] = k % 3 == 0 ? -1.0f : 1.0f;
+    point.gradientX[3] = weight(generator);
+    point.gradientY[3] = weight(generator);
+    point.normal[3] = weight(generator);
+  }
+  return points;
+}
+
+LichenUniformInfo uniformInfo() {
+  LichenUniformInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+  info.overrides = LICHEN_OVERRIDE_MAPPING;
+  info.mapping = LICHEN_MAPPING_SURFACE;
+  return info;
+}
+
+/// Uniforms that between them use every parameter.
+std::vector<LichenUniformInfo> manyUniforms() {
+  std::vector<LichenUniformInfo> all(3, uniformInfo());
+  all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
+                      LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
+  all[1].scale = 0.8;
+  all[1].rotation = 0.6;
+  all[1].offset[0] = 0.25; // which means nothing in space
+  all[1].seed = 4294967295u;
+  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].tileOrigin[1] = (std::int64_t(1) << 40) - 1;
+  all[2].tileOriginZ = -77;
+  all[2].overrides |= LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS;
+  all[2].contrast = 1.4;
+  all[2].impacts = 4.0;
+  return all;
+}
+
+SurfaceFootprint footprintOf(const SurfacePoint& point) {
+  SurfaceFootprint at;
+  std::copy_n(point.position.begin(), 3, at.position.begin());
+  std::copy_n(point.gradientX.begin(), 3, at.dx.begin());
+  std::copy_n(point.gradientY.begin(), 3, at.dy.begin());
+  std::copy_n(point.normal.begin(), 3, at.normal.begin());
+  at.tangent = point.tangent;
+  return at;
+}
+
+MixPlace mixOf(const SurfacePoint& point) {
+  return {point.gradientX[3], {point.gradientY[3], point.normal[3]}};
+}
+
+/// A device, a noise on it and its twin.
+struct Twins {
+  explicit Twins(const SyntheticTexton& texton)
+      : bundle(parseBundle(syntheticTextonGlb(texton), "synthetic").value()),
+        host(*device, syntheticTextonGlb(texton)),
+        twin(TextonEvaluator::create(bundle, 0).value()) {}
+  ~Twins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+
+  std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
+                                           const std::vector<SurfacePoint>& points) {
+    static const std::vector<std::uint32_t> committed = committedShader("surface_evaluate.comp");
+    return host.evaluate(committed, quantity, info, points);
+  }
+
+  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  Bundle bundle;
+  PluginHost host;
+  TextonEvaluator twin;
+};
+
+} // namespace
+
+TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1024 and all within "
+          "1/255") {
+  for (const SyntheticTexton& texton :
+       {SyntheticTexton{},
+        SyntheticTexton{
+            .coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
+        SyntheticTexton{.order = 3, .channels = 1}, SyntheticTexton{.steps = 3, .channels = 1}}) {
+    Twins twins(texton);
+    const std::vector<SurfacePoint> points = samplePoints(texton, 250);
+    int uniforms = 0;
+    for (const LichenUniformInfo& info : manyUniforms()) {
+      const auto values = twins.shader(kValue, info, points);
+      const auto gaussians = twins.shader(kGaussian, info, points);
+      const shader::LichenUniforms& u = twins.host.uniforms();
+      double largest = 0.0, beyond = 0.0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const SurfaceFootprint at = footprintOf(points[k]);
+        const auto value = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto gaussian = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        for (std::size_t c = 0; c < 4; ++c) {
+          double error = std::abs(double(values[k][c]) - double(value[c]));
+          if (c < std::size_t(texton.channels) || c == 3)
+            error = std::max(error, std::abs(double(gaussians[k][c]) - double(gaussian[c])));
+          largest = std::max(largest, error);
+          beyond += error > 1.0 / 1024.0 ? 1.0 / (4.0 * double(points.size())) : 0.0;
+        }
+      }
+      INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
+                    << texton.steps << ", uniforms " << uniforms++);
+      CHECK(largest <= 1.0 / 255.0);
+      CHECK(beyond <= 0.001);
+    }
+  }
+}
+
+TEST_CASE("shader and twin of surface noise sum what the oracle sums over all impacts") {
+  for (const int order : {0, 1, 3})
+    for (const std::uint32_t mip : {0u, 1u, 2u}) {
+      const SyntheticTexton texton{
+          .order = order, .steps = order == 1 ? 3 : 1, .wholeFloats = true};
+      Twins twins(texton);
+      std::vector<SurfacePoint> points = samplePoints(texton, 16);
+      LichenUniformInfo info = uniformInfo();
+      info.overrides |=
+          LICHEN_OVERRIDE_POINT_PROCESS | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SCALE;
+      info.pointProcess = mip == 1 ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
+      info.rotation = order == 3 ? 0.4 : 0.0;
+      info.scale = mip == 2 ? 1.7 : 1.0;
+      info.tileOrigin[1] = 12;
+      info.tileOriginZ = -5;
+      for (SurfacePoint& point : points) {
+        const Frame frame = frameOf(point, 0.0);
+        const double pixel = std::exp2(double(mip)) / texton.texelsPerTileX * info.scale;
+        for (std::size_t k = 0; k < 3; ++k) {
+          point.gradientX[k] = float(pixel * frame.right[k]);
+          point.gradientY[k] = float(0.5 * pixel * frame.down[k]);
+        }
+      }
+      const auto values = twins.shader(kGaussian, info, points);
+      const shader::LichenUniforms& u = twins.host.uniforms();
+      const SurfaceReference reference(twins.bundle, u.noise, u.texton);
+      const NoiseMap& map = twins.bundle.noises[0].maps[0];
+      std::size_t strangers = 0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const SurfacePoint& point = points[k];
+        const Frame frame = frameOf(point, info.rotation);
+        const MixPlace mix = mixOf(point);
+        const auto twin = twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point), mix);
+        const Vec expected = reference.at(
+            {double(point.position[0]), double(point.position[1]), double(point.position[2])},
+            frame.right, frame.down, frame.outward, mip, double(mix.weight),
+            {double(mix.gradient[0]), double(mix.gradient[1])});
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double gaussian = 0.5 + expected[c] / map.scale[c];
+          // 60 impacts at places of 200 texels rounded to 2^-17 in each of three steps, slopes up
+          // to 0.2 a texel: less than 1e-4, and the level's logarithm as much again. Order 0 and
+          // steps of a mix have borders, where a texton may be another's.
+          constexpr double kTolerance = 3e-4;
+          const double worst = std::max(std::abs(double(values[k][c]) - gaussian),
+                                        std::abs(double(twin[c]) - gaussian));
+          strangers += worst > kTolerance ? 1u : 0u;
+        }
+      }
+      INFO("order " << order << ", mip " << mip);
+      CHECK(strangers <= (order == 3 ? 0u : 3u)); // one point
+    }
+}
+
+TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") {
+  const SyntheticTexton texton;
+  Twins twins(texton);
+  std::vector<SurfacePoint> points = samplePoints(texton, 400);
+  for (SurfacePoint& point : points)
+    point.gradientX = point.gradientY = {};
+  const auto counts = twins.shader(kImpacts, uniformInfo(), points);
+  double mean = 0.0;
+  for (const auto& count : counts)
+    mean += double(count[0]) / double(counts.size());
+  // lambda times the box of (22, 19, sqrt(22 * 19)) texels.
+  const double cube = double(twins.host.uniforms().texton.surfaceCubeTexels);
+  const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
+  CHECK(expected == Approx(60.0).epsilon(0.1));
+  // 400 points; a Bernoulli variable for each cube on the border, of some 90: 5 standard errors.
+  CHECK(mean == Approx(expected).margin(5.0 * std::sqrt(90.0 / 4.0 / 400.0)));
+}
+
+TEST_CASE("a period is refused for noise on a surface") {
+  Twins twins({});
+  LichenUniformInfo info = uniformInfo();
+  info.periodTiles[0] = info.periodTiles[1] = 2.0;
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  shader::LichenUniforms uniforms;
+  CHECK(lichenFillUniforms(twins.host.bundle(), &info, &uniforms, &diagnostic) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) ==
+        "periodTiles 2: noise of the mapping surface does not repeat; 0 is accepted");
+}

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: MIT
+// Statistics of texton noise on surfaces as the CPU twin evaluates it, against closed forms; its
+// impacts against the specification's test vectors.
+#include "synthetic_texton.h"
+#include "texton/surface_impacts.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+using Vec = std::array<double, 3>;
+
+Vec sum(double a, const Vec& x, double b, const Vec& y) {
+  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
+}
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec unit(const Vec& v) { return sum(1.0 / std::hypot(v[0], v[1], v[2]), v, 0.0, v); }
+
+/// A tangent plane: where the exemplar's right and down point on it, and the normal.
+struct Plane {
+  explicit Plane(const Vec& normal, const Vec& along = {0.36, 0.48, -0.8}) : outward(unit(normal)) {
+    right = unit(cross(along, outward));
+    down = cross(right, outward); // against the bitangent
+  }
+  Vec right{}, down{}, outward{};
+};
+
+/// A texton noise of a material of the mapping surface, and its twin.
+struct Evaluation {
+  Evaluation(const SyntheticTexton& source, MaterialNoise material, const Placement& placement = {})
+      : bundle(syntheticTextonBundle(source).bundle),
+        twin(TextonEvaluator::create(bundle, 0).value()) {
+    material.mapping = Mapping::surface;
+    noise = shaderNoise(bundle, material, placement);
+    texton = shaderTexton(bundle, material, placement);
+  }
+
+  /// A pixel of 2^level texels at a place in texels on a plane.
+  [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
+                                           double level = 0.0) const {
+    const double metresPerTexel = double(noise.tileSizeMetres) /
+                                  std::hypot(double(noise.uvToTileXX), double(noise.uvToTileXY)) /
+                                  double(texton.texelsPerTileX);
+    const double pixel = std::exp2(level) * metresPerTexel;
+    SurfaceFootprint at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at.position[k] = float(place[k] * metresPerTexel);
+      at.dx[k] = float(plane.right[k] * pixel);
+      at.dy[k] = float(plane.down[k] * pixel);
+      at.normal[k] = float(plane.outward[k]);
+      at.tangent[k] = float(plane.right[k]);
+    }
+    at.tangent[3] = 1.0f;
+    return at;
+  }
+
+  /// Stored values less their mean there.
+  [[nodiscard]] Vec at(const Vec& place, const Plane& plane, double level = 0.0) const {
+    const auto value = twin.gaussian(0, noise, texton, footprint(place, plane, level));
+    Vec stored{};
+    for (std::size_t c = 0; c < bundle.noises[0].maps[0].scale.size(); ++c)
+      stored[c] = (double(value[c]) - 0.5) * bundle.noises[0].maps[0].scale[c];
+    return stored;
+  }
+
+  Bundle bundle;
+  TextonEvaluator twin;
+  shader::LichenNoise noise;
+  shader::LichenTexton texton;
+};
+
+MaterialNoise materialOf(PointProcess process, double impacts, std::uint32_t seed) {
+  MaterialNoise material;
+  material.pointProcess = process;
+  material.impacts = impacts;
+  material.seed = seed;
+  return material;
+}
+
+const SyntheticTexton kColour{
+    .coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .wholeFloats = true};
+/// Constant in a texel: integrals over it are sums.
+const SyntheticTexton kSteps{.coefficientsX = 12,
+                             .coefficientsY = 10,
+                             .order = 0,
+                             .mipLevels = 2,
+                             .channels = 1,
+                             .wholeFloats = true};
+
+/// act(place) at `count` places, each anywhere in a cube of its own that lies further from the
+/// others than textons reach: values there are independent. [texels]
+template <class Act>
+void atIndependentPlaces(int count, const Act& act) {
+  constexpr double kApart = 64.0; // more than what the textons above and all lags below reach
+  constexpr int kSide = 30;
+  std::mt19937 generator(3u);
+  std::uniform_real_distribution<double> inside(0.0, 16.0);
+  for (int k = 0; k < count; ++k)
+    act(Vec{k % kSide * kApart + inside(generator), k / kSide % kSide * kApart + inside(generator),
+            k / (kSide * kSide) * kApart + inside(generator)});
+}
+
+/// The share of the covariance that is left between parallel tangent planes `distance` apart:
+/// int w(t) w(t + d) dt / int w^2 dt with w(t) = (1 - 2 |t| / r)+.
+double keptAcrossPlanes(double distance, double thickness) {
+  constexpr int kSamples = 4000;
+  const auto weight = [&](double t) { return std::max(0.0, 1.0 - 2.0 * std::abs(t) / thickness); };
+  double product = 0.0, square = 0.0;
+  for (int k = 0; k < kSamples; ++k) {
+    const double t = ((k + 0.5) / kSamples - 0.5) * thickness;
+    product += weight(t) * weight(t + distance);
+    square += weight(t) * weight(t);
+  }
+  return product / square;
+}
+
+double thicknessOf(const SyntheticTexton& texton) {
+  return std::sqrt(double(texton.coefficientsX + texton.order) *
+                   double(texton.coefficientsY + texton.order));
+}
+
+} // namespace
+
+TEST_CASE("the covariance in a tangent plane of any direction is that of noise in the plane, and "
+          "falls across planes as the weights do") {
+  struct Case {
+    Vec normal;
+    PointProcess process;
+  };
+  const std::vector<double> alpha = syntheticCoefficients(kColour, 0);
+  const std::vector<double> whole = covarianceAt(kColour, alpha, 0, 0);
+  for (const Case& one : {Case{{0.0, 0.0, 1.0}, PointProcess::stratified},
+                          Case{{1.0, -2.0, 0.5}, PointProcess::stratified},
+                          Case{{-1.0, 1.0, 1.0}, PointProcess::poisson}}) {
+    const Plane plane(one.normal);
+    const Evaluation noise(kColour, materialOf(one.process, 30.0, 5));
+    // Along the exemplar's x and y, and across planes. [texels]
+    for (const auto& [lagX, lagY, across] : std::vector<std::array<int, 3>>{
+             {0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {3, -1, 0}, {13, 0, 0}, {0, 0, 3}, {1, 1, 6}}) {
+      std::array<double, 9> products{};
+      Vec mean{};
+      constexpr int kPlaces = 3000;
+      constexpr double kCount = kPlaces;
+      atIndependentPlaces(kPlaces, [&](const Vec& place) {
+        const Vec along = sum(lagX, plane.right, lagY, plane.down);
+        const Vec here = noise.at(place, plane);
+        const Vec there =
+            noise.at(sum(1.0, place, 1.0, sum(1.0, along, across, plane.outward)), plane);
+        for (std::size_t c = 0; c < 3; ++c) {
+          mean[c] += here[c] / kCount;
+          for (std::size_t d = 0; d < 3; ++d)
+            products[3 * c + d] += here[c] * there[d] / kCount;
+        }
+      });
+      const double kept = keptAcrossPlanes(across, thicknessOf(kColour));
+      const std::vector<double> inPlane = covarianceAt(kColour, alpha, lagX, lagY);
+      INFO("lag " << lagX << ", " << lagY << ", " << across << ", " << nameOf(one.process));
+      for (std::size_t c = 0; c < 3; ++c) {
+        // 5 standard errors, alpha 6e-7 each; Gaussian ones and a tenth for the kurtosis.
+        CHECK(std::abs(mean[c]) < 5.0 * std::sqrt(whole[4 * c] / kCount));
+        for (std::size_t d = 0; d < 3; ++d) {
+          const double expected = kept * inPlane[3 * c + d];
+          const double error =
+              std::sqrt((whole[4 * c] * whole[4 * d] + expected * expected) / kCount);
+          CHECK(std::abs(products[3 * c + d] - expected) < 5.0 * 1.1 * error);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("impacts, their weights and squared weights add up to what proposition 3 says") {
+  // [GLM17] section 6: lambda r^3 impacts; integrals of the weight over t of r / 2, of its square
+  // r / 3; and an amplitude that makes the variance that of the texton.
+  const double area = double(kColour.coefficientsX + 1) * double(kColour.coefficientsY + 1);
+  const double thickness = thicknessOf(kColour);
+  for (const PointProcess process : {PointProcess::stratified, PointProcess::poisson})
+    for (const Vec& normal : {Vec{0.0, 1.0, 0.0}, Vec{1.0, 2.0, 3.0}}) {
+      const Evaluation noise(kColour, materialOf(process, 30.0, 8));
+      const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
+      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // cells are rounded
+      const Vec expected{lambda * area * thickness, lambda * area * thickness / 2.0,
+                         lambda * area * thickness / 3.0};
+      CHECK(double(noise.texton.amplitude) * double(noise.texton.amplitude) * expected[2] ==
+            Approx(area).epsilon(1e-5));
+      const Plane plane(normal);
+      constexpr int kPlaces = 2000;
+      Vec mean{}, square{};
+      atIndependentPlaces(kPlaces, [&](const Vec& place) {
+        const texton::SurfaceImpacts surface =
+            texton::surfaceImpactsAt(noise.footprint(place, plane), noise.noise, noise.texton);
+        Vec sums{};
+        texton::forEachSurfaceImpact(surface, noise.noise, noise.texton,
+                                     [&](const texton::Vec2&, float weight) {
+                                       const double w = std::abs(double(weight));
+                                       sums = sum(1.0, sums, 1.0, {1.0, w, w * w});
+                                     });
+        for (std::size_t k = 0; k < 3; ++k) {
+          mean[k] += sums[k] / kPlaces;
+          square[k] += sums[k] * sums[k] / kPlaces;
+        }
+      });
+      INFO(nameOf(process) << ", normal " << normal[0] << ", " << normal[1] << ", " << normal[2]);
+      for (std::size_t k = 0; k < 3; ++k) // 5 standard errors, alpha 6e-7
+        CHECK(std::abs(mean[k] - expected[k]) <
+              5.0 * std::sqrt((square[k] - mean[k] * mean[k]) / kPlaces));
+    }
+}
+
+TEST_CASE("the kurtosis of the Poisson process on a surface is that of its closed form") {
+  // Cumulants by Campbell's theorem: lambda times the integral of the fourth power, of the weights
+  // r / 5 and of the texton sum alpha^4, over the square of the variance.
+  double squares = 0.0, fourths = 0.0;
+  for (const double alpha : syntheticCoefficients(kSteps, 0)) {
+    squares += alpha * alpha;
+    fourths += std::pow(alpha, 4);
+  }
+  const Evaluation noise(kSteps, materialOf(PointProcess::poisson, 4.0, 9));
+  const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
+  const double excess = 9.0 / 5.0 * fourths / (squares * squares) / (lambda * thicknessOf(kSteps));
+  const Plane plane({2.0, -1.0, 1.0});
+  constexpr int kPlaces = 20000;
+  double fourth = 0.0, eighth = 0.0;
+  atIndependentPlaces(kPlaces, [&](const Vec& place) {
+    const double square = std::pow(noise.at(place, plane)[0], 2) / squares;
+    fourth += square * square / kPlaces;
+    eighth += std::pow(square, 4) / kPlaces;
+  });
+  // 5 standard errors of the mean of fourth powers, alpha 6e-7.
+  const double error = std::sqrt((eighth - fourth * fourth) / kPlaces);
+  INFO("excess " << fourth - 3.0 << ", closed form " << excess << ", error " << error);
+  CHECK(std::abs(fourth - 3.0 - excess) < 5.0 * error);
+  CHECK(excess > 10.0 * error); // a test that could fail
+}
+
+TEST_CASE("the variance is the same all over a sphere") {
+  const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
+  const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 8.0, 4));
+  std::mt19937 generator(21u);
+  std::normal_distribution<double> gaussian;
+  // Directions by which of their coordinates is least and which is greatest, and by signs.
+  constexpr std::size_t kBins = 48;
+  std::array<double, kBins> squares{}, counts{};
+  double fourth = 0.0;
+  constexpr int kPlaces = 20000;
+  atIndependentPlaces(kPlaces, [&](const Vec& centre) {
+    constexpr double kRadius = 40.0; // texels
+    const Vec normal = unit({gaussian(generator), gaussian(generator), gaussian(generator)});
+    const double square =
+        std::pow(noise.at(sum(1.0, centre, kRadius, normal), Plane(normal))[0], 2) / variance;
+    const auto isBelow = [&](std::size_t a, std::size_t b) {
+      return std::size_t(std::abs(normal[a]) < std::abs(normal[b]) ? 1 : 0);
+    };
+    const std::size_t order = isBelow(0, 1) * 3 + isBelow(1, 2) + isBelow(0, 2); // six of 0 to 5
+    const std::size_t signs =
+        (normal[0] < 0.0 ? 1u : 0u) + (normal[1] < 0.0 ? 2u : 0u) + (normal[2] < 0.0 ? 4u : 0u);
+    squares[8 * order + signs] += square;
+    counts[8 * order + signs] += 1.0;
+    fourth += square * square / kPlaces;
+  });
+  double chiSquare = 0.0;
+  for (std::size_t k = 0; k < kBins; ++k) {
+    REQUIRE(counts[k] > 100.0);
+    chiSquare += std::pow(squares[k] / counts[k] - 1.0, 2) * counts[k] / (fourth - 1.0);
+  }
+  // 48 degrees of freedom: beyond 94.6 with probability 7e-5.
+  CHECK(chiSquare < 94.6);
+}
+
+TEST_CASE(
+    "minified noise on a surface has the variance that mipLoss says, beyond the last mip too") {
+  const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
+  const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 30.0, 2));
+  const Plane plane({1.0, 2.0, -2.0});
+  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].mipLoss;
+  for (const int level : {1, 3}) {
+    constexpr int kPlaces = 8000;
+    double square = 0.0;
+    atIndependentPlaces(kPlaces, [&](const Vec& place) {
+      square += std::pow(noise.at(place, plane, level)[0], 2) / kPlaces;
+    });
+    // 5 standard errors of a variance, alpha 6e-7, and the step of the loss's bytes.
+    const double kept = variance * (1.0 - losses[std::size_t(level)]);
+    const double step = variance * 2.0 * std::sqrt(1.0 - losses[std::size_t(level)]) / 510.0;
+    INFO("level " << level);
+    CHECK(std::abs(square - kept) < 5.0 * 1.1 * kept * std::sqrt(2.0 / kPlaces) + step);
+  }
+}
+
+TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far") {
+  MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
+  material.scale = 0.5;
+  Placement placement;
+  placement.tileOriginX = 3;
+  placement.tileOriginY = -2;
+  placement.tileOriginZ = 5;
+  const Evaluation near(kColour, material), moved(kColour, material, placement);
+  const Plane plane({1.0, 1.0, -0.3});
+  const double tile = double(kColour.texelsPerTileX);
+  std::mt19937 generator(2u);
+  std::uniform_real_distribution<double> places(-40.0, 40.0);
+  for (int k = 0; k < 200; ++k) {
+    const Vec place{places(generator), places(generator), places(generator)};
+    const Vec there = near.at(sum(1.0, place, tile, {3.0, -2.0, 5.0}), plane);
+    const Vec here = moved.at(place, plane);
+    // Places of 400 texels are rounded to 2^-16 texels, slopes of 24 impacts are below 1 a texel.
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(here[c] == Approx(there[c]).margin(1e-4));
+  }
+  // Far away the next tile is the next tile still.
+  placement.tileOriginX = placement.tileOriginZ = (std::int64_t(1) << 40) - 1;
+  const Evaluation far(kColour, material, placement);
+  ++placement.tileOriginX;
+  const Evaluation farther(kColour, material, placement);
+  const Vec place{5.0, -7.0, 11.0};
+  CHECK(far.at(sum(1.0, place, tile, {1.0, 0.0, 0.0}), plane)[0] ==
+        Approx(farther.at(place, plane)[0]).margin(1e-4));
+  CHECK(far.at(place, plane)[0] != Approx(near.at(place, plane)[0]).margin(1e-3));
+}
+
+TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and needs no tangent") {
+  MaterialNoise material = materialOf(PointProcess::stratified, 30.0, 6);
+  const Evaluation plain(kColour, material);
+  material.rotation = 0.7;
+  const Evaluation rotated(kColour, material);
+  const Plane plane({1.0, 1.0, -0.3});
+  const Vec place{7.0, -3.0, 20.0};
+  const SurfaceFootprint at = plain.footprint(place, plane);
+  // p = (c u + s v, -s u + c v): where the exemplar's x grows is (c, s).
+  SurfaceFootprint turned = at;
+  const Vec along = sum(std::cos(0.7), plane.right, std::sin(0.7), plane.down);
+  for (std::size_t k = 0; k < 3; ++k)
+    turned.tangent[k] = float(along[k]);
+  const auto expected = plain.twin.gaussian(0, plain.noise, plain.texton, turned);
+  const auto value = rotated.twin.gaussian(0, rotated.noise, rotated.texton, at);
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(value[c] == Approx(expected[c]).margin(1e-5));
+
+  // The other side of the bitangent with the other direction: the exemplar turned half around.
+  const auto gaussianAt = [&](const SurfaceFootprint& seen) {
+    return plain.twin.gaussian(0, plain.noise, plain.texton, seen)[0];
+  };
+  SurfaceFootprint mirrored = at, halfTurn = at, behind = at;
+  mirrored.tangent[3] = halfTurn.tangent[3] = -1.0f;
+  for (std::size_t k = 0; k < 3; ++k) {
+    halfTurn.tangent[k] *= -1.0f;
+    behind.normal[k] *= -1.0f;
+  }
+  behind.tangent[3] = -1.0f; // seen from behind, the same frame but for its normal
+  CHECK(gaussianAt(mirrored) != Approx(gaussianAt(at)).margin(1e-3));
+  CHECK(gaussianAt(halfTurn) != Approx(gaussianAt(at)).margin(1e-3));
+  CHECK(gaussianAt(behind) == Approx(gaussianAt(at)).margin(1e-5));
+  SurfaceFootprint lost = at;
+  for (const float x : {0.0f, -1e-9f}) {
+    lost.tangent = {x, x, x, 1.0f};
+    CHECK(std::isfinite(gaussianAt(lost)));
+  }
+}
+
+TEST_CASE("impacts in space and their grid are those of the specification's test vectors") {
+  std::ifstream file(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+  const nlohmann::json vectors = nlohmann::json::parse(file);
+  std::size_t count = 0;
+  for (const nlohmann::json& v : vectors["surfaceImpacts"]) {
+    shader::LichenNoise noise{};
+    noise.seedWord = latticeSeed(v["seed"], 3);
+    shader::LichenTexton texton{};
+    texton.pointProcess =
+        v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
+    texton::SurfaceImpacts one; // one cube, of which all places lie in reach
+    for (std::size_t k = 0; k < 3; ++k) {
+      one.cell[k] = std::uint32_t(std::int64_t(v["cell"][k]));
+      one.axes[k][k] = k == 2 ? 0.5f : 1.0f;
+      one.radius[k] = 2.0f;
+    }
+    std::size_t k = 0;
+    texton::forEachSurfaceImpact(one, noise, texton, [&](const texton::Vec2& place, float weight) {
+      REQUIRE(k < v["impacts"].size());
+      const nlohmann::json& expected = v["impacts"][k++];
+      CHECK(-place[0] == float(expected["place"][0]));
+      CHECK(-place[1] == float(expected["place"][1]));
+      const float z = float(expected["place"][2]);
+      CHECK(weight == float(expected["sign"]) * (1.0f - 0.5f * z));
+      ++count;
+    });
+    CHECK(k == v["impacts"].size());
+  }
+  CHECK(count > 10);
+  for (const nlohmann::json& v : vectors["surfaceGrid"]) {
+    Bundle bundle = syntheticTextonBundle(kColour).bundle;
+    TextonShape& shape = bundle.noises[0].texton;
+    shape.coefficientsX = v["coefficients"][0];
+    shape.coefficientsY = v["coefficients"][1];
+    shape.order = v["order"];
+    shape.texelsPerTileX = v["texelsPerTile"][0];
+    shape.texelsPerTileY = v["texelsPerTile"][1];
+    MaterialNoise material = materialOf(PointProcess::stratified, v["impacts"], 1);
+    material.mapping = Mapping::surface;
+    const double cells = v["cells"];
+    CHECK(double(shaderNoise(bundle, material, {}).columnsPerTile) == cells);
+    const shader::LichenTexton texton = shaderTexton(bundle, material, {});
+    CHECK(texton.surfaceCubeTexels == float(double(shape.texelsPerTileX) / cells));
+    CHECK(double(texton.amplitude) == Approx(double(v["amplitude"])).epsilon(1e-6));
+  }
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What is said of a stored texton beside other spots, and the Gaussian texture it is held to.
+#include "example_exemplar.h"
+
+#include <lichen/texton.h>
+#include <lichen/texton_comparison.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr int kSide = 64;
+
+/// Three correlated channels of little contrast, so that no value is clamped.
+MapExemplar faint() {
+  MapExemplar map = threeMaterials(kSide, kSide, 3);
+  for (float& value : map.values)
+    value = 0.5f + 0.1f * (value - 0.5f);
+  return map;
+}
+
+struct Baked {
+  Bundle bundle;
+  TextonQuality quality;
+};
+
+Baked bakedOf(const MapExemplar& map, int order, int support) {
+  TextonOptions options;
+  options.order = order;
+  options.support = support;
+  options.bits = 16;
+  Result<TextonBake> bake = bakeTexton("grain", {&map, 1}, options);
+  REQUIRE(bake);
+  Baked baked;
+  baked.bundle.noises = {std::move(bake.value().noise)};
+  baked.bundle.tables = std::move(bake.value().tables);
+  baked.quality = std::move(bake.value().quality);
+  return baked;
+}
+
+KernelComparison comparisonOf(const Baked& baked, const MapExemplar& map) {
+  const Result<KernelComparison> comparison = compareTexton(baked.bundle, 0, map);
+  REQUIRE(comparison);
+  return comparison.value();
+}
+
+/// Covariance of two channels of interleaved values about the given mean.
+double covarianceOf(const MapExemplar& map, const std::vector<double>& mean, std::size_t a,
+                    std::size_t b) {
+  const std::size_t n = map.channels.size();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < map.values.size(); i += n)
+    sum += (double(map.values[i + a]) - mean[a]) * (double(map.values[i + b]) - mean[b]);
+  return sum / double(map.values.size() / n);
+}
+
+} // namespace
+
+TEST_CASE("a stored texton has the error and flatness that its bake found, at every order") {
+  const MapExemplar map = faint();
+  for (const int order : {0, 1, 3}) {
+    INFO("order " << order);
+    const Baked baked = bakedOf(map, order, 24);
+    const KernelComparison comparison = comparisonOf(baked, map);
+    // Texels are single floats, and the covariance is corrected twice.
+    CHECK(comparison.texton.modelError == Approx(baked.quality.modelError).epsilon(1e-4));
+    CHECK(comparison.texton.flatness == Approx(baked.quality.flatness).epsilon(1e-3));
+    CHECK(comparison.texton.impactsNeeded() == Approx(10.0 * comparison.texton.flatness));
+    CHECK(comparison.texton.flatness < 5.0);
+    CHECK(comparison.luminance.flatness > 2.0 * comparison.texton.flatness);
+    CHECK(comparison.randomPhase.modelError > comparison.texton.modelError);
+  }
+}
+
+TEST_CASE("a luminance texton as large as the exemplar is its Gaussian texture, at every order") {
+  const MapExemplar map = faint();
+  for (const int order : {0, 1, 3}) {
+    Baked baked = bakedOf(map, order, kSide + order); // as many coefficients as texels
+    REQUIRE(baked.bundle.noises[0].texton.coefficientsX == kSide);
+    const KernelComparison comparison = comparisonOf(baked, map);
+    // Rounding, which a cubic spline's least power, 0.003, magnifies: 0.004 was seen.
+    CHECK(comparison.luminance.modelError < 0.01);
+    CHECK(comparison.randomPhase.modelError < 0.01);
+  }
+}
+
+TEST_CASE(
+    "the Gaussian version has mean and covariance of the map, and twice the exemplar's sides") {
+  const MapExemplar map = faint();
+  const Baked baked = bakedOf(map, 1, 24);
+  NoiseMap noise = baked.bundle.noises[0].maps[0];
+  const Result<MapExemplar> made = gaussianVersion(noise, map, 1);
+  REQUIRE(made);
+  const MapExemplar& gaussian = made.value();
+  CHECK(gaussian.width == 2 * kSide);
+  CHECK(gaussian.height == 2 * kSide);
+  // Patches of some 7 x 7 texels: 330 independent values. Variances scatter by sqrt(2 / 330), 8 %,
+  // and covariances by less than their channels' deviations: 4.5 of them, alpha 7e-6 each.
+  constexpr double kScatter = 4.5 * 0.08;
+  const double deviation = std::sqrt(noise.covariance[0] / 330.0);
+  for (std::size_t a = 0; a < 3; ++a) {
+    double mean = 0.0;
+    for (std::size_t i = a; i < gaussian.values.size(); i += 3)
+      mean += double(gaussian.values[i]) * 3.0 / double(gaussian.values.size());
+    CHECK(mean == Approx(noise.mean[a]).margin(4.5 * deviation));
+    for (std::size_t b = 0; b < 3; ++b)
+      CHECK(covarianceOf(gaussian, noise.mean, a, b) ==
+            Approx(noise.covariance[3 * a + b])
+                .margin(kScatter * std::sqrt(noise.covariance[4 * a] * noise.covariance[4 * b])));
+  }
+  // Four times the covariance is twice as far from the mean.
+  for (double& value : noise.covariance)
+    value *= 4.0;
+  const MapExemplar doubled = gaussianVersion(noise, map, 1).value();
+  for (std::size_t i = 0; i < doubled.values.size(); i += 97)
+    CHECK(double(doubled.values[i]) - noise.mean[i % 3] ==
+          Approx(2.0 * (double(gaussian.values[i]) - noise.mean[i % 3])).margin(1e-5));
+  const Result<MapExemplar> other = gaussianVersion(noise, map, 2);
+  CHECK(other.value().values != doubled.values);
+}
+
+TEST_CASE("textons are compared with exemplars of their own channels and method only") {
+  const MapExemplar map = faint();
+  Baked baked = bakedOf(map, 1, 24);
+  CHECK_FALSE(compareTexton(baked.bundle, 1, map));
+  MapExemplar other = map;
+  other.target = MapTarget::emissive;
+  CHECK_FALSE(compareTexton(baked.bundle, 0, other));
+  other = map;
+  other.channels = {MapChannel::red};
+  other.values.resize(map.values.size() / 3);
+  const Result<KernelComparison> channels = compareTexton(baked.bundle, 0, other);
+  REQUIRE_FALSE(channels);
+  CHECK(channels.error().kind == ErrorKind::badInput);
+  CHECK_FALSE(gaussianVersion(baked.bundle.noises[0].maps[0], other, 1));
+  baked.bundle.noises[0].method = Method::tiling;
+  const Result<KernelComparison> method = compareTexton(baked.bundle, 0, map);
+  REQUIRE_FALSE(method);
+  CHECK(method.error().message.find("tiling, not texton") != std::string::npos);
+}
