@@ -9,10 +9,12 @@
 #include <accumulate.comp.h>
 #include <cstddef>
 #include <depth.frag.h>
+#include <depth.frag.plane.h>
 #include <depth.frag.tiling.h>
 #include <depth.vert.h>
 #include <optional>
 #include <scene.frag.h>
+#include <scene.frag.plane.h>
 #include <scene.frag.tiling.h>
 #include <scene.vert.h>
 #include <sky.frag.h>
@@ -135,7 +137,6 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
-  VkBool32 surfaceNoises = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -143,8 +144,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
-    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{5, offsetof(Constants, surfaceNoises), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -156,12 +156,14 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
+  d.fragment = !shared.textonNoises    ? objects.shader(scene_frag_tiling)
+               : !shared.surfaceNoises ? objects.shader(scene_frag_plane)
+                                       : objects.shader(scene_frag);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     if (!used.surfaces[i])
       continue;
-    const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
-                              shared.otherTables, shared.tilingNoises, shared.surfaceNoises};
+    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables,
+                              shared.tilingNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -180,14 +182,14 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
+  d.fragment = !shared.textonNoises    ? objects.shader(depth_frag_tiling)
+               : !shared.surfaceNoises ? objects.shader(depth_frag_plane)
+                                       : objects.shader(depth_frag);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     if (!used.depthWithGaps[i])
       continue;
-    const Constants constants{.hasNoise = i != 0,
-                              .otherTables = shared.otherTables,
-                              .tilingNoises = shared.tilingNoises,
-                              .surfaceNoises = shared.surfaceNoises};
+    const Constants constants{
+        .hasNoise = i != 0, .otherTables = shared.otherTables, .tilingNoises = shared.tilingNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

@@ -8,10 +8,7 @@
 // Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
-// Whether some noise is mapped onto a surface without texture coordinates.
-layout(constant_id = 5) const bool kSurfaceNoises = true;
 #define LICHEN_TILING_NOISES kTilingNoises
-#define LICHEN_SURFACE_TEXTONS kSurfaceNoises
 #define LICHEN_MIXED_TEXTONS 0 // the mixing weight has no source yet
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
@@ -83,7 +80,7 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
 
 /// The place in the noise, which all its maps share.
 LichenPlace noisePlace(Footprint f) {
-#ifndef LICHEN_OMIT_TEXTONS
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))
     return lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,
                                   noiseData.noise, noiseData.texton);
