@@ -70,5 +70,5 @@ for exemplar in "$@"; do
     panels+=("$work/$name-$kind.png")
   done
 done
-montage "${panels[@]}" -tile 3x -geometry +4+4 -background white -quality 92 "$output"
+montage "${panels[@]}" -tile 3x -geometry +4+4 -background white -quality 82 "$output"
 echo "$output"

@@ -39,6 +39,11 @@ std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channel
   return weights;
 }
 
+FitMethod methodOf(TextonFit fit) {
+  return fit == TextonFit::projections ? FitMethod::alternatingProjections
+                                       : FitMethod::transportDistance;
+}
+
 /// The coefficients of a part of the exemplar, corrected to the covariance of its own model.
 TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& options,
                           ProgressPart progress) {
@@ -48,12 +53,12 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
   fit.order = options.order;
   fit.seed = options.fitSeed;
   int done = 0;
-  const int steps = iterationsOf(fit, FitMethod(options.fit));
+  const int steps = iterationsOf(fit, methodOf(options.fit));
   fit.goOn = [&] {
     progress.reach(double(done++) / double(steps));
     return true;
   };
-  TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod(options.fit));
+  TextonCoefficients coefficients = fitCoefficients(model, fit, methodOf(options.fit));
   // Where the model's range is not the texton's, its covariance is as near as it is.
   (void)correctCovariance(coefficients, options.order, modelCovariance(model));
   return coefficients;

@@ -7,7 +7,7 @@
 // matrix. That is a correction of as many dimensions as there are cosines:
 // q = p - B^-1 C^T A (weight L / (1 + weight L)) A^T C p, with C the cosines, and A and L the modes
 // and eigenvalues of the border's quadratic form over C B^-1 C^T.
-// Why, and the numbers: docs/decisions/018-border-of-textons.md.
+// Why, and the numbers: docs/decisions/019-border-of-textons.md.
 #include "border_penalty.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-// Measured over six photographs and supports of 16, 32 and 64 (decision 018).
+// Measured over six photographs and supports of 16, 32 and 64 (decision 019).
 constexpr Index kSlowCosines = 8;     // along a side: up to three and a half waves
 constexpr double kBorderWidth = 0.25; // of the side, on each
 constexpr double kMostWeight = 0.1;   // from which it starts

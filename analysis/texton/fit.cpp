@@ -41,7 +41,7 @@ constexpr float kFirstRelaxation = 0.9f;
 constexpr float kLastRelaxation = 0.5f;
 
 /// Most that a texel, all its channels, may have of the root mean square: the flatness of what a
-/// texel has is then about the square of it at the most, the 4 of TARGETS.md (decision 018).
+/// texel has is then about the square of it at the most, the 4 of TARGETS.md (decision 019).
 constexpr float kHighestPeak = 2.0f;
 
 using Spectra = std::vector<HalfSpectrum>;

@@ -55,7 +55,7 @@ enum class FitMethod {
 [[nodiscard]] int iterationsOf(const FitOptions& options, FitMethod method);
 
 /// Coefficients whose noise is near the model; by least transport distance their border does not
-/// show and none stands out (docs/decisions/018-border-of-textons.md). Same bytes for any number of
+/// show and none stands out (docs/decisions/019-border-of-textons.md). Same bytes for any number of
 /// threads. Time: 100 transforms of a plane for each channel. Throws std::bad_alloc.
 [[nodiscard]] TextonCoefficients fitCoefficients(const GaussianModel& model,
                                                  const FitOptions& options, FitMethod method);

@@ -147,8 +147,15 @@ std::vector<std::byte> scannedShapeGlb() {
   using nlohmann::ordered_json;
   ordered_json json{{"asset", {{"version", "2.0"}, {"generator", "lichen-exemplars"}}},
                     {"scene", 0}};
-  json["scenes"][0]["nodes"][0] = 0;
+  json["scenes"][0]["nodes"] = {0, 1, 2};
   json["nodes"][0] = {{"name", "scan"}, {"mesh", 0}};
+  json["nodes"][1] = {{"camera", 0}, {"translation", {0.0, 0.0, 2.2}}};
+  json["nodes"][2] = {
+      {"camera", 1}, {"translation", {0.0, 0.0, -2.2}}, {"rotation", {0.0, 1.0, 0.0, 0.0}}};
+  for (const char* name : {"front", "back"})
+    json["cameras"].push_back({{"name", name},
+                               {"type", "perspective"},
+                               {"perspective", {{"yfov", 0.6}, {"znear", 0.1}}}});
   json["meshes"][0]["name"] = "scan";
   json["meshes"][0]["primitives"][0] = {
       {"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}};

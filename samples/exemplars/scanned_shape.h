@@ -19,7 +19,8 @@ struct ScannedShape {
 /// normals nor texture coordinates. The same bytes each time.
 [[nodiscard]] ScannedShape scannedShape();
 
-/// As the file of a scene of it, with one material, 'scan'. Throws std::bad_alloc.
+/// As the file of a scene of it, with one material, 'scan', and cameras 'front' and 'back'. Throws
+/// std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> scannedShapeGlb();
 
 } // namespace lichen::exemplars

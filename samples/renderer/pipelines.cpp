@@ -9,10 +9,12 @@
 #include <accumulate.comp.h>
 #include <cstddef>
 #include <depth.frag.h>
+#include <depth.frag.plane.h>
 #include <depth.frag.tiling.h>
 #include <depth.vert.h>
 #include <optional>
 #include <scene.frag.h>
+#include <scene.frag.plane.h>
 #include <scene.frag.tiling.h>
 #include <scene.vert.h>
 #include <sky.frag.h>
@@ -136,7 +138,6 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
-  VkBool32 surfaceNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
 };
 
@@ -146,8 +147,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{5, offsetof(Constants, surfaceNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{6, offsetof(Constants, mixedTextons), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -159,13 +159,14 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  d.fragment = shared.textonNoises ? objects.shader(scene_frag) : objects.shader(scene_frag_tiling);
+  d.fragment = !shared.textonNoises    ? objects.shader(scene_frag_tiling)
+               : !shared.surfaceNoises ? objects.shader(scene_frag_plane)
+                                       : objects.shader(scene_frag);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     if (!used.surfaces[i])
       continue;
-    const Constants constants{(i & 4) != 0,       (i & 2) != 0,        shared.debugView,
-                              shared.otherTables, shared.tilingNoises, shared.surfaceNoises,
-                              shared.mixedTextons};
+    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables,
+                              shared.tilingNoises, shared.mixedTextons};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -184,14 +185,15 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  d.fragment = shared.textonNoises ? objects.shader(depth_frag) : objects.shader(depth_frag_tiling);
+  d.fragment = !shared.textonNoises    ? objects.shader(depth_frag_tiling)
+               : !shared.surfaceNoises ? objects.shader(depth_frag_plane)
+                                       : objects.shader(depth_frag);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     if (!used.depthWithGaps[i])
       continue;
     const Constants constants{.hasNoise = i != 0,
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
-                              .surfaceNoises = shared.surfaceNoises,
                               .mixedTextons = shared.mixedTextons};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;

@@ -72,7 +72,7 @@ struct LichenNoise {
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
   float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
   uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
-  uint seedWord;                    // latticeSeed(seed, plane 0)
+  uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it; triplanar derives its planes
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;

@@ -229,9 +229,11 @@ LichenImpacts lichenImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY, Lic
 
 /// Where an impact lies in its cell, [0, 1).
 vec2 lichenImpactInCell(uint word) {
-  // 15 bits each, below the sign, and the middle of what they tell apart.
-  const float kStep = 1.0 / 32768.0;
-  return (vec2(ivec2(uvec2(word >> 16u, word >> 1u) & 32767u)) + 0.5) * kStep;
+  // 15 bits each, below the sign, and the middle of what they tell apart: the first of the 23 bits
+  // of a float in [1, 2), and half of the last one's worth. Exact.
+  const uint kPlaceBits = 0x7fff00u;
+  const uint kOneAndHalfAStep = 0x3f800080u;
+  return uintBitsToFloat((uvec2(word >> 8u, word << 7u) & kPlaceBits) | kOneAndHalfAStep) - 1.0;
 }
 
 /// Impacts in a cell of the Poisson process: the quantile of a Poisson variable of mean 1.

@@ -10,10 +10,17 @@
 #include "tiling.glsl"
 
 // 0 where no noise is of this method. Literals, or the host's specialization constants. Where
-// LICHEN_OMIT_TEXTONS is defined, textons are not called at all: some drivers take longer to drop
-// the code of a constant that is false than to compile the rest.
+// LICHEN_OMIT_TEXTONS is defined, textons are not called at all, and where
+// LICHEN_OMIT_SURFACE_TEXTONS is, those on surfaces are not: some drivers take longer to drop the
+// code of a constant that is false than to compile the rest.
 #ifdef LICHEN_OMIT_TEXTONS
 #define LICHEN_TEXTON_NOISES 0
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
+#define LICHEN_OMIT_SURFACE_TEXTONS
+#endif
+#endif
+#ifdef LICHEN_OMIT_SURFACE_TEXTONS
+#define LICHEN_SURFACE_TEXTONS 0
 #endif
 #ifndef LICHEN_TILING_NOISES
 #define LICHEN_TILING_NOISES 1
@@ -64,9 +71,11 @@ LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenN
 /// the variance of a slope that the footprint hides, for lichenRoughness.
 vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNoise noise,
                  LichenMap map, LichenTexton texton) {
-#ifndef LICHEN_OMIT_TEXTONS
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noise) && lichenIsSurface(texton))
     return lichenSurfaceTexton(image, table, place.impacts, place.surface, noise, map, texton);
+#endif
+#ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
     return lichenTexton(image, table, place.impacts, noise, map, texton);
 #endif

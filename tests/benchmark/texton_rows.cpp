@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Textons: time of a bake, distance from the model beside the papers' algorithm, and how even they
-// are. The numbers of docs/decisions/018-border-of-textons.md.
+// are. The numbers of docs/decisions/019-border-of-textons.md.
 #include "exemplars.h"
 #include "rows.h"
 

@@ -108,6 +108,24 @@ std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const LichenUnifo
   return values;
 }
 
+LichenUniformInfo uniformInfo() {
+  LichenUniformInfo info;
+  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+  return info;
+}
+
+LichenUniformInfo movedUniformInfo() {
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
+                   LICHEN_OVERRIDE_SEED;
+  info.scale = 0.8;
+  info.rotation = 0.6;
+  info.offset[0] = 0.25;
+  info.offset[1] = -1.5;
+  info.seed = 4294967295u;
+  return info;
+}
+
 std::vector<std::uint32_t> committedShader(const std::string& name) {
   std::ifstream file(std::string(LICHEN_SOURCE_DIR) + "/spirv/" + name + ".spv", std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};

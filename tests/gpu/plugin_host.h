@@ -66,6 +66,10 @@ private:
   bool uploaded_ = false;
 };
 
+/// Uniforms as the material has them, and the same scaled, turned, moved and with another seed.
+[[nodiscard]] LichenUniformInfo uniformInfo();
+[[nodiscard]] LichenUniformInfo movedUniformInfo();
+
 /// A committed shader, spirv/NAME.spv.
 [[nodiscard]] std::vector<std::uint32_t> committedShader(const std::string& name);
 

@@ -27,12 +27,6 @@ std::vector<Point> somePoints() {
   return points;
 }
 
-LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  return info;
-}
-
 /// The barriers before the first read, without their second half.
 void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags source,
                               VkPipelineStageFlags target, VkDependencyFlags flags,

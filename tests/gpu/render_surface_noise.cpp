@@ -28,16 +28,16 @@ struct Square {
     use.seed = 3;
   }
 
-  [[nodiscard]] LinearImage picture(const char* view, bool isDoubleSided = false) const {
+  [[nodiscard]] LinearImage picture(const char* view, bool fromBehind = false) const {
     GltfScene scene(encodeGlb(file).value());
-    scene.json["materials"][0]["doubleSided"] = isDoubleSided;
+    scene.json["materials"][0]["doubleSided"] = fromBehind;
     const std::size_t positions = scene.addFloats({-4, -4, 0, 4, -4, 0, 4, 4, 0, -4, 4, 0}, 3);
     const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
     std::vector<float> tangents;
     for (int vertex = 0; vertex < 4; ++vertex)
       tangents.insert(tangents.end(), {0.8f, 0.6f, 0.0f, 1.0f});
-    const std::size_t indices = isDoubleSided ? scene.addIndices({0, 2, 1, 0, 3, 2}, 2)
-                                              : scene.addIndices({0, 1, 2, 0, 2, 3}, 2);
+    const std::size_t indices = fromBehind ? scene.addIndices({0, 2, 1, 0, 3, 2}, 2)
+                                           : scene.addIndices({0, 1, 2, 0, 2, 3}, 2);
     scene.addMesh(
         {{"POSITION", positions}, {"NORMAL", normals}, {"TANGENT", scene.addFloats(tangents, 4)}},
         indices, 0,
@@ -77,20 +77,19 @@ struct Square {
 
 } // namespace
 
-TEST_CASE("colours on a surface are those of the place in the world, on both of its sides") {
+TEST_CASE(
+    "colours on a surface are those of the place in the world, and seen from behind no others") {
   const Square square({.wholeFloats = true});
-  for (const bool fromBehind : {false, true}) {
-    const LinearImage picture = square.picture("base-color", fromBehind);
-    double spread = 0.0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const auto expected = square.twinAt(x, y);
-        for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
-          REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
-        spread += std::pow(double(expected[0]) - 0.222, 2) / (kSide * kSide);
-      }
-    CHECK(spread > 1e-4); // there is something to see
-  }
+  const LinearImage picture = square.picture("base-color", true);
+  double spread = 0.0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const auto expected = square.twinAt(x, y);
+      for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
+        REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
+      spread += std::pow(double(expected[0]) - 0.222, 2) / (kSide * kSide);
+    }
+  CHECK(spread > 1e-4); // there is something to see
 }
 
 TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent") {

@@ -63,22 +63,11 @@ std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t 
   return points;
 }
 
-LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  return info;
-}
-
 /// Uniforms that between them use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(5, uniformInfo());
-  all[1].overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
-                     LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
-  all[1].scale = 0.8;
-  all[1].rotation = 0.6;
-  all[1].offset[0] = 0.25;
-  all[1].offset[1] = -1.5;
-  all[1].seed = 4294967295u;
+  all[1] = movedUniformInfo();
+  all[1].overrides |= LICHEN_OVERRIDE_POINT_PROCESS;
   all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
   all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
   all[2].tileOrigin[1] = std::int64_t(1) << 40;

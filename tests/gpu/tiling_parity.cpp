@@ -90,22 +90,10 @@ Parity compare(PluginHost& host, const TilingReference& reference,
   return parity;
 }
 
-LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  return info;
-}
-
 /// Uniforms that between them use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(6, uniformInfo());
-  all[1].overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
-                     LICHEN_OVERRIDE_SEED;
-  all[1].scale = 0.8;
-  all[1].rotation = 0.6;
-  all[1].offset[0] = 0.25;
-  all[1].offset[1] = -1.5;
-  all[1].seed = 4294967295u;
+  all[1] = movedUniformInfo();
   all[2].tileOrigin[0] = 10000000;
   all[2].tileOrigin[1] = -9999999;
   all[3].tileOrigin[0] = -(std::int64_t(1) << 40);

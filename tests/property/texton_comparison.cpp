@@ -317,7 +317,7 @@ TEST_CASE("of one support the texton is as near to the model as any, and as flat
     const KernelComparison comparison =
         compareKernels(model, fitCoefficients(model, spotOptions(31), FitMethod::transportDistance),
                        0, kLuminanceWeights);
-    // A hundredth is what an even texton without a visible border may cost (decision 018).
+    // A hundredth is what an even texton without a visible border may cost (decision 019).
     CHECK(comparison.texton.modelError < 1.01 * comparison.luminance.modelError);
     CHECK(comparison.luminance.modelError < comparison.randomPhase.modelError);
     // Normally distributed values have 3; energy gathered in a few pixels has hundreds.

@@ -110,7 +110,8 @@ double meanColourError(const View& view, double pixelTiles) {
 } // namespace
 
 TEST_CASE("the mean colour of any view, from magnified to one pixel per 100 tiles, is that of its "
-          "points") {
+          "points",
+          "[large]") {
   constexpr int kSide = 128;
   struct Exemplar {
     SrgbImage (*generate)(int);
@@ -190,7 +191,8 @@ Seen seenThrough(const View& view, double width, double height, int side) {
 
 TEST_CASE(
     "a floor that recedes has the mean and about the variance of its supersampled pixels, seen "
-    "from above and at a grazing angle") {
+    "from above and at a grazing angle",
+    "[large]") {
   constexpr int kSide = 128;
   const View view(bakedBundle(exemplars::moss(kSide)));
   for (const double distance : {0.7, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0})
@@ -264,7 +266,7 @@ TEST_CASE("a cell has its number however far it is, modulo 2^32 or in its period
     }
 }
 
-TEST_CASE("the spectrum of texton noise with 30 impacts is that of its Gaussian model") {
+TEST_CASE("the spectrum of texton noise with 30 impacts is that of its Gaussian model", "[large]") {
   constexpr int kSide = 256;
   for (const auto generate : {exemplars::moss, exemplars::granite}) {
     const SrgbImage exemplar = generate(kSide);

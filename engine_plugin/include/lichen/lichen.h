@@ -398,8 +398,8 @@ typedef struct LichenUniformInfo {
    * an anisotropic footprint is filtered is the driver's choice. */
   float maxAnisotropy;
   LichenPointProcess pointProcess; /* of texton noise */
-  double
-      impacts; /* [1, 1000] of texton noise: how many a point sees in the mean; cost goes with it */
+  double impacts; /* [1, 1000] of texton noise: how many a point sees in the mean, on surfaces twice
+                   * as many; cost goes with it */
   int64_t tileOriginZ; /* of the mapping surface: the third of tileOrigin */
   /* With LICHEN_OVERRIDE_MAPPING. The shader's place must be one of the same mapping:
    * LICHEN_PLACE_SURFACE for LICHEN_MAPPING_SURFACE, which only textons have. */

@@ -82,12 +82,7 @@ vec3 shownGaussian(vec3 gaussian, LichenMap map) {
 }
 
 /// The views that texton noises have.
-vec3 textonDebug(LichenPlace place) {
-  LichenImpacts impacts = place.impacts;
-  bool isSurface = lichenIsSurface(noiseData.texton);
-  if (kDebugView == DEBUG_IMPACTS && isSurface)
-    return ramp(float(lichenSurfaceImpactCount(place.surface, noiseData.noise, noiseData.texton)) /
-                (kSurfaceImpacts * kMostImpacts));
+vec3 textonDebug(LichenImpacts impacts) {
   if (kDebugView == DEBUG_IMPACTS)
     return ramp(float(lichenImpactCount(impacts, noiseData.noise, noiseData.texton)) /
                 kMostImpacts);
@@ -98,21 +93,38 @@ vec3 textonDebug(LichenPlace place) {
   LichenMap map = lichenMixedMap(baseColorTable, impacts,
                                  noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
                                  noiseData.texton);
-  if (isSurface)
-    return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, impacts, place.surface,
-                                                     noiseData.noise, map, noiseData.texton),
-                         map);
   return shownGaussian(
       lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
 }
+
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
+/// Of those, what is otherwise on a surface.
+vec3 surfaceDebug(LichenPlace place) {
+  if (kDebugView == DEBUG_IMPACTS)
+    return ramp(float(lichenSurfaceImpactCount(place.surface, noiseData.noise, noiseData.texton)) /
+                (kSurfaceImpacts * kMostImpacts));
+  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+    return textonDebug(place.impacts);
+  LichenMap map = lichenMixedMap(baseColorTable, place.impacts,
+                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
+                                 noiseData.texton);
+  return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, place.impacts, place.surface,
+                                                   noiseData.noise, map, noiseData.texton),
+                       map);
+}
+#endif
 
 vec3 noiseDebug(Footprint footprint) {
   if (!kHasNoise)
     return kNothingToShow;
   LichenPlace place = noisePlace(footprint);
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
+  if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))
+    return surfaceDebug(place);
+#endif
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noiseData.noise))
-    return textonDebug(place);
+    return textonDebug(place.impacts);
 #endif
   LichenTaps taps = place.taps;
   if (kDebugView == DEBUG_IMPACTS)

@@ -8,11 +8,8 @@
 // Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
-// Whether some noise is mapped onto a surface without texture coordinates.
-layout(constant_id = 5) const bool kSurfaceNoises = true;
-layout(constant_id = 6) const bool kMixedTextons = true; // whether some are mixes
+layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
 #define LICHEN_TILING_NOISES kTilingNoises
-#define LICHEN_SURFACE_TEXTONS kSurfaceNoises
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
@@ -113,7 +110,7 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
-#ifndef LICHEN_OMIT_TEXTONS
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton)) {
     LichenPlace place =
         lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# A sheet of textons on a scanned shape without texture coordinates, a row for each exemplar, from
+# the front and from behind.
+#   samples/surface_sheet.sh OUTPUT.jpg EXEMPLAR.png...
+# Needs a release build and ImageMagick (Debian package imagemagick).
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")/.." && pwd)
+bin=${LICHEN_BIN:-$here/build/release/bin}
+panel=512
+
+if [ $# -lt 2 ]; then
+  echo "usage: samples/surface_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
+  exit 2
+fi
+command -v montage >/dev/null || { echo "surface_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
+[ -x "$bin/lichen" ] || { echo "surface_sheet: $bin/lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+
+output=$1
+shift
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$bin/lichen-exemplars" "$work" scan >/dev/null
+
+panels=()
+for exemplar in "$@"; do
+  name=$(basename "${exemplar%.*}")
+  "$bin/lichen" bake "$exemplar" --method texton -o "$work/$name.glb" --preview none --quiet
+  "$bin/lichen" apply "$work/scan.glb" --noise "$work/$name.glb" --material scan --mapping surface \
+    --scale 0.35 -o "$work/scan_$name.glb" --quiet
+  for side in front back; do
+    "$bin/lichen-render" "$work/scan_$name.glb" --camera "$side" --size "${panel}x${panel}" --frames 4 \
+      -o "$work/$name-$side.png" >/dev/null
+    panels+=("$work/$name-$side.png")
+  done
+done
+montage "${panels[@]}" -tile 2x -geometry +4+4 -background white -quality 88 "$output"
+echo "$output"
