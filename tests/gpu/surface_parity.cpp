@@ -209,10 +209,12 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
       info.tileOriginZ = -5;
       for (SurfacePoint& point : points) {
         const Frame frame = frameOf(point, 0.0);
-        const double pixel = std::exp2(double(mip)) / texton.texelsPerTileX * info.scale;
+        // Textons are fetched half a level below the footprint's (docs/decisions/018).
+        const double level = mip > 0 ? mip + 0.5 : 0.0;
+        const double pixel = std::exp2(level) / texton.texelsPerTileX * info.scale;
         for (std::size_t k = 0; k < 3; ++k) {
           point.gradientX[k] = float(pixel * frame.right[k]);
-          point.gradientY[k] = float(0.5 * pixel * frame.down[k]);
+          point.gradientY[k] = float(pixel * frame.down[k]);
         }
       }
       const auto values = twins.shader(kGaussian, info, points);
