@@ -95,9 +95,8 @@ std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_
   return points;
 }
 
-LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
+LichenUniformInfo surfaceUniformInfo() {
+  LichenUniformInfo info = uniformInfo();
   info.overrides = LICHEN_OVERRIDE_MAPPING;
   info.mapping = LICHEN_MAPPING_SURFACE;
   return info;
@@ -105,7 +104,7 @@ LichenUniformInfo uniformInfo() {
 
 /// Uniforms that between them use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
-  std::vector<LichenUniformInfo> all(3, uniformInfo());
+  std::vector<LichenUniformInfo> all(3, surfaceUniformInfo());
   all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
                       LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
   all[1].scale = 0.8;
@@ -200,7 +199,7 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
           .order = order, .steps = order == 1 ? 3 : 1, .wholeFloats = true};
       Twins twins(texton);
       std::vector<SurfacePoint> points = samplePoints(texton, 16);
-      LichenUniformInfo info = uniformInfo();
+      LichenUniformInfo info = surfaceUniformInfo();
       info.overrides |=
           LICHEN_OVERRIDE_POINT_PROCESS | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SCALE;
       info.pointProcess = mip == 1 ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
@@ -210,10 +209,12 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
       info.tileOriginZ = -5;
       for (SurfacePoint& point : points) {
         const Frame frame = frameOf(point, 0.0);
-        const double pixel = std::exp2(double(mip)) / texton.texelsPerTileX * info.scale;
+        // Textons are fetched half a level below the footprint's (docs/decisions/018).
+        const double level = mip > 0 ? mip + 0.5 : 0.0;
+        const double pixel = std::exp2(level) / texton.texelsPerTileX * info.scale;
         for (std::size_t k = 0; k < 3; ++k) {
           point.gradientX[k] = float(pixel * frame.right[k]);
-          point.gradientY[k] = float(0.5 * pixel * frame.down[k]);
+          point.gradientY[k] = float(pixel * frame.down[k]);
         }
       }
       const auto values = twins.shader(kGaussian, info, points);
@@ -252,7 +253,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
   std::vector<SurfacePoint> points = samplePoints(texton, 400);
   for (SurfacePoint& point : points)
     point.gradientX = point.gradientY = {};
-  const auto counts = twins.shader(kImpacts, uniformInfo(), points);
+  const auto counts = twins.shader(kImpacts, surfaceUniformInfo(), points);
   double mean = 0.0;
   for (const auto& count : counts)
     mean += double(count[0]) / double(counts.size());
@@ -266,7 +267,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
 
 TEST_CASE("a period is refused for noise on a surface") {
   Twins twins({});
-  LichenUniformInfo info = uniformInfo();
+  LichenUniformInfo info = surfaceUniformInfo();
   info.periodTiles[0] = info.periodTiles[1] = 2.0;
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);

@@ -49,13 +49,14 @@ struct Evaluation {
     texton = shaderTexton(bundle, material, placement);
   }
 
-  /// A pixel of 2^level texels at a place in texels on a plane.
+  /// A pixel that shows textons at this mip, at a place in texels on a plane.
   [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
                                            double level = 0.0) const {
     const double metresPerTexel = double(noise.tileSizeMetres) /
                                   std::hypot(double(noise.uvToTileXX), double(noise.uvToTileXY)) /
                                   double(texton.texelsPerTileX);
-    const double pixel = std::exp2(level) * metresPerTexel;
+    // Textons are fetched half a level below the footprint's (docs/decisions/018).
+    const double pixel = std::exp2(level > 0.0 ? level + 0.5 : 0.0) * metresPerTexel;
     SurfaceFootprint at;
     for (std::size_t k = 0; k < 3; ++k) {
       at.position[k] = float(place[k] * metresPerTexel);

@@ -74,33 +74,10 @@ TinyScene tableScene() {
 }
 
 BundleFile smallTexton() {
-  BundleFile file;
+  BundleFile file = smallestTexton();
   file.shape = PreviewShape::none;
-  Noise noise;
-  noise.name = "wool";
-  noise.method = Method::texton;
-  noise.texton = {.coefficientsX = 3,
-                  .coefficientsY = 3,
-                  .order = 1,
-                  .mipLevels = 1,
-                  .texelsPerTileX = 8,
-                  .texelsPerTileY = 8};
-  NoiseMap map;
-  map.target = MapTarget::height;
-  map.channels = {MapChannel::height};
-  map.encoding = ValueEncoding::linear;
-  map.mean = {0.5};
-  map.covariance = {0.01};
-  map.scale = {0.6};
-  map.mipLoss = {0.0};
-  map.image = 0;
-  file.bundle.tables.push_back(patternTable("wool.height.texton", TexelFormat::r16Sfloat,
-                                            noise.texton.frameWidth(), noise.texton.frameHeight(),
-                                            0, 1));
-  noise.maps.push_back(std::move(map));
-  file.bundle.noises.push_back(std::move(noise));
-  file.bundle.materials.emplace_back(MaterialNoise{});
-  file.previews.emplace_back();
+  file.bundle.noises[0].name = "wool";
+  file.bundle.tables[0].name = "wool.height.texton";
   return file;
 }
 
