@@ -39,10 +39,11 @@ void main() {
                                            point.gradientY.xyz, point.normal.xyz, point.tangent);
   place.impacts.mixWeight = point.gradientX.w;
   place.impacts.mixGradient = vec2(point.gradientY.w, point.normal.w);
+  LichenMap here = lichenMixedMap(lichenTable0, place.impacts, map, texton);
   if (kQuantity == kGaussian)
     values[index] = vec4(lichenSurfaceTextonGaussian(lichenImage0, place.impacts, place.surface,
-                                                     noise, map, texton),
-                         lichenTextonLostVariance(place.impacts, map));
+                                                     noise, here, texton),
+                         lichenTextonLostVariance(place.impacts, here));
   else if (kQuantity == kImpacts)
     values[index] = vec4(float(lichenSurfaceImpactCount(place.surface, noise, texton)));
   else

@@ -160,14 +160,15 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
   constexpr int kSide = 64; // places of 40 x 40 texels each, further apart than textons reach
   for (int step = 0; step < 3; ++step)
     for (const double level : {0.0, 1.0, 2.0}) {
-      const float texel = float(std::exp2(level));
+      // Textons are fetched half a level below the footprint's (docs/decisions/018).
+      const float side = float(level > 0.0 ? std::exp2(level + 0.5) : 1.0);
       double sum = 0.0, squares = 0.0, lost = 0.0;
       for (int k = 0; k < kSide * kSide; ++k) {
         TileFootprint at;
         at.position = {(float(k % kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileX,
                        (float(k / kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileY};
-        at.dx = {texel / noise.texton.texelsPerTileX, 0.0f};
-        at.dy = {0.0f, texel / noise.texton.texelsPerTileY};
+        at.dx = {side / noise.texton.texelsPerTileX, 0.0f};
+        at.dy = {0.0f, side / noise.texton.texelsPerTileY};
         const auto value =
             noise.twin.gaussian(0, noise.parameters, noise.texton, at, {float(step) / 2.0f, {}});
         sum += double(value[0]) - 0.5;
