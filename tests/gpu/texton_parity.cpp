@@ -209,19 +209,6 @@ std::vector<OracleCase> oracleCases() {
   return all;
 }
 
-/// The deviation of a channel at a place of a mix: linear between the steps.
-double deviationAt(const NoiseMap& map, float weight, std::size_t channel) {
-  const std::size_t diagonal = channel * (map.channels.size() + 1);
-  const auto ofStep = [&](std::size_t step) {
-    return std::sqrt((step == 0 ? map.covariance : map.laterSteps[step - 1].covariance)[diagonal]);
-  };
-  const double at = std::clamp(double(weight), 0.0, 1.0) * double(map.laterSteps.size());
-  const auto below = std::size_t(at);
-  return below == map.laterSteps.size()
-             ? ofStep(below)
-             : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
-}
-
 } // namespace
 
 TEST_CASE("shader and twin sum what the oracle sums over all impacts of a periodic domain") {
@@ -247,7 +234,8 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
           reference.at(double(at.position[0]), double(at.position[1]), one.mip, double(mix.weight),
                        {double(mix.gradient[0]), double(mix.gradient[1])});
       for (std::size_t c = 0; c < 3; ++c) {
-        const double gaussian = 0.5 + expected.value[c] / (6.0 * deviationAt(map, mix.weight, c));
+        const double gaussian =
+            0.5 + expected.value[c] / (6.0 * deviationAt(map, double(mix.weight), c));
         // 30 impacts at coordinates of 100 texels rounded to 2^-17, slopes up to 0.2 a texel: less
         // than 5e-5. Order 0 and steps of a mix have borders, where a texton may be another's.
         constexpr double kTolerance = 1e-4;

@@ -34,6 +34,18 @@ int poissonQuantile(double quantile) {
   return count;
 }
 
+double deviationAt(const NoiseMap& map, double weight, std::size_t channel) {
+  const std::size_t diagonal = channel * (map.channels.size() + 1);
+  const auto ofStep = [&](std::size_t step) {
+    return std::sqrt((step == 0 ? map.covariance : map.laterSteps[step - 1].covariance)[diagonal]);
+  };
+  const double at = std::clamp(weight, 0.0, 1.0) * double(map.laterSteps.size());
+  const auto below = std::size_t(at);
+  return below == map.laterSteps.size()
+             ? ofStep(below)
+             : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
+}
+
 TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
                                  const shader::LichenTexton& texton)
     : bundle_(bundle), noise_(noise), texton_(texton) {

@@ -18,6 +18,9 @@ namespace lichen::test {
 /// A Poisson variable of mean 1 by its distribution function, at a quantile.
 [[nodiscard]] int poissonQuantile(double quantile);
 
+/// The deviation of a channel's stored values at a weight of a mix: linear between the steps.
+[[nodiscard]] double deviationAt(const NoiseMap& map, double weight, std::size_t channel);
+
 class TextonReference {
 public:
   /// `noise` is periodic.
