@@ -44,6 +44,9 @@ LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 p
   LichenPlace place;
   place.impacts = lichenImpactsAt(vec2(0.0), toTiles * positionGradientX,
                                   toTiles * positionGradientY, noise, texton);
+  // Right for a constant. For a direction, which texture coordinates have:
+  // lichenSetMix(place.impacts, lichenMixWeight(uv, texton), vec2(0.0)).
+  place.impacts.mixWeight = texton.mixWeight;
   place.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
                                          place.impacts, noise, texton);
   return place;

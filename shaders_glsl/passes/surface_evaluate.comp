@@ -15,8 +15,8 @@ const int kGaussian = 1; // the Gaussian value, lost variance in alpha
 const int kImpacts = 2;  // how many reach the point, in all components
 layout(constant_id = 0) const int kQuantity = kValue;
 
-// w is unused but for the tangent's, and of the gradients and the normal the place in a mix: its
-// weight, and its derivatives per tile.
+// The tangent's w is glTF's, the others' the place in a mix: of the gradients and the normal its
+// weight and its derivatives per tile, of the position 0 where the material says them.
 struct Point {
   vec4 position;
   vec4 gradientX, gradientY, normal;
@@ -37,8 +37,8 @@ void main() {
   LichenTexton texton = lichenUniforms.texton;
   LichenPlace place = LICHEN_PLACE_SURFACE(point.position.xyz, point.gradientX.xyz,
                                            point.gradientY.xyz, point.normal.xyz, point.tangent);
-  place.impacts.mixWeight = point.gradientX.w;
-  place.impacts.mixGradient = vec2(point.gradientY.w, point.normal.w);
+  if (point.position.w != 0.0)
+    lichenSetMix(place.impacts, point.gradientX.w, vec2(point.gradientY.w, point.normal.w));
   LichenMap here = lichenMixedMap(lichenTable0, place.impacts, map, texton);
   if (kQuantity == kGaussian)
     values[index] = vec4(lichenSurfaceTextonGaussian(lichenImage0, place.impacts, place.surface,

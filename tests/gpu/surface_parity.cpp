@@ -25,7 +25,7 @@ enum Quantity { kValue, kGaussian, kImpacts };
 
 /// As surface_evaluate.comp reads it.
 struct SurfacePoint {
-  std::array<float, 4> position{};
+  std::array<float, 4> position{}; ///< w: 0 where the material says the place in a mix
   std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: weight and derivatives in a mix
   std::array<float, 4> tangent{};
 };
@@ -88,6 +88,7 @@ std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_
       point.normal[k / 4 % 3] = k / 12 % 2 == 0 ? 2.0f : -2.0f;
       point.tangent[(k / 4 + 1 + k / 24 % 2) % 3] = 3.0f;
     }
+    point.position[3] = 1.0f;
     point.tangent[3] = k % 3 == 0 ? -1.0f : 1.0f;
     point.gradientX[3] = weight(generator);
     point.gradientY[3] = weight(generator);
@@ -138,9 +139,9 @@ MixPlace mixOf(const SurfacePoint& point) {
 
 /// A device, a noise on it and its twin.
 struct Twins {
-  explicit Twins(const SyntheticTexton& texton)
-      : bundle(parseBundle(syntheticTextonGlb(texton), "synthetic").value()),
-        host(*device, syntheticTextonGlb(texton)),
+  explicit Twins(const SyntheticTexton& texton) : Twins(syntheticTextonGlb(texton)) {}
+  explicit Twins(const std::vector<std::byte>& glb)
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb),
         twin(TextonEvaluator::create(bundle, 0).value()) {}
   ~Twins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
@@ -247,6 +248,25 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
       INFO("order " << order << ", steps " << steps << ", mip " << mip);
       CHECK(strangers <= (order == 0 || steps > 1 ? 3u : 0u)); // one point
     }
+}
+
+TEST_CASE("on a surface the constant weight of a mix is the material's") {
+  const SyntheticTexton texton{.steps = 5, .channels = 1};
+  BundleFile file = syntheticTextonBundle(texton);
+  file.bundle.materials[0]->mix.weight = 0.6;
+  Twins twins(encodeGlb(file).value());
+  std::vector<SurfacePoint> points = samplePoints(texton, 100);
+  for (SurfacePoint& point : points)
+    point.position[3] = 0.0f; // its weight and derivatives are then not read
+  const auto gaussians = twins.shader(kGaussian, surfaceUniformInfo(), points);
+  const shader::LichenUniforms& u = twins.host.uniforms();
+  std::size_t strangers = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto expected =
+        twins.twin.gaussian(0, u.noise, u.texton, footprintOf(points[k]), {0.6f, {}});
+    strangers += std::abs(double(gaussians[k][0]) - double(expected[0])) > 1.0 / 255.0 ? 1u : 0u;
+  }
+  CHECK(strangers == 0);
 }
 
 TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") {

@@ -116,6 +116,7 @@ LichenPlace noisePlace(Footprint f) {
         lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,
                                noiseData.noise, noiseData.texton);
     if (lichenIsMix(noiseData.texton)) {
+      // A direction, and a constant anyway.
       lichenSetMix(place.impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
       setMix(place.impacts, f, mat2(0.0));
     }
