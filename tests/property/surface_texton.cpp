@@ -333,6 +333,21 @@ TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far
   CHECK(far.at(place, plane)[0] != Approx(near.at(place, plane)[0]).margin(1e-3));
 }
 
+TEST_CASE("a direction is of the texture coordinates, wherever in space the tile origin is") {
+  MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
+  material.mix = {.source = MixSource::direction, .start = {0.5, -2.0}, .end = {3.0, 1.0}};
+  Placement placement;
+  placement.tileOriginX = 3;
+  placement.tileOriginY = -2;
+  placement.tileOriginZ = 5;
+  const SyntheticTexton mixed{.steps = 3, .channels = 1};
+  const Evaluation moved(mixed, material, placement);
+  // The way is (2.5, 3), of a squared length of 15.25: from (0.5, -2) to (0, 0), 4.75 of that.
+  CHECK(double(moved.texton.mixWeight) == Approx(4.75 / 15.25));
+  CHECK(double(moved.texton.mixPerU) == Approx(2.5 / 15.25));
+  CHECK(double(moved.texton.mixPerV) == Approx(3.0 / 15.25));
+}
+
 TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and needs no tangent") {
   MaterialNoise material = materialOf(PointProcess::stratified, 30.0, 6);
   const Evaluation plain(kColour, material);
