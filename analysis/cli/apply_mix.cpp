@@ -63,6 +63,14 @@ Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t>
   return {};
 }
 
+/// Of noise on texture coordinates these are looked for anyway.
+Result<void> checkDirection(const GltfScene& scene, std::span<const std::size_t> materials,
+                            const MaterialNoise& use, const char* whose) {
+  if (use.mapping == Mapping::uv)
+    return {};
+  return checkAttribute(scene, materials, fmt::format("TEXCOORD_{}", use.texCoord), whose);
+}
+
 /// The scene's texture that was named by its index, or a new one of a file.
 Result<std::size_t> textureOf(const std::string& wanted, GltfScene& scene) {
   std::size_t index = 0;
@@ -92,6 +100,40 @@ Result<std::size_t> textureOf(const std::string& wanted, GltfScene& scene) {
                       });
 }
 
+/// As chosenMix().
+Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
+                           std::span<const std::size_t> materials, GltfScene& scene) {
+  MixWeight mix;
+  mix.channel = options.channel.value_or(0);
+  Result<void> there;
+  if (options.weight) {
+    mix.weight = *options.weight;
+  } else if (options.direction) {
+    const auto [startU, startV, endU, endV] = *options.direction;
+    mix.source = MixSource::direction;
+    mix.start = {startU, startV};
+    mix.end = {endU, endV};
+    there = checkDirection(scene, materials, use, "--mix-direction");
+  } else if (options.colorSet) {
+    mix.source = MixSource::vertexColor;
+    mix.colorSet = *options.colorSet;
+    there = checkAttribute(scene, materials, fmt::format("COLOR_{}", mix.colorSet),
+                           "--mix-vertex-color");
+  } else {
+    mix.source = MixSource::texture;
+    there = checkAttribute(scene, materials, "TEXCOORD_0", "--mix-texture");
+  }
+  if (!there)
+    return there.error();
+  if (mix.source != MixSource::texture)
+    return mix;
+  const Result<std::size_t> texture = textureOf(options.texture, scene);
+  if (!texture)
+    return texture.error();
+  mix.texture = texture.value();
+  return mix;
+}
+
 } // namespace
 
 void addMixOptions(CLI::App& verb, MixOptions& options) {
@@ -114,39 +156,20 @@ void addMixOptions(CLI::App& verb, MixOptions& options) {
       .group(kGroup);
 }
 
-Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const MixWeight& preset,
+Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const MaterialNoise& use,
                             std::span<const std::size_t> materials, GltfScene& scene) {
-  if (!options.isGiven())
-    return preset.source == MixSource::texture ? MixWeight{} : preset; // of another file
-  if (Result<void> checked = check(options, noise); !checked)
-    return checked.error();
-  MixWeight mix;
-  mix.channel = options.channel.value_or(0);
-  if (options.weight) {
-    mix.weight = *options.weight;
-  } else if (options.direction) {
-    const auto [startU, startV, endU, endV] = *options.direction;
-    mix.source = MixSource::direction;
-    mix.start = {startU, startV};
-    mix.end = {endU, endV};
-  } else if (options.colorSet) {
-    mix.source = MixSource::vertexColor;
-    mix.colorSet = *options.colorSet;
-    if (Result<void> there = checkAttribute(scene, materials, fmt::format("COLOR_{}", mix.colorSet),
-                                            "--mix-vertex-color");
-        !there)
-      return there.error();
-  } else {
-    mix.source = MixSource::texture;
-    if (Result<void> there = checkAttribute(scene, materials, "TEXCOORD_0", "--mix-texture");
-        !there)
-      return there.error();
-    const Result<std::size_t> texture = textureOf(options.texture, scene);
-    if (!texture)
-      return texture.error();
-    mix.texture = texture.value();
+  if (options.isGiven()) {
+    if (Result<void> checked = check(options, noise); !checked)
+      return checked.error();
+    return givenMix(options, use, materials, scene);
   }
-  return mix;
+  if (use.mix.source == MixSource::texture)
+    return MixWeight{}; // of another file
+  if (use.mix.source == MixSource::direction && noise.texton.steps > 1)
+    if (Result<void> there = checkDirection(scene, materials, use, "the direction of its mix");
+        !there)
+      return there.error();
+  return use.mix;
 }
 
 } // namespace lichen::cli

@@ -27,11 +27,12 @@ struct MixOptions {
 
 void addMixOptions(CLI::App& verb, MixOptions& options);
 
-/// The source that was chosen, or without one `preset`. A file becomes a texture of the scene.
+/// The source that was chosen, or without one that of `use`, whose mapping and texture coordinates
+/// are as they will be. A file becomes a texture of the scene.
 /// Errors: usage for options that do not go together or with the noise, badInput where the scene or
 /// the file is not what they need.
 [[nodiscard]] Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise,
-                                          const MixWeight& preset,
+                                          const MaterialNoise& use,
                                           std::span<const std::size_t> materials, GltfScene& scene);
 
 } // namespace lichen::cli

@@ -263,7 +263,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!materials)
     return materials.error();
   MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
-  const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use.mix, materials.value(), scene);
+  const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use, materials.value(), scene);
   if (!mix)
     return mix.error();
   use.mix = mix.value();

@@ -292,3 +292,21 @@ TEST_CASE("apply gives a mix its weight from every source") {
                 workplace.path("new.glb"), "--mix", "0.5"},
                kUsage, {"--mix: noise 'stone' is no mix"});
 }
+
+TEST_CASE("a direction needs texture coordinates on a surface too") {
+  const Workplace workplace;
+  const std::string file = workplace.write("scene.glb", example::tableScene().glb());
+  const auto onSurface = [&](const Arguments& more, const char* out) {
+    Arguments all{"apply",     file,      "--noise", made().bundle,
+                  "--mapping", "surface", "-o",      workplace.path(out)};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  // The pyramid, of glass, has none; the bundle's own weight is that of a direction.
+  checkRefusal(onSurface({"--material", "glass", "--mix-direction", "0,1,2,1"}, "new.glb"),
+               kBadInput, {"has no TEXCOORD_0, which --mix-direction needs"});
+  checkRefusal(onSurface({"--material", "glass"}, "new.glb"), kBadInput,
+               {"has no TEXCOORD_0, which the direction of its mix needs"});
+  CHECK(runLichen(onSurface({"--material", "glass", "--mix", "0.5"}, "out.glb")).code == 0);
+  CHECK(runLichen(onSurface({"--material", "wood"}, "out.glb")).code == 0);
+}
