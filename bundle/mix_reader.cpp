@@ -2,6 +2,8 @@
 // Where the weight of a mix comes from, as a material says.
 #include "extension_reader.h"
 
+#include <cmath>
+
 namespace lichen {
 namespace {
 
@@ -26,8 +28,9 @@ std::array<double, 2> readPlace(ObjectReader& reader, const char* key,
 void readDirection(ObjectReader& reader, MixWeight& mix) {
   mix.start = readPlace(reader, "start", mix.start);
   mix.end = readPlace(reader, "end", mix.end);
-  if (mix.start == mix.end)
-    reader.error("mix-direction", "end", "the same as start; another place is accepted");
+  if (std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixWay)
+    reader.error("mix-direction", "end",
+                 "nearer than 0.000001 to start; a place further away is accepted");
 }
 
 /// A textureInfo of glTF.

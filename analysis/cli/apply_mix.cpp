@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 namespace lichen::cli {
 namespace {
@@ -21,15 +22,15 @@ Accepted<std::array<double, 4>> twoPlaces() {
   const Accepted<std::vector<double>> list = numbers(kMixPlaceRange, kNumbers);
   return {
       "U0,V0,U1,V1",
-      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two different places",
-                  kMixPlaceRange.least, kMixPlaceRange.most),
+      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
+                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixWay),
       [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
         const std::optional<std::vector<double>> values = read(text);
         if (!values || values->size() != kNumbers)
           return std::nullopt;
         const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
-        const bool isSame = places[0] == places[2] && places[1] == places[3];
-        return isSame ? std::nullopt : std::optional(places);
+        const double way = std::hypot(places[2] - places[0], places[3] - places[1]);
+        return way < kLeastMixWay ? std::nullopt : std::optional(places);
       }};
 }
 

@@ -280,7 +280,8 @@ TEST_CASE("apply gives a mix its weight from every source") {
   refuses({"--mix", "2"}, kUsage, {"--mix 2: a number from 0 to 1 is accepted"});
   refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage, {"several sources"});
   refuses({"--mix-channel", "red"}, kUsage, {"--mix-channel: no texture and no vertex colours"});
-  refuses({"--mix-direction", "0,0,0,0"}, kUsage, {"two different places"});
+  refuses({"--mix-direction", "0,0,0,0"}, kUsage, {"two places 0.000001 or more apart"});
+  refuses({"--mix-direction", "0,0,0,1e-200"}, kUsage, {"two places 0.000001 or more apart"});
   refuses({"--mix-direction", "0,0,1"}, kUsage, {"--mix-direction 0,0,1:"});
   refuses({"--mix-vertex-color", "2"}, kBadInput, {"has no COLOR_2, which --mix-vertex-color"});
   refuses({"--mix-texture", "3"}, kUsage, {"--mix-texture 3:", "has 0 textures"});

@@ -110,7 +110,9 @@ void checkContract(const Bundle& bundle) {
             "a mapping that the noise has not");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
-    require(!use || use->mix.source != MixSource::direction || use->mix.start != use->mix.end,
+    require(!use || use->mix.source != MixSource::direction ||
+                std::hypot(use->mix.end[0] - use->mix.start[0],
+                           use->mix.end[1] - use->mix.start[1]) >= kLeastMixWay,
             "a direction without length");
     require(!use || (use->mix.weight >= 0.0 && use->mix.weight <= 1.0), "a weight");
     require(!use || isWithin(use->mix.channel, 0, 3), "a channel");

@@ -193,6 +193,14 @@ TEST_CASE("every fault of a mix's weight is found") {
            [&](GlbParts& p) {
              mix(p) = {{"source", "direction"}, {"start", {0.0, 1.0}}};
            }},
+          {"a direction whose squared length is 0", "mix-direction",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "direction"}, {"end", {0.0, 1e-200}}};
+           }},
+          {"a direction that is too short", "mix-direction",
+           [&](GlbParts& p) {
+             mix(p) = {{"source", "direction"}, {"end", {0.0, 0.9e-6}}};
+           }},
           {"a start of one number", "count",
            [&](GlbParts& p) {
              mix(p) = {{"source", "direction"}, {"start", {0.5}}};
@@ -230,6 +238,7 @@ TEST_CASE("the weight of a mix comes back from every source") {
   for (MixWeight mix :
        {MixWeight{.weight = 0.25},
         MixWeight{.source = MixSource::direction, .start = {0.5, 2.0}, .end = {-1.0, 0.0}},
+        MixWeight{.source = MixSource::direction, .end = {0.0, 1e-6}},
         MixWeight{.source = MixSource::texture, .texture = 1, .texCoord = 1, .channel = 3},
         MixWeight{.source = MixSource::vertexColor, .colorSet = 2, .channel = 1}}) {
     BundleFile file = example::textonMix();

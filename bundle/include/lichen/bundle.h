@@ -242,6 +242,9 @@ inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
 inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
+/// Between the two places of a direction, in texture coordinates: a sixtieth of a texel of the
+/// widest exemplar. The square of 1e-170 is 0, by which the weight would be divided.
+inline constexpr double kLeastMixWay = 1e-6;
 
 /// The weight of a mix at a point: 0 is its first step, 1 the last, and it is clamped to them.
 struct MixWeight {
@@ -249,7 +252,7 @@ struct MixWeight {
   double weight = 0.0; ///< of MixSource::constant, in kMixWeightRange
   /// Of MixSource::direction: the texture coordinates, of the noise's set, where the weight is 0
   /// and 1; another place has that of the nearest point of the line through them. In
-  /// kMixPlaceRange, and not the same.
+  /// kMixPlaceRange, and kLeastMixWay or more apart.
   std::array<double, 2> start{0.0, 0.0};
   std::array<double, 2> end{0.0, 1.0};
   std::size_t texture = 0; ///< of MixSource::texture: glTF's index; its stored value counts
