@@ -23,7 +23,7 @@ public:
 
   void run() {
     for (const char* array :
-         {"accessors", "bufferViews", "buffers", "images", "materials", "textures"})
+         {"accessors", "bufferViews", "buffers", "images", "materials", "samplers", "textures"})
       objects(root_, array, "");
     const json* meshes = objects(root_, "meshes", "");
     for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
@@ -236,8 +236,11 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
 std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {
   const std::size_t view = state_->addView(file, sizeof(std::uint32_t), false);
   const std::size_t image = state_->countOf("images") + state_->addedTextures;
+  const std::size_t sampler = state_->countOf("samplers") + state_->addedTextures;
+  constexpr int kClampToEdge = 33071;
   state_->changes.member("images").append({{"mimeType", mediaType}, {"bufferView", view}});
-  state_->changes.member("textures").append(JsonTree{{"source", image}});
+  state_->changes.member("samplers").append({{"wrapS", kClampToEdge}, {"wrapT", kClampToEdge}});
+  state_->changes.member("textures").append({{"sampler", sampler}, {"source", image}});
   ++state_->addedTextures;
   return textureCount() - 1;
 }

@@ -264,6 +264,10 @@ TEST_CASE("apply gives a mix its weight from every source") {
   REQUIRE(document["textures"].size() == 1);
   const json& image = document["images"][document["textures"][0]["source"].get<std::size_t>()];
   CHECK(image.at("mimeType") == "image/png");
+  // Else the last column's weight would be half of the first one's.
+  constexpr int kClampToEdge = 33071;
+  CHECK(document["samplers"][document["textures"][0]["sampler"].get<std::size_t>()] ==
+        json{{"wrapS", kClampToEdge}, {"wrapT", kClampToEdge}});
   // A mask belongs to its scene: another bundle's textures are others.
   const Ended merged = runLichen({"merge", workplace.path("out.glb"), "-o",
                                   workplace.path("merged.glb"), "--preview", "none"});

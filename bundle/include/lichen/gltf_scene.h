@@ -64,8 +64,8 @@ public:
   /// Adds or replaces an attribute. Throws std::bad_alloc.
   void setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor);
 
-  /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which repeats; returns
-  /// the texture's index. Throws std::bad_alloc.
+  /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which ends at its
+  /// borders and does not repeat; returns the texture's index. Throws std::bad_alloc.
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
   [[nodiscard]] std::size_t textureCount() const; ///< with those that were added
 
