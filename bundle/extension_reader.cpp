@@ -229,6 +229,10 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     use.pointProcess = process.value_or(use.pointProcess);
   }
   use.mix = readMixWeight(reader, textures, findings);
+  // Of a noise with errors the steps may be unknown.
+  if (reader.has("mix") && findings.errorCount() == 0 && bundle.noises[use.noise].texton.steps == 1)
+    findings.warn("mix-without-steps", reader.pointerTo("mix"),
+                  "the noise is no mix, so that its weight has no effect");
   reader.warnOfUnknown();
   return use;
 }

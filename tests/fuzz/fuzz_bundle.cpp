@@ -116,6 +116,8 @@ void checkContract(const Bundle& bundle) {
             "a direction without length");
     require(!use || (use->mix.weight >= 0.0 && use->mix.weight <= 1.0), "a weight");
     require(!use || isWithin(use->mix.channel, 0, 3), "a channel");
+    require(!use || isWithin(use->mix.colorSet, 0, 15), "a set of vertex colours");
+    require(!use || isWithin(use->mix.texCoord, 0, 15), "texture coordinates of a mask");
   }
   for (const IgnoredNoise& noise : bundle.ignoredNoises) {
     require(noise.revision > kNoiseRevision, "a known revision that is ignored");

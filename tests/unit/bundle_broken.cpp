@@ -350,6 +350,9 @@ TEST_CASE("what is merely odd is a warning and does not stop reading") {
   CHECK(warningOf([](GlbParts& p) {
           p.json["materials"][0]["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
         }) == "material-unlit");
+  CHECK(warningOf([](GlbParts& p) {
+          p.use(0)["mix"] = {{"source", "constant"}, {"weight", 0.5}};
+        }) == "mix-without-steps");
   CHECK(warningOf([](GlbParts& p) { p.extension()["noises"][1]["maps"].erase(3); }) ==
         "table-unused");
   CHECK(warningOf([](GlbParts& p) {
