@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen::cli {
 
@@ -114,11 +115,16 @@ Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> m
 }
 
 Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemplar> maps,
-                                                        int support, const SharedOptions& options) {
+                                                        int support, const SharedOptions& options,
+                                                        int widthTexels) {
   int width = 0, height = 0; // at which all maps are fitted together
   for (const MapExemplar& map : maps) {
     width = std::max(width, map.width);
     height = std::max(height, map.height);
+  }
+  if (widthTexels > 0) {
+    height = int(std::lround(double(height) * double(widthTexels) / double(width)));
+    width = widthTexels;
   }
   return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
     return assessTextonSuitability(map, support, progress, width, height);

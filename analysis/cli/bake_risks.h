@@ -43,9 +43,11 @@ struct Flattened {
 [[nodiscard]] Result<std::vector<std::vector<Risk>>>
 assessMaps(std::span<const MapExemplar> maps, bool periodic, const SharedOptions& options);
 
-/// Likewise, of a texton of this support.
+/// Likewise, of a texton of this support, of noise that has `widthTexels` over the width of the
+/// maps; 0: as many as the widest of them has pixels.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>>
-assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& options);
+assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& options,
+                 int widthTexels = 0);
 
 /// A risk and the map that runs it most.
 struct MapRisk {

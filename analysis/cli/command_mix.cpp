@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lichen mix: photographs to a glTF with a noise that changes from one to the next.
+#include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
 #include "method_options.h"
@@ -85,6 +86,29 @@ Result<Inputs> readInputs(const Arguments& arguments) {
   return inputs;
 }
 
+/// Adds where noise of textons is wrong for an input.
+Result<void> judge(const Arguments& arguments, Inputs& inputs) {
+  int widest = 0; // to which the others are refined
+  for (const MixedExemplar& exemplar : inputs.exemplars)
+    for (const MapExemplar& map : exemplar.maps)
+      widest = std::max(widest, map.width);
+  bool isAtRisk = false;
+  for (const MixedExemplar& exemplar : inputs.exemplars) {
+    const Result<std::vector<std::vector<Risk>>> assessed =
+        assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
+    if (!assessed)
+      return assessed.error();
+    const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
+    for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1)) {
+      inputs.notes.push_back(exemplar.name + ": " + line);
+      isAtRisk = true;
+    }
+  }
+  if (isAtRisk)
+    inputs.notes.emplace_back("--method tiling is of 'lichen bake'; a mix has textons alone");
+  return {};
+}
+
 /// "moss-rock", or as told.
 std::string nameOfMix(const Arguments& arguments, const std::vector<std::string>& names) {
   return arguments.name.empty() ? asUtf8(fmt::format("{}", fmt::join(names, "-"))) : arguments.name;
@@ -164,6 +188,8 @@ Result<int> run(Arguments& arguments) {
   Result<Inputs> inputs = readInputs(arguments);
   if (!inputs)
     return inputs.error();
+  if (Result<void> judged = judge(arguments, inputs.value()); !judged)
+    return judged.error();
   std::vector<std::string> notes = std::move(inputs.value().notes);
   ProgressLine progress("mix", arguments.shared);
   arguments.mix.texton.progress = progress.asProgress();

@@ -125,6 +125,25 @@ TEST_CASE("mix reports what it made, as JSON too") {
   CHECK(report.at("maps") == std::vector<std::string>{"baseColor"});
 }
 
+TEST_CASE("mix says which input is no Gaussian texture, and what is one for it") {
+  // Squares of two values: 64 % of a deviation from a Gaussian of that mean and deviation.
+  SrgbImage spots = speckled(64, 64, 3);
+  for (int y = 0; y < spots.height; ++y)
+    for (int x = 0; x < spots.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        spots.pixel(x, y)[c] = (x / 4 * 7 + y / 4 * 11 + x / 4 * (y / 4)) % 5 < 2 ? 0.2f : 0.8f;
+  const Workplace workplace;
+  const std::string input = workplace.write("spots.png", spots);
+  const Ended ended = runLichen({"mix", input, made().dark, "-o", workplace.path("mix.glb"),
+                                 "--support", "8", "--steps", "2", "--preview", "none"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("spots.png: histogram (severe): the values are"));
+  CHECK_THAT(ended.errors, Catch::Contains("what helps: --method tiling"));
+  CHECK_THAT(ended.errors, Catch::Contains("--method tiling is of 'lichen bake'"));
+  CHECK_THAT(ended.errors, !Catch::Contains("dark.png: histogram"));
+}
+
 TEST_CASE("with weights mix makes one texton between all") {
   const Made& m = made();
   const std::string bundle = m.workplace.path("between.gltf");
