@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's own example exemplars as PNG,
-// and a mesh to put them on.
+// and meshes to put them on.
 #include "materials.h"
 #include "scanned_shape.h"
+#include "terrain.h"
 #include "unsuitable.h"
 
 #include <lichen/files.h>
@@ -31,8 +32,9 @@ int fail(ErrorKind kind, const std::string& message) {
   return int(kind);
 }
 
-/// The name of the mesh, which is no picture.
+/// The names of the meshes, which are no pictures.
 constexpr const char* kScan = "scan";
+constexpr const char* kTerrain = "terrain"; // with its mask
 
 /// The materials, then the pictures that do not suit.
 std::vector<exemplars::Material> pictures() {
@@ -42,6 +44,14 @@ std::vector<exemplars::Material> pictures() {
   return all;
 }
 
+/// 0, or after a message the exit code.
+int codeOf(const Result<void>& written, const std::filesystem::path& path) {
+  if (!written)
+    return fail(written.error().kind, written.error().message);
+  std::printf("%s\n", path.c_str());
+  return 0;
+}
+
 int writeFiles(const std::filesystem::path& folder, int side,
                const std::vector<std::string>& names) {
   std::error_code error;
@@ -49,23 +59,28 @@ int writeFiles(const std::filesystem::path& folder, int side,
   if (error)
     return fail(ErrorKind::environment,
                 folder.string() + ": cannot make the folder: " + error.message());
-  for (const exemplars::Material& picture : pictures()) {
-    if (std::find(names.begin(), names.end(), picture.name) == names.end())
-      continue;
-    const std::filesystem::path path = folder / (std::string(picture.name) + ".png");
-    const Result<void> written = writeImage(path, picture.generate(side));
-    if (!written)
-      return fail(written.error().kind, written.error().message);
-    std::printf("%s\n", path.c_str());
-  }
-  if (std::find(names.begin(), names.end(), kScan) != names.end()) {
-    const std::filesystem::path path = folder / (std::string(kScan) + ".glb");
-    const Result<void> written = replaceFile(path, exemplars::scannedShapeGlb());
-    if (!written)
-      return fail(written.error().kind, written.error().message);
-    std::printf("%s\n", path.c_str());
-  }
-  return 0;
+  const auto isNamed = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const auto writeMesh = [&](const char* name, const std::vector<std::byte>& glb) {
+    const std::filesystem::path path = folder / (std::string(name) + ".glb");
+    return codeOf(replaceFile(path, glb), path);
+  };
+  const auto writePicture = [&](const std::string& name, const SrgbImage& image) {
+    const std::filesystem::path path = folder / (name + ".png");
+    return codeOf(writeImage(path, image), path);
+  };
+  int code = 0;
+  for (const exemplars::Material& picture : pictures())
+    if (code == 0 && isNamed(picture.name))
+      code = writePicture(picture.name, picture.generate(side));
+  if (code == 0 && isNamed(kScan))
+    code = writeMesh(kScan, exemplars::scannedShapeGlb());
+  if (code == 0 && isNamed(kTerrain))
+    code = writeMesh(kTerrain, exemplars::terrainGlb());
+  if (code == 0 && isNamed(kTerrain))
+    code = writePicture(std::string(kTerrain) + "_mask", exemplars::terrainMask(side));
+  return code;
 }
 
 int failUsage(const std::string& message) {
@@ -87,9 +102,10 @@ int run(int argc, char** argv) {
   for (const exemplars::Material& picture : pictures())
     known.emplace_back(picture.name);
   known.emplace_back(kScan);
+  known.emplace_back(kTerrain);
 
-  CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB; and a mesh "
-               "without texture coordinates.",
+  CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB; and meshes "
+               "to put them on.",
                "lichen-exemplars");
   app.set_help_flag("-h,--help", "Print this page and exit");
   app.formatter(cli::helpFormatter());

@@ -3,7 +3,9 @@
 // another noise is high. The bare numbers are appearance, as in materials.h.
 #include "scanned_shape.h"
 
-#include <lichen/gltf_container.h>
+#include "mesh_scene.h"
+#include "space_noise.h"
+
 #include <lichen/lattice.h>
 
 #include <algorithm>
@@ -22,30 +24,6 @@ Point scaledBy(const Point& p, float factor) {
 
 Point unit(const Point& p) {
   return scaledBy(p, 1.0f / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
-}
-
-/// Values of [-1, 1] at whole places, smooth between them.
-float valueNoise(const Point& p, std::uint32_t seed) {
-  std::array<float, 3> floors{}, weights{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    floors[k] = std::floor(p[k]);
-    const float f = p[k] - floors[k];
-    weights[k] = f * f * (3.0f - 2.0f * f);
-  }
-  float sum = 0.0f;
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    std::array<std::uint32_t, 3> cell{};
-    float weight = 1.0f;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t step = corner >> k & 1u;
-      cell[k] = std::uint32_t(std::int32_t(floors[k])) + step;
-      weight *= step != 0 ? weights[k] : 1.0f - weights[k];
-    }
-    constexpr float kStep = 1.0f / 32768.0f;
-    const std::uint32_t hash = pcg3d({cell[0], cell[1], pcg(cell[2] + pcg(seed))})[0];
-    sum += weight * (float(hash >> 16) * kStep - 1.0f);
-  }
-  return sum;
 }
 
 /// Each triangle becomes four.
@@ -102,8 +80,8 @@ ScannedShape icosahedron() {
 
 /// Where the scanner saw nothing.
 bool isHole(const Point& direction) {
-  return valueNoise(scaledBy(direction, 2.6f), 11) +
-             0.25f * valueNoise(scaledBy(direction, 17.0f), 12) >
+  return spaceNoise(scaledBy(direction, 2.6f), 11) +
+             0.25f * spaceNoise(scaledBy(direction, 17.0f), 12) >
          0.52f;
 }
 
@@ -124,62 +102,23 @@ ScannedShape scannedShape() {
   for (std::uint32_t v = 0; v < ball.positions.size(); ++v) {
     const Point& p = ball.positions[v];
     const float jitter = float(pcg(v) >> 16) * (1.0f / 65536.0f) - 0.5f;
-    shape.positions.push_back(scaledBy(p, 0.5f + 0.16f * valueNoise(scaledBy(p, 1.7f), 1) +
-                                              0.04f * valueNoise(scaledBy(p, 5.0f), 2) +
+    shape.positions.push_back(scaledBy(p, 0.5f + 0.16f * spaceNoise(scaledBy(p, 1.7f), 1) +
+                                              0.04f * spaceNoise(scaledBy(p, 5.0f), 2) +
                                               0.002f * jitter));
   }
   return shape;
 }
 
 std::vector<std::byte> scannedShapeGlb() {
-  const ScannedShape shape = scannedShape();
-  Point least = shape.positions.front(), most = least;
-  for (const Point& p : shape.positions)
-    for (std::size_t k = 0; k < 3; ++k) {
-      least[k] = std::min(least[k], p[k]);
-      most[k] = std::max(most[k], p[k]);
-    }
-  const auto positions = std::as_bytes(std::span(shape.positions));
-  const auto triangles = std::as_bytes(std::span(shape.triangles));
-  std::vector<std::byte> binary(positions.begin(), positions.end());
-  binary.insert(binary.end(), triangles.begin(), triangles.end());
-  constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
-  using nlohmann::ordered_json;
-  ordered_json json{{"asset", {{"version", "2.0"}, {"generator", "lichen-exemplars"}}},
-                    {"scene", 0}};
-  json["scenes"][0]["nodes"] = {0, 1, 2};
-  json["nodes"][0] = {{"name", "scan"}, {"mesh", 0}};
-  json["nodes"][1] = {{"camera", 0}, {"translation", {0.0, 0.0, 2.2}}};
-  json["nodes"][2] = {
-      {"camera", 1}, {"translation", {0.0, 0.0, -2.2}}, {"rotation", {0.0, 1.0, 0.0, 0.0}}};
-  for (const char* name : {"front", "back"})
-    json["cameras"].push_back({{"name", name},
-                               {"type", "perspective"},
-                               {"perspective", {{"yfov", 0.6}, {"znear", 0.1}}}});
-  json["meshes"][0]["name"] = "scan";
-  json["meshes"][0]["primitives"][0] = {
-      {"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}};
-  json["materials"][0] = {
-      {"name", "scan"},
-      {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}},
-      {"doubleSided", true}}; // through holes the other side is seen from within
-  json["accessors"][0] = {{"bufferView", 0},
-                          {"componentType", kFloat},
-                          {"count", shape.positions.size()},
-                          {"type", "VEC3"},
-                          {"min", least},
-                          {"max", most}};
-  json["accessors"][1] = {{"bufferView", 1},
-                          {"componentType", kUnsignedInt},
-                          {"count", shape.triangles.size()},
-                          {"type", "SCALAR"}};
-  json["bufferViews"][0] = {{"buffer", 0}, {"byteLength", positions.size()}, {"target", kVertices}};
-  json["bufferViews"][1] = {{"buffer", 0},
-                            {"byteOffset", positions.size()},
-                            {"byteLength", triangles.size()},
-                            {"target", kIndices}};
-  json["buffers"][0]["byteLength"] = binary.size();
-  return frameGlb(json.dump(), binary);
+  ScannedShape shape = scannedShape();
+  SceneMesh mesh;
+  mesh.name = "scan";
+  mesh.positions = std::move(shape.positions);
+  mesh.triangles = std::move(shape.triangles);
+  mesh.isDoubleSided = true; // through holes the other side is seen from within
+  const std::vector<SceneCamera> cameras{{"front", {0.0, 0.0, 2.2}, {}},
+                                         {"back", {0.0, 0.0, -2.2}, {{0.0, 1.0, 0.0, 0.0}}}};
+  return meshSceneGlb(mesh, cameras);
 }
 
 } // namespace lichen::exemplars

@@ -19,10 +19,13 @@ Ended runExemplars(const Arguments& arguments) {
 
 TEST_CASE("lichen-exemplars writes those that are named") {
   const Workplace workplace;
-  const Ended ended = runExemplars({workplace.path("out"), "rust", "scan", "text", "--size", "64"});
+  const Ended ended =
+      runExemplars({workplace.path("out"), "rust", "terrain", "scan", "text", "--size", "64"});
   CHECK(ended.code == 0);
   CHECK(ended.output == workplace.path("out/rust.png") + "\n" + workplace.path("out/text.png") +
-                            "\n" + workplace.path("out/scan.glb") + "\n");
+                            "\n" + workplace.path("out/scan.glb") + "\n" +
+                            workplace.path("out/terrain.glb") + "\n" +
+                            workplace.path("out/terrain_mask.png") + "\n");
 }
 
 TEST_CASE("lichen-exemplars refuses what it does not know in one line that says what it does") {
