@@ -126,7 +126,7 @@ TEST_CASE("mix reports what it made, as JSON too") {
 }
 
 TEST_CASE("mix says which input is no Gaussian texture, and what is one for it") {
-  // Squares of two values: 64 % of a deviation from a Gaussian of that mean and deviation.
+  // Squares of two values, a third of them dark: two thirds of a deviation from a Gaussian.
   SrgbImage spots = speckled(64, 64, 3);
   for (int y = 0; y < spots.height; ++y)
     for (int x = 0; x < spots.width; ++x)
