@@ -288,7 +288,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
 }
 
 TEST_CASE("a period is refused for noise on a surface") {
-  Twins twins({});
+  Twins twins(SyntheticTexton{});
   LichenUniformInfo info = surfaceUniformInfo();
   info.periodTiles[0] = info.periodTiles[1] = 2.0;
   LichenDiagnostic diagnostic;
