@@ -250,8 +250,7 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
 }
 
 Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const Value& gaussian,
-                               const MixPlace& mix) {
+                               const Value& gaussian, const MixPlace& mix) {
   // Contrast scales what is missing with what is there.
   const float lost = noise.contrast * noise.contrast * gaussian[3];
   return decodedGaussian(map.mix.at(map.constants, mix), {gaussian[0], gaussian[1], gaussian[2]},
@@ -261,15 +260,13 @@ Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const TileFootprint& at,
                                 const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
-                 mix);
+  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix), mix);
 }
 
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const SurfaceFootprint& at,
                                 const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, texton, gaussian(mapIndex, noise, texton, at, mix),
-                 mix);
+  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix), mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,

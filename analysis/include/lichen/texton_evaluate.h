@@ -67,8 +67,7 @@ public:
 
 private:
   struct Map;
-  static Value decoded(const Map& map, const shader::LichenNoise& noise,
-                       const shader::LichenTexton& texton, const Value& gaussian,
+  static Value decoded(const Map& map, const shader::LichenNoise& noise, const Value& gaussian,
                        const MixPlace& mix);
   explicit TextonEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
 
