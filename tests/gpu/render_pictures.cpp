@@ -110,12 +110,9 @@ double furnaceError(double metallic, double roughness) {
   return worst;
 }
 
-/// A ball with a noise, on a ground with the same noise.
-std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
-  std::vector<SyntheticMap> maps{SyntheticMap{3, 64, 64, true, 4}};
-  if (withOrm)
-    maps.push_back(SyntheticMap{1, 64, 64, false, 4});
-  GltfScene scene(syntheticGlb(maps));
+/// A ball with the first material, on a ground with the same.
+std::vector<std::byte> ballOf(const std::vector<std::byte>& bundle, bool withGround) {
+  GltfScene scene(bundle);
   scene.addBall(0);
   if (withGround)
     scene.addGround(0, 40.0f, -1.0f);
@@ -124,17 +121,19 @@ std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
   return scene.glb();
 }
 
-/// A ball with a noise of textons, on a ground with the same noise.
+/// One with tiling noise.
+std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
+  std::vector<SyntheticMap> maps{SyntheticMap{3, 64, 64, true, 4}};
+  if (withOrm)
+    maps.push_back(SyntheticMap{1, 64, 64, false, 4});
+  return ballOf(syntheticGlb(maps), withGround);
+}
+
+/// One with textons.
 std::vector<std::byte> textonBall(bool withGround = true) {
   SyntheticTexton texton;
   texton.smoothings = 1; // grain that a pixel of the ball can show
-  GltfScene scene(syntheticTextonGlb(texton));
-  scene.addBall(0);
-  if (withGround)
-    scene.addGround(0, 40.0f, -1.0f);
-  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
-  scene.addSun(3.0f);
-  return scene.glb();
+  return ballOf(syntheticTextonGlb(texton), withGround);
 }
 
 } // namespace

@@ -390,7 +390,7 @@ typedef struct LichenUniformInfo {
   /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
    * not 0. 0, 0: never, as of the mapping surface. */
   double periodTiles[2];
-  /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the Gaussian images' sampler. 0 and 1: it is
+  /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the images' sampler. 0 and 1: it is
    * trilinear, the default, which is what the reference pictures and the tests show. Above 1 the
    * shaders must be compiled with LICHEN_ANISOTROPIC 1 and the sampler must be made with the same
    * value: the level of the inverse table is that of the footprint that the sampler filters, and
