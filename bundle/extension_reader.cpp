@@ -218,6 +218,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   use.offset = readOffset(reader);
   use.rotation = reader.numberOr("rotation", kRotationRange, use.rotation);
   use.blendSharpness = reader.numberOr("blendSharpness", kBlendSharpnessRange, use.blendSharpness);
+  use.planeSharpness = reader.numberOr("planeSharpness", kPlaneSharpnessRange, use.planeSharpness);
   use.contrast = reader.numberOr("contrast", kContrastRange, use.contrast);
   use.impacts = reader.numberOr("impacts", kImpactsRange, use.impacts);
   if (reader.has("pointProcess")) {

@@ -114,6 +114,8 @@ JsonTree describeMaterialNoise(const MaterialNoise& use) {
     json["seed"] = use.seed;
   if (use.blendSharpness != defaults.blendSharpness)
     json["blendSharpness"] = use.blendSharpness;
+  if (use.planeSharpness != defaults.planeSharpness)
+    json["planeSharpness"] = use.planeSharpness;
   if (use.contrast != defaults.contrast)
     json["contrast"] = use.contrast;
   if (use.impacts != defaults.impacts)

@@ -33,8 +33,8 @@ struct LinearWeight {
   std::array<double, 2> perUv{};
 };
 
-/// Of a constant or a direction, at texture coordinates relative to the place's tile origin. On a
-/// surface that is a place in space, which moves no texture coordinates.
+/// Of a constant or a direction, at texture coordinates relative to the place's tile origin. With
+/// other mappings than uv that is a place in space, which moves no texture coordinates.
 LinearWeight linearWeight(const MaterialNoise& material, const Placement& placement) {
   const MixWeight& mix = material.mix;
   if (mix.source == MixSource::constant)
@@ -47,7 +47,7 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
   // The origin in texture coordinates: tile coordinates are a rotation of them over the scale.
   const double cosine = std::cos(material.rotation) * material.scale;
   const double sine = std::sin(material.rotation) * material.scale;
-  const bool isMoved = material.mapping != Mapping::surface;
+  const bool isMoved = material.mapping == Mapping::uv;
   const double tileX = isMoved ? double(placement.tileOriginX) : 0.0;
   const double tileY = isMoved ? double(placement.tileOriginY) : 0.0;
   weight.constant = weight.perUv[0] * (cosine * tileX - sine * tileY - mix.start[0]) +

@@ -184,6 +184,61 @@ void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoi
   result.fractionJ = origin.fraction[1];
 }
 
+/// An origin in space, in tiles -> along the right and down of the plane that looks along an axis.
+std::array<double, 2> ontoPlane(const Placement& placement, std::size_t axis) {
+  const auto x = double(placement.tileOriginX);
+  const auto y = double(placement.tileOriginY);
+  const auto z = double(placement.tileOriginZ);
+  const std::array<std::array<double, 2>, 3> planes{{{-z, -y}, {x, z}, {x, -y}}};
+  return planes[axis];
+}
+
+/// Width over height of a tile, whose texels are square in space.
+double tileAspect(const Noise& noise, const Bundle& bundle) {
+  if (noise.method == Method::texton)
+    return double(noise.texton.texelsPerTileX) / double(noise.texton.texelsPerTileY);
+  const std::array<std::uint32_t, 2> tile = tileTexels(noise, bundle);
+  return double(tile[0]) / double(tile[1]);
+}
+
+/// The three planes of triplanar noise, each at the place's origin. Exact where tiles are square
+/// and not rotated; else 2^-12 tiles off at 2^40.
+void setPlanes(shader::LichenNoise& result, const Bundle& bundle, const Noise& noise,
+               const MaterialNoise& material, const Placement& placement) {
+  const bool isTiling = noise.method == Method::tiling;
+  const Lattice lattice = isTiling ? Lattice{} : impactGrid(noise.texton, material.impacts, {});
+  const double aspect = tileAspect(noise, bundle);
+  const double cosine = std::cos(material.rotation);
+  const double sine = std::sin(material.rotation);
+  result.columnsPerTile = float(lattice.columnsPerTile);
+  result.rowsPerTile = float(lattice.rowsPerTile);
+  result.planeSharpness = float(material.planeSharpness);
+  result.tileAspect = float(aspect);
+  const std::array<shader::LichenPlane*, 3> planes{&result.planeX, &result.planeY, &result.planeZ};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [right, down] = ontoPlane(placement, axis);
+    const std::array<double, 2> origin{cosine * right + sine * down,
+                                       aspect * (cosine * down - sine * right)};
+    std::array<std::int64_t, 2> tile{};
+    std::array<float, 2> rest{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double offset = origin[k] - std::floor(origin[k]) + material.offset[k];
+      tile[k] = std::int64_t(std::floor(origin[k])) + std::int64_t(std::floor(offset));
+      rest[k] = float(offset - std::floor(offset));
+    }
+    const LatticeOrigin at =
+        isTiling ? latticeOrigin(tile[0], tile[1]) : impactGridOrigin(lattice, tile[0], tile[1]);
+    *planes[axis] = {at.cell[0],
+                     at.cell[1],
+                     at.fraction[0],
+                     at.fraction[1],
+                     rest[0],
+                     rest[1],
+                     latticeSeed(material.seed, std::uint32_t(axis)),
+                     0};
+  }
+}
+
 /// The steps between the offsets of tiles of this size.
 void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t, 2>& tile) {
   const auto step = [](std::uint32_t size) {
@@ -256,6 +311,8 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
   result.seed = material.seed;
   if (material.mapping == Mapping::surface)
     setCubes(result, noise, material, placement);
+  else if (material.mapping == Mapping::triplanar)
+    setPlanes(result, bundle, noise, material, placement);
   else
     setCells(result, noise, material, placement);
   if (noise.method == Method::texton)

@@ -16,7 +16,7 @@ constexpr std::uint32_t kKnownOverrides =
     LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
     LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
     LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS |
-    LICHEN_OVERRIDE_MAPPING;
+    LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_PLANE_SHARPNESS;
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
@@ -87,6 +87,8 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
     parameters.seed = info.seed;
   if (info.overrides & LICHEN_OVERRIDE_BLEND_SHARPNESS)
     parameters.blendSharpness = info.blendSharpness;
+  if (info.overrides & LICHEN_OVERRIDE_PLANE_SHARPNESS)
+    parameters.planeSharpness = info.planeSharpness;
   if (info.overrides & LICHEN_OVERRIDE_CONTRAST)
     parameters.contrast = info.contrast;
   if (info.overrides & LICHEN_OVERRIDE_IMPACTS)
@@ -105,9 +107,9 @@ LichenResult checkPeriod(const MaterialNoise& parameters, const LichenUniformInf
   constexpr NumberRange kPeriodRange{1.0, 65536.0}; // tiles; keeps columns far below 2^24
   if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
     return LICHEN_SUCCESS;
-  if (parameters.mapping == Mapping::surface) {
-    say(diagnostic, "periodTiles %.9g: noise of the mapping surface does not repeat; 0 is accepted",
-        info.periodTiles[info.periodTiles[0] == 0.0 ? 1 : 0]);
+  if (parameters.mapping != Mapping::uv) {
+    say(diagnostic, "periodTiles %.9g: noise of the mapping %s does not repeat; 0 is accepted",
+        info.periodTiles[info.periodTiles[0] == 0.0 ? 1 : 0], nameOf(parameters.mapping).data());
     return LICHEN_ERROR_USAGE;
   }
   for (int axis = 0; axis < 2; ++axis) {
@@ -136,6 +138,7 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
       {"offset", parameters.offset[1], kOffsetRange},
       {"rotation", parameters.rotation, kRotationRange},
       {"blendSharpness", parameters.blendSharpness, kBlendSharpnessRange},
+      {"planeSharpness", parameters.planeSharpness, kPlaneSharpnessRange},
       {"contrast", parameters.contrast, kContrastRange},
       {"impacts", parameters.impacts, kImpactsRange},
       {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},

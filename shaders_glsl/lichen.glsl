@@ -8,7 +8,8 @@
 //   LICHEN_FIRST_BINDING  its first binding (0)
 //   LICHEN_MAP_COUNT      maps of the noise, 1 to LICHEN_MAX_MAPS
 // which gives lichenUniforms.noise, .maps[k] and .texton, lichenImage0, lichenTable0, ...,
-// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of the mapping surface
+// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
+// LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal) and
 // LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent), and
 // LICHEN_NOISE(k, place), the value of map k there, whatever the noise's method.
 //
@@ -20,6 +21,7 @@
 #include "interface/lichen_interface.h"
 #include "mapping/mix.glsl"
 #include "mapping/surface.glsl"
+#include "mapping/triplanar.glsl"
 #include "mapping/uv.glsl"
 #include "noise/method.glsl"
 
@@ -69,6 +71,10 @@ LICHEN_DECLARE_MAP(5);
 #define LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
   lichenPlaceSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenUniforms.noise,    \
                          lichenUniforms.texton)
+
+#define LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal)                             \
+  lichenPlaceTriplanarGrad(position, gradientX, gradientY, normal, lichenUniforms.noise,           \
+                           lichenUniforms.texton)
 
 #define LICHEN_NOISE(map, place)                                                                   \
   lichenValue(lichenImage##map, lichenTable##map, place, lichenUniforms.noise,                     \

@@ -28,6 +28,7 @@ struct Arguments {
   std::string material;
   Mapping mapping{};
   std::optional<double> scale;
+  std::optional<double> planeSharpness;
   MixOptions mix;
   std::string output;
 };
@@ -62,6 +63,7 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.mapping = arguments.mapping;
   use.texCoord = 0;
   use.scale = arguments.scale.value_or(use.scale);
+  use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
   return use;
 }
 
@@ -327,6 +329,9 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
            "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
            "width [default: the bundle's]");
+  addValue(verb, "--plane-sharpness", arguments->planeSharpness,
+           optional(number(kPlaneSharpnessRange)), "",
+           "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

@@ -163,6 +163,7 @@ Json describe(const MaterialNoise& use, std::size_t index, const std::string& na
           {"rotation", use.rotation},
           {"seed", use.seed},
           {"blendSharpness", use.blendSharpness},
+          {"planeSharpness", use.planeSharpness},
           {"contrast", use.contrast},
           {"impacts", use.impacts},
           {"pointProcess", nameOf(use.pointProcess)},
@@ -288,6 +289,8 @@ std::string parametersOf(const MaterialNoise& use) {
   add(use.rotation == defaults.rotation, fmt::format("rotation {:g}", use.rotation));
   add(use.blendSharpness == defaults.blendSharpness,
       fmt::format("sharpness {:g}", use.blendSharpness));
+  add(use.planeSharpness == defaults.planeSharpness,
+      fmt::format("plane sharpness {:g}", use.planeSharpness));
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
   add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
   add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));

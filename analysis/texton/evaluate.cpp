@@ -6,6 +6,7 @@
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "surface_impacts.h"
+#include "triplanar/planes.h"
 
 #include <lichen/texton_evaluate.h>
 
@@ -267,6 +268,25 @@ Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
                                 const shader::LichenTexton& texton, const SurfaceFootprint& at,
                                 const MixPlace& mix) const {
   return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix), mix);
+}
+
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
+                                const MixPlace& mix) const {
+  return triplanar::blendedGaussian(triplanar::planesAt(at, noise), [&](const auto& plane) {
+    return gaussian(mapIndex, plane.noise, texton, plane.at, mix);
+  });
+}
+
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
+                                const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+    return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
+      return evaluate(mapIndex, plane.noise, texton, plane.at, mix);
+    });
+  return decoded(map, noise, gaussian(mapIndex, noise, texton, at, mix), mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,

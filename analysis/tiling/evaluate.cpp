@@ -5,6 +5,7 @@
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
+#include "triplanar/planes.h"
 
 #include <lichen/tiling_evaluate.h>
 
@@ -210,12 +211,10 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
   return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]}, lost);
 }
 
-Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const TileFootprint& at, BlendOperator blend) const {
-  const Map& map = (*maps_)[mapIndex];
+Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
+                               const TileFootprint& at, BlendOperator blend, float lod,
+                               float lost) {
   const tiling::Taps taps = tiling::tapsAt(noise, at.position);
-  const float lod = levelOfDetail(map.constants, at);
-  const float lost = lostVariance(map.constants, at, lod);
   const bool decodeFirst = blend != BlendOperator::histogramPreserving;
   const Value middle =
       decodeFirst ? Value{map.constants.mean.x, map.constants.mean.y, map.constants.mean.z, 1.0f}
@@ -232,12 +231,53 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
   Value result = middle;
   for (std::size_t c = 0; c < 3; ++c)
     result[c] += scale * sum[c];
-  if (decodeFirst)
-    return result;
-  result = decode(map, result, noise.contrast * noise.contrast * lost);
-  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
-    result[2] *= footprintShare(map.constants, lod, lost);
   return result;
+}
+
+/// The value that a Gaussian value of one plane stands for.
+Value TilingEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
+                               const TileFootprint& at, const Value& gaussian) {
+  Value result = decode(map, gaussian, noise.contrast * noise.contrast * gaussian[3]);
+  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+    result[2] *= footprintShare(map.constants, levelOfDetail(map.constants, at), gaussian[3]);
+  return result;
+}
+
+Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const TileFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  const float lod = levelOfDetail(map.constants, at);
+  const float lost = lostVariance(map.constants, at, lod);
+  Value result = blended(map, noise, at, BlendOperator::histogramPreserving, lod, lost);
+  result[3] = lost;
+  return result;
+}
+
+Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const TileFootprint& at, BlendOperator blend) const {
+  const Map& map = (*maps_)[mapIndex];
+  if (blend == BlendOperator::histogramPreserving)
+    return decoded(map, noise, at, gaussian(mapIndex, noise, at));
+  const float lod = levelOfDetail(map.constants, at);
+  return blended(map, noise, at, blend, lod, lostVariance(map.constants, at, lod));
+}
+
+Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const TriplanarFootprint& at) const {
+  return triplanar::blendedGaussian(triplanar::planesAt(at, noise), [&](const auto& plane) {
+    return gaussian(mapIndex, plane.noise, plane.at);
+  });
+}
+
+Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+                                const TriplanarFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+    return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
+      return evaluate(mapIndex, plane.noise, plane.at);
+    });
+  const Value blend = gaussian(mapIndex, noise, at);
+  return decode(map, blend, noise.contrast * noise.contrast * blend[3]);
 }
 
 } // namespace lichen

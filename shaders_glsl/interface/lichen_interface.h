@@ -55,6 +55,16 @@ struct uvec4 {
 };
 #endif
 
+/// A plane of triplanar noise, which has a lattice of its own: as LichenNoise has it for the plane
+/// of texture coordinates, at the host's tile origin in space.
+struct LichenPlane {
+  int cellI, cellJ;
+  float fractionI, fractionJ;
+  float offsetX, offsetY; // [tiles]
+  uint seedWord;          // latticeSeed(seed, plane)
+  uint reserved0;         // 0: to a multiple of 16 bytes
+};
+
 /// How one material uses one noise. May change every frame.
 struct LichenNoise {
   // Tile coordinate = offset + (uvToTileXX uvToTileXY; uvToTileYX uvToTileYY) uv. [tiles]
@@ -73,11 +83,15 @@ struct LichenNoise {
   float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
   uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
-  uint seed;                        // as the material gives it; triplanar derives its planes
+  uint seed;                        // as the material gives it
   float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
-  uint method; // LICHEN_METHOD_*
-  int cellK;   // of surface noise: the third of cellI and cellJ
+  uint method;          // LICHEN_METHOD_*
+  int cellK;            // of surface noise: the third of cellI and cellJ
+  float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
+  float tileAspect;     // width over height of a tile in space
+  uint reserved0, reserved1;
+  LichenPlane planeX, planeY, planeZ; // of triplanar noise: looking along x, y, z
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
@@ -119,7 +133,7 @@ struct LichenUniforms {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
   LichenTexton texton;
-  vec4 reserved[5]; // 0: to 1024 bytes
+  vec4 reserved[14]; // 0: to 1280 bytes
 };
 
 #ifdef __cplusplus

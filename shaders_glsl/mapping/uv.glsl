@@ -7,12 +7,7 @@
 
 #include "../noise/method.glsl"
 #include "../noise/texton_gradient.glsl"
-
-/// The linear part of the mapping from texture to tile coordinates.
-vec2 lichenUvToTile(vec2 uv, LichenNoise noise) {
-  return vec2(noise.uvToTileXX * uv.x + noise.uvToTileXY * uv.y,
-              noise.uvToTileYX * uv.x + noise.uvToTileYY * uv.y);
-}
+#include "../noise/tile_frame.glsl"
 
 /// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
 /// lichenSetMix and lichenMixByMask are for.
@@ -47,14 +42,6 @@ LichenImpacts lichenGradientPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradie
                               lichenUvToTile(uvGradientY, noise), noise, texton);
   lichenMixByUv(impacts, uv, noise, texton);
   return impacts;
-}
-
-/// Slopes as the map holds them (in the exemplar's frame) -> in the frame of the texture
-/// coordinates, whose tangent space the mesh supplies. Y points up, against v.
-vec2 lichenSlopesToUv(vec2 slopes, LichenNoise noise) {
-  vec2 direction = normalize(vec2(noise.uvToTileXX, noise.uvToTileXY)); // (cos, sin)
-  return vec2(direction.x * slopes.x + direction.y * slopes.y,
-              direction.x * slopes.y - direction.y * slopes.x);
 }
 
 /// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).

@@ -6,6 +6,7 @@
 // For tests and for engines that fill a texture from a noise at run time.
 
 #define LICHEN_TEXTON_NOISES 0
+#define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "../lichen.glsl"

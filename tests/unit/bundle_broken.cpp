@@ -329,6 +329,7 @@ TEST_CASE("every fault of a material's use is found") {
       {"seed beyond 32 bits", "range", [](GlbParts& p) { p.use(0)["seed"] = 4294967296; }},
       {"negative seed", "range", [](GlbParts& p) { p.use(0)["seed"] = -1; }},
       {"blunt weights", "range", [](GlbParts& p) { p.use(0)["blendSharpness"] = 0.1; }},
+      {"blunt planes", "range", [](GlbParts& p) { p.use(0)["planeSharpness"] = 0.9; }},
       {"too much contrast", "range", [](GlbParts& p) { p.use(0)["contrast"] = 5.0; }},
   });
 }

@@ -332,6 +332,7 @@ BundleFile everyMap() {
   use.rotation = 0.1;
   use.seed = 4294967295u;
   use.blendSharpness = 2.0;
+  use.planeSharpness = 4.0;
   use.contrast = 0.9;
   bundle.materials.push_back(use);
   bundle.materialNames = {"", "wet moss"};

@@ -86,6 +86,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(x.rotation == y.rotation);
     CHECK(x.seed == y.seed);
     CHECK(x.blendSharpness == y.blendSharpness);
+    CHECK(x.planeSharpness == y.planeSharpness);
     CHECK(x.contrast == y.contrast);
     CHECK(x.impacts == y.impacts);
     CHECK(x.pointProcess == y.pointProcess);

@@ -155,6 +155,9 @@ TEST_CASE("each parameter outside its range is refused by name") {
        [](LichenUniformInfo& i, double v) { i.blendSharpness = v; },
        {0.2, 17.0, nan}},
       {"contrast", [](LichenUniformInfo& i, double v) { i.contrast = v; }, {-0.1, 4.1, nan}},
+      {"planeSharpness",
+       [](LichenUniformInfo& i, double v) { i.planeSharpness = v; },
+       {0.9, 65.0, nan}},
       {"impacts", [](LichenUniformInfo& i, double v) { i.impacts = v; }, {0.9, 1001.0, nan}},
       {"maxAnisotropy",
        [](LichenUniformInfo& i, double v) { i.maxAnisotropy = float(v); },
@@ -167,7 +170,7 @@ TEST_CASE("each parameter outside its range is refused by name") {
        {1.0, -1.0, 0.5, 65537.0, nan}},
       {"overrides",
        [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
-       {1024.0, 2147483648.0}},
+       {2048.0, 2147483648.0}},
       {"tileOriginZ",
        [](LichenUniformInfo& i, double v) { i.tileOriginZ = std::int64_t(v); },
        {1e13, -1e13}},
@@ -183,8 +186,8 @@ TEST_CASE("each parameter outside its range is refused by name") {
       LichenUniformInfo info = uniformInfo();
       info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
                        LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
-                       LICHEN_OVERRIDE_IMPACTS;
-      info.scale = info.blendSharpness = info.contrast = info.impacts = 1.0;
+                       LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
+      info.scale = info.planeSharpness = info.blendSharpness = info.contrast = info.impacts = 1.0;
       one.set(info, value);
       const Filled filled = fill(bundle.handle, info);
       INFO(one.name << " = " << value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The CPU twin of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl: the
-// noise from the bundle alone.
+// The CPU twin of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl, and
+// of triplanar.glsl for textons: the noise from the bundle alone.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -8,6 +8,7 @@
 #include <lichen/shader_parameters.h>
 #include <lichen/surface_footprint.h>
 #include <lichen/tile_footprint.h>
+#include <lichen/triplanar_footprint.h>
 
 #include <array>
 #include <cstddef>
@@ -56,6 +57,15 @@ public:
                                const MixPlace& mix = {}) const;
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
+                               const MixPlace& mix = {}) const;
+
+  /// Both in three planes, with the parameters of a material of the mapping triplanar; the mix's
+  /// gradient is 0. Of slopes, the value is their gradient in space, and the fourth the variance.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const TriplanarFootprint& at,
+                               const MixPlace& mix = {}) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+                               const shader::LichenTexton& texton, const TriplanarFootprint& at,
                                const MixPlace& mix = {}) const;
 
   /// The stored value of the map's first channel, not clamped, and its derivatives along x and y,

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The CPU twin of shaders_glsl/noise/tiling.glsl: the noise from the bundle alone.
+// The CPU twin of shaders_glsl/noise/tiling.glsl, and of triplanar.glsl for it: the noise from the
+// bundle alone.
 #pragma once
 
 #include <lichen/bundle.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
+#include <lichen/triplanar_footprint.h>
 
 #include <array>
 #include <cstddef>
@@ -42,6 +44,18 @@ public:
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
 
+  /// The same in three planes, with the parameters of a material of the mapping triplanar. Of
+  /// slopes, the value is their gradient in space, and the fourth the variance.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+                               const TriplanarFootprint& at) const;
+
+  /// Before decoding: Gaussian values of mean 1/2 and, where nothing is lost, deviation 1/6; the
+  /// fourth is the share of their variance that filtering loses.
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+                               const TileFootprint& at) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+                               const TriplanarFootprint& at) const;
+
   /// What the texels of the Gaussian image's level 0 decode to, row by row, as many interleaved
   /// channels as map `map`, below mapCount(), has. Throws std::bad_alloc.
   [[nodiscard]] std::vector<float> decodedTexels(std::size_t map) const;
@@ -49,6 +63,11 @@ public:
 private:
   struct Map;
 
+  [[nodiscard]] static Value blended(const Map& map, const shader::LichenNoise& noise,
+                                     const TileFootprint& at, BlendOperator blend, float lod,
+                                     float lost);
+  [[nodiscard]] static Value decoded(const Map& map, const shader::LichenNoise& noise,
+                                     const TileFootprint& at, const Value& gaussian);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
   [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);

@@ -238,6 +238,7 @@ inline constexpr NumberRange kScaleRange{1e-6, 1e6};
 inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
 inline constexpr NumberRange kRotationRange{-1e6, 1e6};
 inline constexpr NumberRange kBlendSharpnessRange{0.25, 16.0};
+inline constexpr NumberRange kPlaneSharpnessRange{1.0, 64.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
@@ -275,6 +276,7 @@ struct MaterialNoise {
   double rotation = 0.0;                  ///< radians
   std::uint32_t seed = 1;
   double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
+  double planeSharpness = 8.0; ///< of triplanar: exponent of the planes' weights, [1, 64]
   double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
   /// Of texton noises: the mean number of impacts that a point sees, in kImpactsRange.
   double impacts = 30.0;

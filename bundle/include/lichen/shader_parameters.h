@@ -37,9 +37,10 @@ struct Placement {
   /// whole.
   std::int64_t tileOriginX = 0;
   std::int64_t tileOriginY = 0;
-  std::int64_t tileOriginZ = 0; ///< of surface noise alone, whose tiles are as high as wide
-  bool periodic = false;        ///< repeat after periodTilesX x periodTilesY tiles; not on surfaces
-  double periodTilesX = 0.0;    ///< at least about half a tile; whole texels, for an exact seam
+  /// Of triplanar and surface noise, whose origins are in space, in tiles as high as wide.
+  std::int64_t tileOriginZ = 0;
+  bool periodic = false;     ///< repeat after periodTilesX x periodTilesY tiles; of Mapping::uv
+  double periodTilesX = 0.0; ///< at least about half a tile; whole texels, for an exact seam
   double periodTilesY = 0.0;
   double maxAnisotropy = 1.0; ///< of the sampler that fetches the Gaussian images
 };

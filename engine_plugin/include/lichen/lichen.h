@@ -345,7 +345,7 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
 
 /* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
  * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
-#define LICHEN_UNIFORM_BYTES 1024
+#define LICHEN_UNIFORM_BYTES 1280
 
 /* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
  */
@@ -359,7 +359,8 @@ typedef enum LichenOverride {
   LICHEN_OVERRIDE_NOISE = 64, /* `noise` with default parameters; `material` is not read */
   LICHEN_OVERRIDE_IMPACTS = 128,
   LICHEN_OVERRIDE_POINT_PROCESS = 256,
-  LICHEN_OVERRIDE_MAPPING = 512
+  LICHEN_OVERRIDE_MAPPING = 512,
+  LICHEN_OVERRIDE_PLANE_SHARPNESS = 1024
 } LichenOverride;
 
 /* How the impacts of texton noise lie. */
@@ -383,12 +384,12 @@ typedef struct LichenUniformInfo {
   double blendSharpness; /* [0.25, 16] exponent of the blend weights */
   double contrast;       /* [0, 4] scale of the Gaussian value about its mean */
   /* The host's origin in whole tiles, each within +-2^40, exact: a point's tile coordinate is this
-   * plus what the shader computes, so that coordinates near the camera stay small. Of the mapping
-   * surface, x and y of a point in space, whose tiles are cubes of `scale` times the noise's
-   * tileSizeMetres: the host gives the shader positions less tileOrigin times that. */
+   * plus what the shader computes, so that coordinates near the camera stay small. Of the mappings
+   * triplanar and surface, x and y of a point in space, whose tiles are cubes of `scale` times the
+   * noise's tileSizeMetres: the host gives the shader positions less tileOrigin times that. */
   int64_t tileOrigin[2];
   /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
-   * not 0. 0, 0: never, as of the mapping surface. */
+   * not 0. 0, 0: never, as of the mappings triplanar and surface. */
   double periodTiles[2];
   /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the images' sampler. 0 and 1: it is
    * trilinear, the default, which is what the reference pictures and the tests show. Above 1 the
@@ -400,11 +401,13 @@ typedef struct LichenUniformInfo {
   LichenPointProcess pointProcess; /* of texton noise */
   double impacts; /* [1, 1000] of texton noise: how many a point sees in the mean, on surfaces twice
                    * as many; cost goes with it */
-  int64_t tileOriginZ; /* of the mapping surface: the third of tileOrigin */
+  int64_t tileOriginZ; /* of the mappings triplanar and surface: the third of tileOrigin */
   /* With LICHEN_OVERRIDE_MAPPING. The shader's place must be one of the same mapping:
-   * LICHEN_PLACE_SURFACE for LICHEN_MAPPING_SURFACE, which only textons have. */
+   * LICHEN_PLACE_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for
+   * LICHEN_MAPPING_SURFACE, which only textons have. */
   LichenMapping mapping;
-  uint32_t reserved; /* 0 */
+  uint32_t reserved;     /* 0 */
+  double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
 } LichenUniformInfo;
 
 /* Writes LICHEN_UNIFORM_BYTES of std140 to `destination` (any alignment, may be mapped memory: it

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Point, footprint and normal -> the three planes of triplanar noise there.
+#include "planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen::triplanar {
+namespace {
+
+using Vec2 = std::array<float, 2>;
+using Vec3 = std::array<float, 3>;
+
+/// Of each plane, as docs/gltf_extension/README.md has them: to the right and down, seen from the
+/// end of its axis.
+constexpr std::array<std::array<Vec3, 2>, 3> kFrames{
+    {{{{0, 0, -1}, {0, -1, 0}}}, {{{1, 0, 0}, {0, 0, 1}}}, {{{1, 0, 0}, {0, -1, 0}}}}};
+
+float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// The weights of the planes; their squares sum to 1.
+Vec3 weightsOf(const Vec3& normal, float sharpness) {
+  constexpr float kLeastWeight = 1.0f / 64.0f; // as LICHEN_LEAST_PLANE_WEIGHT
+  const float most = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
+  Vec3 weights{};
+  for (std::size_t k = 0; k < 3; ++k)
+    weights[k] = std::max(std::pow(std::abs(normal[k]) / most, sharpness) - kLeastWeight, 0.0f);
+  const float norm = std::sqrt(dot(weights, weights));
+  for (float& weight : weights)
+    weight /= norm;
+  return weights;
+}
+
+} // namespace
+
+std::array<Plane, 3> planesAt(const TriplanarFootprint& at, const shader::LichenNoise& noise) {
+  const Vec3 weights = weightsOf(at.normal, noise.planeSharpness);
+  const std::array<const shader::LichenPlane*, 3> origins{&noise.planeX, &noise.planeY,
+                                                          &noise.planeZ};
+  const float scale = std::hypot(noise.uvToTileXX, noise.uvToTileXY);
+  const float cosine = noise.uvToTileXX / scale;
+  const float sine = noise.uvToTileXY / scale;
+  const float tilesPerMetre = scale / noise.tileSizeMetres;
+  std::array<Plane, 3> planes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Plane& plane = planes[axis];
+    const auto& [right, down] = kFrames[axis];
+    Vec3 exemplarRight{}, exemplarDown{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      exemplarRight[k] = cosine * right[k] + sine * down[k];
+      exemplarDown[k] = cosine * down[k] - sine * right[k];
+      plane.axes[0][k] = exemplarRight[k];
+      plane.axes[1][k] = -exemplarDown[k];
+    }
+    // Texels are square in space.
+    const auto tiles = [&](const Vec3& way) {
+      return Vec2{tilesPerMetre * dot(way, exemplarRight),
+                  tilesPerMetre * noise.tileAspect * dot(way, exemplarDown)};
+    };
+    const shader::LichenPlane& origin = *origins[axis];
+    plane.weight = weights[axis];
+    plane.noise = noise;
+    plane.noise.cellI = origin.cellI;
+    plane.noise.cellJ = origin.cellJ;
+    plane.noise.fractionI = origin.fractionI;
+    plane.noise.fractionJ = origin.fractionJ;
+    plane.noise.seedWord = origin.seedWord;
+    const Vec2 position = tiles(at.position);
+    plane.at = {
+        {origin.offsetX + position[0], origin.offsetY + position[1]}, tiles(at.dx), tiles(at.dy)};
+    const float squaredCosine = at.normal[axis] * at.normal[axis] / dot(at.normal, at.normal);
+    plane.seen = 0.5f + 0.5f * squaredCosine;
+  }
+  return planes;
+}
+
+} // namespace lichen::triplanar

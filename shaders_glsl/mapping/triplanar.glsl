@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A noise in three planes in space: a point, its screen-space derivatives and the normal there ->
+// LichenPlace; the gradient of slopes -> normal. Needs neither texture coordinates nor tangents.
+// Planes look along x, y and z. Each shows one field through all of space: a face and the opposite
+// one see it mirrored, as strata that run through, and nothing jumps where a component of the
+// normal changes its sign (docs/decisions/020-triplanar.md).
+#ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
+#define LICHEN_TRIPLANAR_MAPPING_GLSL
+
+#include "../noise/method.glsl"
+
+// What is taken from each plane's weight, the greatest being 1: a plane of less is not looked at,
+// and one that begins to count does so from 0. Below it a plane moves a value of an 8-bit picture,
+// whose deviation is an eighth of the range, by less than half a step.
+#define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
+
+/// Weights of the planes that look along x, y and z; their squares sum to 1.
+vec3 lichenPlaneWeights(vec3 normal, LichenNoise noise) {
+  vec3 slant = abs(normal);
+  slant /= max(slant.x, max(slant.y, slant.z));
+  vec3 weights = max(pow(slant, vec3(noise.planeSharpness)) - LICHEN_LEAST_PLANE_WEIGHT, 0.0);
+  return weights * inversesqrt(dot(weights, weights));
+}
+
+/// The place in one plane, whose `weight` is above 0, at `position` [metres].
+LichenPlanePlace lichenPlanePlaceAt(int axis, float weight, vec3 position, vec3 gradientX,
+                                    vec3 gradientY, LichenNoise noise, LichenTexton texton) {
+  LichenNoise own = lichenNoiseOfPlane(axis, noise);
+  // Texels are square in space.
+  vec2 tilesPerUnit = vec2(1.0, noise.tileAspect) / noise.tileSizeMetres;
+  vec2 tile = vec2(own.offsetX, own.offsetY) +
+              tilesPerUnit * lichenUvToTile(lichenOntoPlane(position, axis), own);
+  vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientX, axis), own);
+  vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientY, axis), own);
+  LichenPlanePlace place;
+  place.axis = axis;
+  place.weight = weight;
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    place.impacts = lichenImpactsAt(tile, tileX, tileY, own, texton);
+  else
+#endif
+    place.taps = lichenTilingTaps(tile, tileX, tileY, own);
+  return place;
+}
+
+/// The place at `position` [metres, relative to the host's integer tile origin], with the
+/// position's derivatives along the screen: usable in compute and in non-uniform control flow. The
+/// `normal` is not 0, of any length and either side.
+LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
+                                     vec3 normal, LichenNoise noise, LichenTexton texton) {
+  vec3 weights = lichenPlaneWeights(normal, noise);
+  // The greatest first, and those that do not count last.
+  int first = weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2)
+                                     : (weights.y >= weights.z ? 1 : 2);
+  int second = first == 2 ? 0 : first + 1;
+  int third = 3 - first - second;
+  if (lichenAlongAxis(weights, second) < lichenAlongAxis(weights, third)) {
+    int swapped = second;
+    second = third;
+    third = swapped;
+  }
+  LichenPlace place;
+  place.triplanar.normal = normalize(normal);
+  place.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
+  int rank = 0;
+  while (rank < place.triplanar.count) {
+    int axis = rank == 0 ? first : (rank == 1 ? second : third);
+    LichenPlanePlace plane =
+        lichenPlanePlaceAt(axis, lichenAlongAxis(weights, axis), position, positionGradientX,
+                           positionGradientY, noise, texton);
+    if (rank == 0)
+      place.triplanar.plane0 = plane;
+    else if (rank == 1)
+      place.triplanar.plane1 = plane;
+    else
+      place.triplanar.plane2 = plane;
+    ++rank;
+  }
+  // Right for a constant. For a direction, which texture coordinates have:
+  // lichenSetMix(place.impacts, lichenMixWeight(uv, texton), vec2(0.0)).
+  place.impacts.mixWeight = texton.mixWeight;
+  return place;
+}
+
+/// The unit normal of a surface whose slopes have this gradient in space, on any side of it.
+vec3 lichenNormalFromGradient(vec3 normal, vec3 gradient) {
+  // [M20] eq. 2: of the gradient, what lies in the surface.
+  vec3 outward = normalize(normal);
+  return normalize(outward - gradient + dot(gradient, outward) * outward);
+}
+
+#endif

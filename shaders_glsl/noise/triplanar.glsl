@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// A noise in three planes, blended as one: places in the planes that count -> the material's value.
+// The planes are blended before they are decoded, with the variance of one, so that one inverse
+// table gives the exemplar's histogram everywhere. The CPU twin is analysis/triplanar/.
+// [HN18] Heitz and Neyret 2018, section 4.3 and figure 16; slopes as volume gradients, [M20]
+// Mikkelsen 2020. Specified in docs/gltf_extension/README.md.
+#ifndef LICHEN_TRIPLANAR_GLSL
+#define LICHEN_TRIPLANAR_GLSL
+
+#include "method_choice.glsl"
+#include "texton.glsl"
+#include "tile_frame.glsl"
+#include "tiling.glsl"
+
+/// The noise in one plane at one point.
+struct LichenPlanePlace {
+  int axis;     // along which the plane looks: 0 x, 1 y, 2 z
+  float weight; // squares of the weights sum to 1
+  LichenTaps taps;
+  LichenImpacts impacts;
+};
+
+/// What all maps of a triplanar noise share at one point.
+struct LichenTriplanar {
+  int count;   // of planes that count, [1, 3]
+  vec3 normal; // of unit length
+  LichenPlanePlace plane0, plane1, plane2; // those that count first
+};
+
+/// Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
+LichenPlane lichenPlane(int axis, LichenNoise noise) {
+  return axis == 0 ? noise.planeX : (axis == 1 ? noise.planeY : noise.planeZ);
+}
+
+float lichenAlongAxis(vec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+
+/// The noise of one plane, as on texture coordinates.
+LichenNoise lichenNoiseOfPlane(int axis, LichenNoise noise) {
+  LichenPlane plane = lichenPlane(axis, noise);
+  noise.cellI = plane.cellI;
+  noise.cellJ = plane.cellJ;
+  noise.fractionI = plane.fractionI;
+  noise.fractionJ = plane.fractionJ;
+  noise.offsetX = plane.offsetX;
+  noise.offsetY = plane.offsetY;
+  noise.seedWord = plane.seedWord;
+  return noise;
+}
+
+/// Along the right and the down of the plane that looks along an axis, seen from its end.
+vec2 lichenOntoPlane(vec3 v, int axis) {
+  return axis == 0 ? vec2(-v.z, -v.y) : (axis == 1 ? v.xz : vec2(v.x, -v.y));
+}
+
+/// Slopes in the exemplar of that plane -> the gradient in space of the height that it shows.
+vec3 lichenSlopesToSpace(vec2 slopes, int axis, LichenNoise noise) {
+  vec2 s = lichenSlopesToUv(slopes, noise); // to the right and up
+  return axis == 0 ? vec3(0.0, s.y, -s.x)
+                   : (axis == 1 ? vec3(s.x, 0.0, -s.y) : vec3(s, 0.0));
+}
+
+/// The place in the plane of this rank.
+LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
+  if (rank == 0)
+    return at.plane0;
+  if (rank == 1)
+    return at.plane1;
+  return at.plane2;
+}
+
+/// The Gaussian value of one plane. `lost`: the share of its variance that filtering loses.
+vec3 lichenPlaneGaussian(sampler2D image, LichenPlanePlace plane, LichenNoise noise, LichenMap map,
+                         LichenTexton texton, out float lost) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise)) {
+    noise.seedWord = lichenPlane(plane.axis, noise).seedWord;
+    lost = lichenTextonLostVariance(plane.impacts, map);
+    return lichenTextonGaussian(image, plane.impacts, noise, map, texton);
+  }
+#endif
+  float level = lichenTilingLevel(plane.taps, noise, map);
+  lost = lichenTilingLostVariance(plane.taps, level, map);
+  return lichenTilingGaussian(image, plane.taps, level);
+}
+
+/// The Gaussian value of all planes that count, as lichenPlaneGaussian has it.
+vec3 lichenTriplanarGaussian(sampler2D image, LichenTriplanar at, LichenNoise noise, LichenMap map,
+                             LichenTexton texton, out float lost) {
+  // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
+  // distribution.
+  vec3 blend = vec3(0.0);
+  lost = 0.0;
+  // A loop, in which pixels of other planes run together, and devices without a skip of branches
+  // stop when none of them has more.
+  int rank = 0;
+  while (rank < at.count) {
+    LichenPlanePlace plane = lichenPlanePlace(at, rank);
+    float lostOfPlane;
+    vec3 gaussian = lichenPlaneGaussian(image, plane, noise, map, texton, lostOfPlane);
+    blend += plane.weight * (gaussian - 0.5);
+    lost += plane.weight * plane.weight * lostOfPlane;
+    ++rank;
+  }
+  return 0.5 + blend;
+}
+
+/// The gradient in space of what slopes are those of, and the variance of a slope that the
+/// footprint hides. Slopes are decoded plane by plane: a joint table knows them as they lie in the
+/// exemplar, and those of three planes point in other directions.
+vec4 lichenTriplanarSlopes(sampler2D image, sampler3D table, LichenTriplanar at, LichenNoise noise,
+                           LichenMap map, LichenTexton texton) {
+  vec4 blend = vec4(0.0);
+  int rank = 0;
+  while (rank < at.count) {
+    LichenPlanePlace plane = lichenPlanePlace(at, rank);
+    float lost;
+    vec3 gaussian = lichenPlaneGaussian(image, plane, noise, map, texton, lost);
+    float scaled = noise.contrast * noise.contrast * lost;
+    vec3 slopes;
+#ifndef LICHEN_OMIT_TEXTONS
+    if (lichenIsTexton(noise)) {
+      slopes = lichenDecodeGaussian(gaussian, scaled, map).xyz;
+    } else
+#endif
+    {
+      slopes = lichenTilingDecode(table, gaussian, scaled, map).xyz;
+      float level = lichenTilingLevel(plane.taps, noise, map);
+      slopes.z *= lichenTilingFootprintShare(level, lost, map);
+    }
+    // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
+    // slant, and its cosine's square along it.
+    float cosine = lichenAlongAxis(at.normal, plane.axis);
+    float seen = 0.5 + 0.5 * cosine * cosine;
+    blend.xyz += plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, noise);
+    blend.w += plane.weight * plane.weight * seen * slopes.z;
+    ++rank;
+  }
+  return blend;
+}
+
+/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
+/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
+/// footprint hides. `mixWeight` is that of the point; all impacts of all planes have it.
+vec4 lichenTriplanarValue(sampler2D image, sampler3D table, LichenTriplanar at, float mixWeight,
+                          LichenNoise noise, LichenMap map, LichenTexton texton) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise) && lichenIsMix(texton)) {
+    at.plane0.impacts.mixWeight = mixWeight;
+    at.plane1.impacts.mixWeight = mixWeight;
+    at.plane2.impacts.mixWeight = mixWeight;
+    map = lichenMixedMap(table, at.plane0.impacts, map, texton);
+  }
+#endif
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return lichenTriplanarSlopes(image, table, at, noise, map, texton);
+  float lost;
+  vec3 gaussian = lichenTriplanarGaussian(image, at, noise, map, texton, lost);
+  // Contrast scales what is missing with what is there.
+  float scaled = noise.contrast * noise.contrast * lost;
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    return lichenDecodeGaussian(gaussian, scaled, map);
+#endif
+  return lichenTilingDecode(table, gaussian, scaled, map);
+}
+
+#endif

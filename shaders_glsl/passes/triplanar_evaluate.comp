@@ -1,0 +1,51 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Evaluates the first map of a noise of either method in three planes at a list of points of
+// surfaces: points[k] (position, its gradients, normal) -> values[k] (RGBA of the decoded quantity,
+// or of slopes their gradient in space and variance).
+// For tests and for engines that bake a noise into the texture or the vertices of a mesh.
+
+#define LICHEN_OMIT_SURFACE_TEXTONS
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "../lichen.glsl"
+
+const int kValue = 0;
+const int kGaussian = 1; // the Gaussian value, lost variance in alpha
+const int kWeights = 2;  // of the planes that look along x, y, z; how many count
+layout(constant_id = 0) const int kQuantity = kValue;
+
+struct Point {
+  vec4 position;             // w: the weight of a mix, less than 0 where the material says it
+  vec4 gradientX, gradientY; // w unused
+  vec4 normal;               // w unused
+};
+
+layout(local_size_x = 64) in;
+layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
+layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= uint(points.length()))
+    return;
+  Point point = points[index];
+  LichenNoise noise = lichenUniforms.noise;
+  LichenTexton texton = lichenUniforms.texton;
+  LichenPlace place = LICHEN_PLACE_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
+                                             point.gradientY.xyz, point.normal.xyz);
+  if (point.position.w >= 0.0)
+    lichenSetMix(place.impacts, point.position.w, vec2(0.0));
+  if (kQuantity == kWeights) {
+    values[index] =
+        vec4(lichenPlaneWeights(point.normal.xyz, noise), float(place.triplanar.count));
+  } else if (kQuantity == kGaussian) {
+    float lost;
+    vec3 gaussian = lichenTriplanarGaussian(lichenImage0, place.triplanar, noise,
+                                            lichenUniforms.maps[0], texton, lost);
+    values[index] = vec4(gaussian, lost);
+  } else {
+    values[index] = LICHEN_NOISE(0, place);
+  }
+}

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// Triplanar noise in the shader, through the plugin, against the CPU twin, and of tiling both
+// against an oracle in double precision that blends planes of the tiling oracle.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+/// As triplanar_evaluate.comp has them.
+enum Quantity { kValue, kGaussian, kWeights };
+
+/// As triplanar_evaluate.comp reads it.
+struct SpacePoint {
+  std::array<float, 4> position{}; ///< w: the weight of a mix
+  std::array<float, 4> gradientX{}, gradientY{}, normal{};
+};
+
+/// Points some tiles around with any normal, a fifth of them along an axis or in a plane of two,
+/// and footprints from an eighth of a texel to all of a tile.
+std::vector<SpacePoint> samplePoints(float sizeTexels, std::size_t count) {
+  std::mt19937 generator(5u);
+  std::uniform_real_distribution<float> tiles(-4.0f, 4.0f), level(-3.0f, 7.0f), weight(0.0f, 1.0f);
+  std::normal_distribution<float> gaussian;
+  std::vector<SpacePoint> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    SpacePoint& point = points[k];
+    const float pixel = std::exp2(level(generator)) / sizeTexels;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.position[axis] = tiles(generator);
+      point.normal[axis] = gaussian(generator);
+      point.gradientX[axis] = pixel * gaussian(generator);
+      point.gradientY[axis] = 0.5f * pixel * gaussian(generator);
+    }
+    if (k % 5 == 0)
+      point.normal[k % 3] = 0.0f;
+    if (k % 10 == 0)
+      point.normal[(k + 1) % 3] = 0.0f;
+    point.position[3] = weight(generator);
+  }
+  return points;
+}
+
+LichenUniformInfo triplanarUniformInfo() {
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_MAPPING;
+  info.mapping = LICHEN_MAPPING_TRIPLANAR;
+  return info;
+}
+
+/// Uniforms that between them use every parameter.
+std::vector<LichenUniformInfo> manyUniforms() {
+  std::vector<LichenUniformInfo> all(4, triplanarUniformInfo());
+  all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
+                      LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
+  all[1].scale = 0.8;
+  all[1].rotation = 0.6;
+  all[1].offset[0] = 0.25;
+  all[1].offset[1] = -7.5;
+  all[1].seed = 4294967295u;
+  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].tileOrigin[1] = 10000000;
+  all[2].tileOriginZ = -77;
+  all[2].overrides |= LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_PLANE_SHARPNESS;
+  all[2].contrast = 1.4;
+  all[2].planeSharpness = 2.0;
+  all[3].overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
+  all[3].blendSharpness = 3.0;
+  all[3].planeSharpness = 64.0;
+  return all;
+}
+
+TriplanarFootprint footprintOf(const SpacePoint& point) {
+  TriplanarFootprint at;
+  std::copy_n(point.position.begin(), 3, at.position.begin());
+  std::copy_n(point.gradientX.begin(), 3, at.dx.begin());
+  std::copy_n(point.gradientY.begin(), 3, at.dy.begin());
+  std::copy_n(point.normal.begin(), 3, at.normal.begin());
+  return at;
+}
+
+/// The format's steps in double precision, from the oracle of one plane.
+class TriplanarReference {
+public:
+  TriplanarReference(const Bundle& bundle, const shader::LichenUniforms& uniforms)
+      : plane_(bundle, bundle.noises[0].maps[0]), noise_(uniforms.noise), map_(uniforms.maps[0]) {}
+
+  /// The Gaussian value and the lost variance; of slopes their gradient and its hidden variance.
+  [[nodiscard]] std::array<double, 4> at(const SpacePoint& point) const {
+    std::array<double, 3> weights{};
+    double most = 0.0, squares = 0.0, length2 = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most = std::max(most, std::abs(double(point.normal[k])));
+      length2 += double(point.normal[k]) * double(point.normal[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double share =
+          std::pow(std::abs(double(point.normal[k])) / most, double(noise_.planeSharpness));
+      weights[k] = std::max(0.0, share - 1.0 / 64.0);
+      squares += weights[k] * weights[k];
+    }
+    const bool isSlope = map_.encoding == LICHEN_ENCODING_SLOPE;
+    std::array<double, 4> sum{};
+    if (!isSlope)
+      sum = {0.5, 0.5, 0.5, 0.0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (weights[k] == 0.0)
+        continue;
+      const double weight = weights[k] / std::sqrt(squares);
+      const TilingReference::Sample sample = sampleOf(point, k);
+      if (isSlope) {
+        addSlopes(sum, sample.value, weight, k);
+        const double cosine2 = double(point.normal[k]) * double(point.normal[k]) / length2;
+        sum[3] += weight * weight * sample.value[2] * (1.0 + cosine2) / 2.0;
+        continue;
+      }
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += weight * (sample.gaussian[c] - 0.5);
+      sum[3] += weight * weight * sample.gaussian[3];
+    }
+    return sum;
+  }
+
+private:
+  static std::array<float, 2> onto(const std::array<float, 4>& v, std::size_t axis) {
+    const std::array<std::array<float, 2>, 3> all{{{-v[2], -v[1]}, {v[0], v[2]}, {v[0], -v[1]}}};
+    return all[axis];
+  }
+
+  [[nodiscard]] TilingReference::Sample sampleOf(const SpacePoint& point, std::size_t axis) const {
+    const shader::LichenPlane own =
+        axis == 0 ? noise_.planeX : (axis == 1 ? noise_.planeY : noise_.planeZ);
+    shader::LichenNoise noise = noise_;
+    noise.cellI = own.cellI;
+    noise.cellJ = own.cellJ;
+    noise.fractionI = own.fractionI;
+    noise.fractionJ = own.fractionJ;
+    noise.offsetX = own.offsetX;
+    noise.offsetY = own.offsetY;
+    noise.seedWord = own.seedWord;
+    // A tile is tileSizeMetres wide and as much over its aspect high.
+    noise.uvToTileXX /= noise.tileSizeMetres;
+    noise.uvToTileXY /= noise.tileSizeMetres;
+    noise.uvToTileYX *= noise.tileAspect / noise.tileSizeMetres;
+    noise.uvToTileYY *= noise.tileAspect / noise.tileSizeMetres;
+    return plane_.evaluate(
+        {onto(point.position, axis), onto(point.gradientX, axis), onto(point.gradientY, axis), {}},
+        noise, map_);
+  }
+
+  /// The exemplar lies turned by the rotation; its slopes are to the right and up.
+  void addSlopes(std::array<double, 4>& sum, const std::array<double, 4>& slopes, double weight,
+                 std::size_t axis) const {
+    const double angle = std::atan2(double(noise_.uvToTileXY), double(noise_.uvToTileXX));
+    const double right = std::cos(angle) * slopes[0] + std::sin(angle) * slopes[1];
+    const double up = std::cos(angle) * slopes[1] - std::sin(angle) * slopes[0];
+    const std::array<std::array<double, 3>, 3> all{
+        {{0.0, up, -right}, {right, 0.0, -up}, {right, up, 0.0}}};
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += weight * all[axis][k];
+  }
+
+  TilingReference plane_;
+  shader::LichenNoise noise_;
+  shader::LichenMap map_;
+};
+
+struct Difference {
+  double largest = 0.0;
+  double fractionBeyond = 0.0; ///< of values further off than 1/1024
+
+  template <class A, class B>
+  void note(const std::vector<A>& values, const std::vector<B>& expected, std::size_t first,
+            std::size_t last) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      for (std::size_t c = first; c < last; ++c) {
+        const double error = std::abs(double(values[k][c]) - double(expected[k][c]));
+        largest = std::max(largest, error);
+        fractionBeyond += error > 1.0 / 1024.0 ? 1.0 / double((last - first) * values.size()) : 0.0;
+      }
+  }
+};
+
+/// A noise on a device.
+struct OnDevice {
+  explicit OnDevice(const std::vector<std::byte>& glb)
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb) {}
+  ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+
+  std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
+                                           const std::vector<SpacePoint>& points) {
+    static const std::vector<std::uint32_t> committed = committedShader("triplanar_evaluate.comp");
+    return host.evaluate(committed, quantity, info, points);
+  }
+
+  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  Bundle bundle;
+  PluginHost host;
+};
+
+const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
+                                         {2, 64, 32, false, 3},
+                                         {1, 48, 80, false, 6},
+                                         {3, 64, 64, false, 5, SyntheticTable::separable},
+                                         {3, 64, 64, false, 0, SyntheticTable::none},
+                                         {2, 64, 32, false, 0, SyntheticTable::none}};
+
+} // namespace
+
+TEST_CASE("triplanar tiling in the shader is the CPU twin's and the oracle's: 99.9 % within 1/1024 "
+          "and all within 1/255") {
+  const std::vector<LichenUniformInfo> uniforms = manyUniforms();
+  for (std::size_t m = 0; m < kMaps.size(); ++m) {
+    const SyntheticMap& map = kMaps[m];
+    OnDevice noise(syntheticGlb(std::span(&map, 1)));
+    const TilingEvaluator twin = TilingEvaluator::create(noise.bundle, 0).value();
+    const std::vector<SpacePoint> points = samplePoints(float(map.width), 500);
+    // All uniforms with the first map, one of them with each other: pipelines take half a second.
+    for (std::size_t i = 0; i < uniforms.size(); ++i) {
+      if (m > 0 && i != m % uniforms.size())
+        continue;
+      const LichenUniformInfo& info = uniforms[i];
+      const auto values = noise.shader(kValue, info, points);
+      const auto gaussians = noise.shader(kGaussian, info, points);
+      const shader::LichenUniforms& u = noise.host.uniforms();
+      const TriplanarReference reference(noise.bundle, u);
+      std::vector<std::array<float, 4>> twinValues, twinGaussians;
+      std::vector<std::array<double, 4>> expected;
+      for (const SpacePoint& point : points) {
+        twinValues.push_back(twin.evaluate(0, u.noise, footprintOf(point)));
+        twinGaussians.push_back(twin.gaussian(0, u.noise, footprintOf(point)));
+        expected.push_back(reference.at(point));
+      }
+      const bool isSlope = u.maps[0].encoding == LICHEN_ENCODING_SLOPE;
+      const auto channels = std::size_t(map.dimensions);
+      Difference toTwin, toOracle;
+      toTwin.note(values, twinValues, 0, isSlope ? 4 : 3);
+      toTwin.note(gaussians, twinGaussians, 0, channels);
+      toTwin.note(gaussians, twinGaussians, 3, 4);
+      toOracle.note(isSlope ? values : gaussians, expected, 0, isSlope ? 3 : channels);
+      toOracle.note(isSlope ? values : gaussians, expected, 3, 4);
+      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", uniforms " << i);
+      for (const Difference& difference : {toTwin, toOracle}) {
+        CHECK(difference.largest <= 1.0 / 255.0);
+        CHECK(difference.fractionBeyond <= 0.001);
+      }
+    }
+  }
+}
+
+TEST_CASE("triplanar textons in the shader are the CPU twin's: 99.9 % within 1/1024 and all within "
+          "1/255") {
+  const std::vector<LichenUniformInfo> uniforms = manyUniforms();
+  const SyntheticTexton textons[] = {{},
+                                     {.mipLevels = 2, .channels = 2},
+                                     {.order = 3, .channels = 1},
+                                     {.steps = 3, .channels = 1}};
+  for (std::size_t t = 0; t < std::size(textons); ++t) {
+    const SyntheticTexton& texton = textons[t];
+    OnDevice noise(syntheticTextonGlb(texton));
+    const TextonEvaluator twin = TextonEvaluator::create(noise.bundle, 0).value();
+    const std::vector<SpacePoint> points = samplePoints(float(texton.texelsPerTileX), 250);
+    const auto values = noise.shader(kValue, uniforms[t], points);
+    const shader::LichenUniforms& u = noise.host.uniforms();
+    std::vector<std::array<float, 4>> expected;
+    for (const SpacePoint& point : points)
+      expected.push_back(
+          twin.evaluate(0, u.noise, u.texton, footprintOf(point), {point.position[3], {}}));
+    Difference difference;
+    difference.note(values, expected, 0, 4);
+    INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
+                  << texton.steps);
+    CHECK(difference.largest <= 1.0 / 255.0);
+    CHECK(difference.fractionBeyond <= 0.001);
+  }
+}
+
+TEST_CASE("planes of too small a weight do not count, and the squares of the others' sum to 1") {
+  OnDevice noise(syntheticGlb(std::span(kMaps.data(), 1)));
+  const std::vector<SpacePoint> points = samplePoints(64.0f, 2000);
+  for (const double sharpness : {1.0, 8.0, 64.0}) {
+    LichenUniformInfo info = triplanarUniformInfo();
+    info.overrides |= LICHEN_OVERRIDE_PLANE_SHARPNESS;
+    info.planeSharpness = sharpness;
+    const auto weights = noise.shader(kWeights, info, points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto& n = points[k].normal;
+      const float most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+      double squares = 0.0;
+      int counted = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        squares += double(weights[k][axis]) * double(weights[k][axis]);
+        const double share = std::pow(double(std::abs(n[axis]) / most), sharpness);
+        counted += share > 1.0 / 64.0 ? 1 : 0;
+        // Of 64th powers floats have some 1e-5.
+        if (std::abs(share * 64.0 - 1.0) > 1e-4)
+          CHECK((weights[k][axis] > 0.0f) == (share > 1.0 / 64.0));
+      }
+      CHECK(squares == Approx(1.0).margin(1e-5));
+      CHECK(int(weights[k][3]) == counted);
+    }
+  }
+}
