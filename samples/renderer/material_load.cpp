@@ -68,7 +68,7 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
 }
 
 /// Where the normals of a material's noise take their texture coordinates; nothing without normals,
-/// or where the surface's own tangents are what the noise lies along.
+/// where the surface's own tangents are what the noise lies along, or where it lies in planes.
 /// The extension is the plugin's to check, later: here a fault counts as absence, and so does a
 /// revision that the plugin ignores.
 std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinygltf::Value& use) {
@@ -76,7 +76,7 @@ std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinyg
   const tinygltf::Value& index = at(use, "noise");
   const tinygltf::Value& mapping = at(use, "mapping");
   if (root == nullptr || !index.IsInt() ||
-      (mapping.IsString() && mapping.Get<std::string>() == nameOf(Mapping::surface)))
+      (mapping.IsString() && mapping.Get<std::string>() != nameOf(Mapping::uv)))
     return std::nullopt;
   const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
   const tinygltf::Value& revision = at(noise, "revision");

@@ -113,10 +113,7 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
     if (material.noise == LICHEN_NO_NOISE)
       continue;
     hasSurfaceNoises_ = hasSurfaceNoises_ || material.mapping == LICHEN_MAPPING_SURFACE;
-    if (material.mapping != LICHEN_MAPPING_UV && material.mapping != LICHEN_MAPPING_SURFACE)
-      throw Failure{{ErrorKind::badInput, scene.name + ": " + place +
-                                              ": the mapping of the noise is not supported by this "
-                                              "version, uv and surface are"}};
+    hasTriplanarNoises_ = hasTriplanarNoises_ || material.mapping == LICHEN_MAPPING_TRIPLANAR;
     if (material.texCoord > 1)
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
                                               std::to_string(material.texCoord) +

@@ -42,6 +42,8 @@ public:
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
   /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
   [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
+  /// Whether some noise that is drawn is mapped onto three planes.
+  [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
   /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
@@ -85,6 +87,7 @@ private:
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;
   bool hasSurfaceNoises_ = false;
+  bool hasTriplanarNoises_ = false;
   bool hasMixes_ = false;
 };
 

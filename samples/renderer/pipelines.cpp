@@ -10,12 +10,16 @@
 #include <cstddef>
 #include <depth.frag.h>
 #include <depth.frag.plane.h>
+#include <depth.frag.surface.h>
 #include <depth.frag.tiling.h>
+#include <depth.frag.triplanar_tiling.h>
 #include <depth.vert.h>
 #include <optional>
 #include <scene.frag.h>
 #include <scene.frag.plane.h>
+#include <scene.frag.surface.h>
 #include <scene.frag.tiling.h>
+#include <scene.frag.triplanar_tiling.h>
 #include <scene.vert.h>
 #include <sky.frag.h>
 #include <sky.vert.h>
@@ -139,6 +143,7 @@ struct Constants {
   VkBool32 otherTables = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
+  VkBool32 triplanar = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -147,10 +152,22 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
-    VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
+    VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
+}
+
+/// Which of the shaders' variants has all that a scene needs, and little more.
+enum class CodeNeeded { tiling, triplanarTiling, plane, surface, all };
+
+CodeNeeded codeNeeded(const SurfaceConstants& shared) {
+  if (!shared.textonNoises)
+    return shared.triplanarNoises ? CodeNeeded::triplanarTiling : CodeNeeded::tiling;
+  if (shared.triplanarNoises)
+    return CodeNeeded::all;
+  return shared.surfaceNoises ? CodeNeeded::surface : CodeNeeded::plane;
 }
 
 void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
@@ -159,14 +176,18 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  d.fragment = !shared.textonNoises    ? objects.shader(scene_frag_tiling)
-               : !shared.surfaceNoises ? objects.shader(scene_frag_plane)
-                                       : objects.shader(scene_frag);
+  const CodeNeeded needed = codeNeeded(shared);
+  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(scene_frag_tiling)
+               : needed == CodeNeeded::triplanarTiling ? objects.shader(scene_frag_triplanar_tiling)
+               : needed == CodeNeeded::plane           ? objects.shader(scene_frag_plane)
+               : needed == CodeNeeded::surface         ? objects.shader(scene_frag_surface)
+                                                       : objects.shader(scene_frag);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     if (!used.surfaces[i])
       continue;
-    const Constants constants{(i & 4) != 0, (i & 2) != 0, shared.debugView, shared.otherTables,
-                              shared.tilingNoises, shared.mixedTextons};
+    const Constants constants{(i & 4) != 0,          (i & 2) != 0,        shared.debugView,
+                              shared.otherTables,    shared.tilingNoises, shared.mixedTextons,
+                              shared.triplanarNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -185,16 +206,20 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  d.fragment = !shared.textonNoises    ? objects.shader(depth_frag_tiling)
-               : !shared.surfaceNoises ? objects.shader(depth_frag_plane)
-                                       : objects.shader(depth_frag);
+  const CodeNeeded needed = codeNeeded(shared);
+  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(depth_frag_tiling)
+               : needed == CodeNeeded::triplanarTiling ? objects.shader(depth_frag_triplanar_tiling)
+               : needed == CodeNeeded::plane           ? objects.shader(depth_frag_plane)
+               : needed == CodeNeeded::surface         ? objects.shader(depth_frag_surface)
+                                                       : objects.shader(depth_frag);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     if (!used.depthWithGaps[i])
       continue;
     const Constants constants{.hasNoise = i != 0,
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
-                              .mixedTextons = shared.mixedTextons};
+                              .mixedTextons = shared.mixedTextons,
+                              .triplanar = shared.triplanarNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

@@ -63,7 +63,8 @@ struct SurfaceConstants {
   bool tilingNoises = false;  ///< some noise is one of tiling
   bool textonNoises = false;  ///< some noise is one of textons
   bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
-  bool mixedTextons = false;  ///< some noise is a mix of textons
+  bool triplanarNoises = false; ///< some noise is mapped onto three planes
+  bool mixedTextons = false;    ///< some noise is a mix of textons
 };
 
 /// Culling and front face are dynamic.

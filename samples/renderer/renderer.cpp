@@ -79,7 +79,7 @@ public:
     pipelines_ = createPipelines(
         objects_, {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
         {debugView_, noises_.hasOtherTables(), noises_.hasTilingNoises(), noises_.hasTextonNoises(),
-         noises_.hasSurfaceNoises(), noises_.hasMixes()},
+         noises_.hasSurfaceNoises(), noises_.hasTriplanarNoises(), noises_.hasMixes()},
         pipelinesUsed());
   }
 

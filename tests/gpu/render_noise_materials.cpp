@@ -256,18 +256,6 @@ TEST_CASE("a material whose noise is of a later revision is drawn as without it,
                           "know; the core textures are drawn");
 }
 
-TEST_CASE("a mapping that is not drawn yet is refused by its material") {
-  GltfScene scene = noiseBall({kBaseColor});
-  materialOf(scene)["extensions"]["LICHEN_materials_exemplar_noise"]["mapping"] = "triplanar";
-  const TemporaryFolder folder;
-  const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
-  REQUIRE(read.ok());
-  const auto drawn = renderer::renderScene(testDevice(), read.value(), settingsOf(16, 16, 1));
-  REQUIRE_FALSE(drawn.ok());
-  CHECK(drawn.error().kind == ErrorKind::badInput);
-  CHECK(drawn.error().message.find("/materials/0: the mapping") != std::string::npos);
-}
-
 TEST_CASE("a device that cannot filter a noise's table is refused by the file and the table") {
   const TemporaryFolder folder;
   const auto path = writeInto(folder, "scene.glb", noiseBall({kBaseColor}).glb());

@@ -25,9 +25,12 @@ layout(location = 4) in vec4 vertexColor;
 layout(location = 5) in float mixWeight;
 layout(location = 0) out vec4 color;
 
-vec3 shadingNormal(vec3 n, vec3 tangentNormal) {
+vec3 shadingNormal(vec3 n, Surface surface) {
   if (!kHasNormalMap && !kHasNoise)
     return n;
+  if (kHasNoise && surface.gradient != vec3(0.0))
+    return lichenNormalFromGradient(n, surface.gradient);
+  vec3 tangentNormal = surface.tangentNormal;
   vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
   float length2 = dot(t, t);
   if (length2 <= 0.0)
@@ -45,7 +48,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
   s.geometricNormal = geometricNormal;
   s.view = frame.cameraPosition.w != 0.0 ? normalize(frame.cameraPosition.xyz - worldPosition)
                                          : -frame.cameraForward.xyz;
-  s.normal = shadingNormal(geometricNormal, surface.tangentNormal);
+  s.normal = shadingNormal(geometricNormal, surface);
   // A normal map may turn a surface away from the camera that sees it.
   s.nDotV = clamp(dot(s.normal, s.view), kLeastNDotV, 1.0);
   s.roughness = clamp(surface.roughness, 0.0, 1.0);
@@ -114,10 +117,31 @@ vec3 surfaceDebug(LichenPlace place) {
 }
 #endif
 
+#ifndef LICHEN_OMIT_TRIPLANAR
+/// The views that triplanar noises have.
+vec3 triplanarDebug(LichenTriplanar triplanar) {
+  if (kDebugView == DEBUG_WEIGHTS) {
+    vec3 weights = lichenPlaneWeights(triplanar.normal, noiseData.noise);
+    return weights * weights;
+  }
+  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+    return kNothingToShow;
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  float lost;
+  return shownGaussian(lichenTriplanarGaussian(baseColorImage, triplanar, noiseData.noise, map,
+                                               noiseData.texton, lost),
+                       map);
+}
+#endif
+
 vec3 noiseDebug(Footprint footprint) {
   if (!kHasNoise)
     return kNothingToShow;
   LichenPlace place = noisePlace(footprint);
+#ifndef LICHEN_OMIT_TRIPLANAR
+  if (lichenIsTriplanar(noiseData.noise))
+    return triplanarDebug(place.triplanar);
+#endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))
     return surfaceDebug(place);

@@ -9,7 +9,11 @@
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
+layout(constant_id = 6) const bool kTriplanar = true; // whether some are mapped onto three planes
 #define LICHEN_TILING_NOISES kTilingNoises
+#ifndef LICHEN_OMIT_TRIPLANAR
+#define LICHEN_TRIPLANAR kTriplanar
+#endif
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
@@ -59,6 +63,7 @@ struct Surface {
   float roughness;
   float occlusion;
   vec3 tangentNormal; // in tangent space
+  vec3 gradient;      // of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
 };
 
 struct Footprint {
@@ -106,20 +111,35 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
                   noiseData.texton);
 }
 
+/// The same of a noise that texture coordinates do not place, but that may be mixed by them.
+void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (!lichenIsTexton(noiseData.noise) || !lichenIsMix(noiseData.texton))
+    return;
+  // A direction, and a constant anyway.
+  lichenSetMix(impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
+  setMix(impacts, f, mat2(0.0));
+#endif
+}
+
 /// The place in the noise, which all its maps share.
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
+#ifndef LICHEN_OMIT_TRIPLANAR
+  if (lichenIsTriplanar(noiseData.noise)) {
+    LichenPlace place = lichenPlaceTriplanarGrad(f.position, f.positionDx, f.positionDy, f.normal,
+                                                 noiseData.noise, noiseData.texton);
+    setMixInSpace(place.impacts, f, uv);
+    return place;
+  }
+#endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton)) {
     LichenPlace place =
         lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,
                                noiseData.noise, noiseData.texton);
-    if (lichenIsMix(noiseData.texton)) {
-      // A direction, and a constant anyway.
-      lichenSetMix(place.impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
-      setMix(place.impacts, f, mat2(0.0));
-    }
+    setMixInSpace(place.impacts, f, uv);
     return place;
   }
 #endif
@@ -188,8 +208,20 @@ vec3 ormAt(Footprint f, LichenPlace place) {
   return orm;
 }
 
-/// The normal in tangent space, and in w the variance of the slopes that a pixel hides.
+/// The gradient of triplanar slopes, and in w the variance of the slopes that a pixel hides.
+vec4 gradientAt(LichenPlace place) {
+  if (!kHasNoise || !lichenIsTriplanar(noiseData.noise) || !noiseHas(NOISE_NORMAL))
+    return vec4(0.0);
+  float scale = material.factors.z;
+  vec4 value = NOISE_VALUE(NOISE_NORMAL, normal, place);
+  return vec4(scale * value.xyz, scale * scale * value.w);
+}
+
+/// The normal in tangent space, and in w the variance of the slopes that a pixel hides. Not of
+/// triplanar slopes.
 vec4 tangentNormalAt(Footprint f, LichenPlace place) {
+  if (lichenIsTriplanar(noiseData.noise) && noiseHas(NOISE_NORMAL))
+    return vec4(0.0, 0.0, 1.0, 0.0);
   if (noiseHas(NOISE_NORMAL)) {
     float scale = material.factors.z;
     vec3 value = NOISE_VALUE(NOISE_NORMAL, normal, place).xyz;
@@ -212,11 +244,14 @@ Surface surfaceAt(Footprint f, vec4 vertexColor) {
   s.emissive = material.emissive.rgb * emissiveAt(f, place);
   s.occlusion = mix(1.0, orm.x, material.factors.w);
   vec4 normal = tangentNormalAt(f, place);
+  vec4 gradient = gradientAt(place);
   s.roughness = material.factors.y * orm.y;
-  if (normal.w > 0.0)
-    s.roughness = lichenRoughness(s.roughness, normal.w);
+  float slopeVariance = normal.w + gradient.w;
+  if (slopeVariance > 0.0)
+    s.roughness = lichenRoughness(s.roughness, slopeVariance);
   s.metallic = material.factors.x * orm.z;
   s.tangentNormal = normal.xyz;
+  s.gradient = gradient.xyz;
   return s;
 }
 
