@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// What noise in three planes promises, seen through the CPU twin: the exemplar's variance and
+// histogram whatever the normal, the noise of texture coordinates where one plane counts, gradients
+// that are those of a height in space, and the same pattern from any tile origin.
+#include "example_exemplar.h"
+#include "synthetic_texton.h"
+#include "triplanar/planes.h"
+
+#include <lichen/texton_evaluate.h>
+#include <lichen/tiling.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+using Vec3 = std::array<float, 3>;
+
+/// A tiling noise and its twin, for a material of any mapping.
+struct Tiling {
+  Tiling() : bundle(baked()), twin(TilingEvaluator::create(bundle, 0).value()) {
+    bundle.noises[0].tileSizeMetres = 0.5;
+  }
+
+  static Bundle baked() {
+    const MapExemplar map = threeMaterials(128, 96, 11);
+    TilingOptions options;
+    options.bits = 16;
+    Result<TilingBake> bake = bakeTiling("example", {&map, 1}, options);
+    REQUIRE(bake);
+    Bundle bundle;
+    bundle.tables = std::move(bake.value().tables);
+    bundle.noises = {std::move(bake.value().noise)};
+    return bundle;
+  }
+
+  Bundle bundle;
+  TilingEvaluator twin;
+};
+
+const Tiling& tiling() {
+  static const Tiling noise;
+  return noise;
+}
+
+MaterialNoise triplanarMaterial() {
+  MaterialNoise material;
+  material.mapping = Mapping::triplanar;
+  return material;
+}
+
+/// Values at so many random places of a surface that none has to do with another.
+template <class ValueAt>
+std::vector<double> samples(const Vec3& normal, const ValueAt& valueAt) {
+  constexpr std::size_t kCount = 4000;
+  std::mt19937 generator(3u);
+  std::uniform_real_distribution<float> metres(-200.0f, 200.0f);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    TriplanarFootprint at;
+    for (float& coordinate : at.position)
+      coordinate = metres(generator);
+    at.normal = normal;
+    values.push_back(double(valueAt(at)[0]));
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+double varianceOf(const std::vector<double>& values) {
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const double n = double(values.size());
+  return squares / n - sum * sum / (n * n);
+}
+
+/// The greatest difference of two distribution functions, of equally many sorted values.
+double kolmogorovSmirnov(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0.0;
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    (a[i] <= b[j] ? i : j) += 1;
+    most = std::max(most, std::abs(double(i) - double(j)) / double(a.size()));
+  }
+  return most;
+}
+
+/// One plane, two and three of the same weight, and three of different ones.
+const Vec3 kNormals[] = {
+    {0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 0.0f}, {-1.0f, 1.0f, 1.0f}, {0.9f, -1.0f, 0.8f}};
+
+} // namespace
+
+TEST_CASE("variance and histogram are those of one plane whatever the normal; those of plain "
+          "triplanar blending are not") {
+  const Tiling& t = tiling();
+  const shader::LichenNoise noise = shaderNoise(t.bundle, triplanarMaterial(), {});
+  const auto blended = [&](const TriplanarFootprint& at) { return t.twin.evaluate(0, noise, at); };
+  const auto plain = [&](const TriplanarFootprint& at) {
+    TilingEvaluator::Value sum{};
+    float weights = 0.0f;
+    for (const triplanar::Plane& plane : triplanar::planesAt(at, noise)) {
+      const auto value = t.twin.evaluate(0, plane.noise, plane.at);
+      for (std::size_t c = 0; c < 4; ++c)
+        sum[c] += plane.weight * value[c];
+      weights += plane.weight;
+    }
+    for (float& value : sum)
+      value /= weights;
+    return sum;
+  };
+  const std::vector<double> one = samples(kNormals[0], blended);
+  for (std::size_t k = 1; k < std::size(kNormals); ++k) {
+    INFO("normal " << k);
+    const std::vector<double> many = samples(kNormals[k], blended);
+    // Of 4000 values of no greater kurtosis than a Gaussian, the ratio of variances has a standard
+    // error of sqrt(2 * 2 / 4000) = 3.2 %: five of them.
+    CHECK(varianceOf(many) / varianceOf(one) == Approx(1.0).margin(0.16));
+    // [Kolmogorov and Smirnov] false alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 4000) = 0.060.
+    CHECK(kolmogorovSmirnov(many, one) < 0.060);
+    const std::vector<double> averaged = samples(kNormals[k], plain);
+    CHECK(varianceOf(averaged) / varianceOf(one) < 0.7);
+    CHECK(kolmogorovSmirnov(averaged, one) > 0.060);
+  }
+}
+
+TEST_CASE("where one plane counts, the noise is that of its texture coordinates") {
+  const Tiling& t = tiling();
+  MaterialNoise material = triplanarMaterial();
+  material.scale = 1.3;
+  material.offset = {0.25, -3.5};
+  material.seed = 77;
+  const shader::LichenNoise noise = shaderNoise(t.bundle, material, {});
+  // Plane 0 has the seed word of texture coordinates.
+  material.mapping = Mapping::uv;
+  const shader::LichenNoise flat = shaderNoise(t.bundle, material, {});
+  std::mt19937 generator(5u);
+  std::uniform_real_distribution<float> metres(-3.0f, 3.0f);
+  const float aspect = 128.0f / 96.0f;
+  for (int k = 0; k < 200; ++k) {
+    TriplanarFootprint at;
+    for (float& coordinate : at.position)
+      coordinate = metres(generator);
+    at.normal = {k % 2 == 0 ? 2.0f : -2.0f, 0.7f, -0.5f};
+    // A tile is half a metre times the scale wide; to the right is -z, down is -y.
+    TileFootprint uv;
+    uv.position = {flat.offsetX - at.position[2] / (0.5f * 1.3f),
+                   flat.offsetY - at.position[1] / (0.5f * 1.3f) * aspect};
+    const auto expected = t.twin.evaluate(0, flat, uv);
+    const auto value = t.twin.evaluate(0, noise, at);
+    for (std::size_t c = 0; c < 4; ++c)
+      // Places of 10 tiles, rounded to 2^-20 of a tile of 128 texels.
+      REQUIRE(value[c] == Approx(expected[c]).margin(2e-3));
+  }
+}
+
+TEST_CASE("from any tile origin, the pattern is the same") {
+  const Tiling& t = tiling();
+  for (const double rotation : {0.0, 0.7}) {
+    MaterialNoise material = triplanarMaterial();
+    material.rotation = rotation;
+    Placement near;
+    near.tileOriginX = 10000000;
+    near.tileOriginY = -9999999;
+    near.tileOriginZ = 123456789;
+    Placement far = near;
+    far.tileOriginX += 3;
+    far.tileOriginY -= 2;
+    far.tileOriginZ += 7;
+    const shader::LichenNoise noiseNear = shaderNoise(t.bundle, material, near);
+    const shader::LichenNoise noiseFar = shaderNoise(t.bundle, material, far);
+    std::mt19937 generator(6u);
+    std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
+    std::normal_distribution<float> gaussian;
+    for (int k = 0; k < 200; ++k) {
+      TriplanarFootprint at;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        at.position[axis] = metres(generator);
+        at.normal[axis] = gaussian(generator);
+      }
+      const auto expected = t.twin.evaluate(0, noiseFar, at);
+      // Tiles of half a metre.
+      at.position[0] += 1.5f;
+      at.position[1] -= 1.0f;
+      at.position[2] += 3.5f;
+      const auto value = t.twin.evaluate(0, noiseNear, at);
+      for (std::size_t c = 0; c < 4; ++c)
+        REQUIRE(value[c] == Approx(expected[c]).margin(4e-3));
+    }
+  }
+}
+
+TEST_CASE("the gradient in space is that of the height which all planes show") {
+  // Of order 3, whose derivatives are continuous; a tile is 0.8 m wide.
+  const SyntheticTexton source{.order = 3, .channels = 1};
+  Bundle bundle = syntheticTextonBundle(source).bundle;
+  bundle.noises[0].tileSizeMetres = 0.8;
+  const TextonEvaluator twin = TextonEvaluator::create(bundle, 0).value();
+  MaterialNoise material = triplanarMaterial();
+  material.rotation = 0.4;
+  material.planeSharpness = 2.0;
+  const shader::LichenNoise noise = shaderNoise(bundle, material, {});
+  const shader::LichenTexton texton = shaderTexton(bundle, material, {});
+  const double deviation = bundle.noises[0].maps[0].scale[0];
+  std::mt19937 generator(8u);
+  std::uniform_real_distribution<float> metres(-1.0f, 1.0f);
+  std::normal_distribution<float> gaussian;
+  for (int k = 0; k < 100; ++k) {
+    TriplanarFootprint at;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      at.position[axis] = metres(generator);
+      at.normal[axis] = gaussian(generator);
+    }
+    // Slopes of a height in metres: to the right and, against y, up.
+    const float tilesPerMetre = 1.0f / 0.8f;
+    const auto slopes =
+        triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
+          const auto d = twin.gradient(0, plane.noise, texton, plane.at);
+          return std::array<float, 4>{d[1] * tilesPerMetre,
+                                      -d[2] * tilesPerMetre * noise.tileAspect, 0.0f, 0.0f};
+        });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      constexpr float kStep = 4e-4f; // metres, a thirtieth of a texel
+      const auto heightAt = [&](float step) {
+        TriplanarFootprint moved = at;
+        moved.position[axis] += step;
+        return (double(twin.gaussian(0, noise, texton, moved)[0]) - 0.5) * deviation;
+      };
+      const double difference = (heightAt(kStep) - heightAt(-kStep)) / (2.0 * double(kStep));
+      // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; and a thirtieth of a
+      // texel's third derivative.
+      REQUIRE(double(slopes[axis]) == Approx(difference).margin(0.05));
+    }
+  }
+}
+
+TEST_CASE("the frames of the planes are right-handed and look along x, y and z") {
+  const shader::LichenNoise noise = shaderNoise(tiling().bundle, triplanarMaterial(), {});
+  TriplanarFootprint at;
+  at.normal = {1.0f, 1.0f, 1.0f};
+  const std::array<triplanar::Plane, 3> planes = triplanar::planesAt(at, noise);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto& [right, up] = planes[axis].axes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      CHECK(right[a] * up[b] - right[b] * up[a] == (k == axis ? 1.0f : 0.0f));
+    }
+  }
+}
