@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, and of
-// textons on a surface in units of those in a plane, frame by frame in turn.
+// textons on a surface and of tiling in three planes in units of those in one, frame by frame in
+// turn.
 #include "exemplars.h"
 #include "rows.h"
 #include "screen_pass.h"
@@ -20,6 +21,7 @@
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
 #include <tiling.frag.separable.h>
+#include <triplanar.frag.h>
 #include <view.vert.h>
 
 namespace lichen::bench {
@@ -167,6 +169,21 @@ void appendSurfaceRows(std::vector<Row>& rows, HeadlessDevice& gpu, const Device
   rows.push_back(ratioRow("the same, perspective", kTarget, drawn, unit, image, kFloor, device));
 }
 
+void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
+                        const DeviceImage& image) {
+  constexpr double kTarget = 2.2;
+  test::PluginHost plane(gpu, kind.glb);
+  test::PluginHost planes(gpu, kind.glb);
+  prepare(plane);
+  prepare(planes, LICHEN_MAPPING_TRIPLANAR);
+  ScreenPass onPlane(gpu, view_vert, kind.fragment, layoutOf(plane));
+  ScreenPass onSphere(gpu, view_vert, triplanar_frag, layoutOf(planes));
+  rows.push_back(ratioRow("triplanar tiling on a sphere over tiling, 1920 x 1080", kTarget,
+                          {"triplanar tiling", onSphere, planes.set()},
+                          {"tiling", onPlane, plane.set()}, image, kSurfaceFlat,
+                          gpu.properties().deviceName));
+}
+
 std::vector<Row> measure() {
   Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
   if (!device)
@@ -197,6 +214,7 @@ std::vector<Row> measure() {
   for (const Kind& kind : kinds)
     appendRows(rows, kind, unit, gpu, image.value());
   appendSurfaceRows(rows, gpu, image.value());
+  appendTriplanarRow(rows, kinds[0], gpu, image.value());
   return rows;
 }
 

@@ -11,6 +11,7 @@
 #define LICHEN_MIXED_TEXTONS 0
 #define LICHEN_CUBIC_TEXTONS 0
 #define LICHEN_NEAREST_TEXTONS 0
+#define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "lichen.glsl"

@@ -8,6 +8,7 @@
 #define LICHEN_TEXTON_NOISES 0
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
+#define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "lichen.glsl"
