@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes test_vectors.json: lattice and impacts of README.md, implemented a second time, in Python with
+"""Writes test_vectors.json: lattice, impacts and planes of README.md, implemented a second time, in Python with
 integers and decimals of any length, so that an implementation in another language can be compared
 with something that shares no code with it. Run: python3 make_test_vectors.py > test_vectors.json"""
 import json
@@ -122,6 +122,63 @@ def surface_impacts_of(i, j, k, seed, process):
                          "sign": -1 if w >> 31 else 1} for w in words]}
 
 
+def cosine_and_sine(angle):
+    cosine, sine, term, k = Decimal(0), Decimal(0), Decimal(1), 0
+    while abs(term) > Decimal(10) ** -55:
+        if k % 2 == 0:
+            cosine += term if k % 4 == 0 else -term
+        else:
+            sine += term if k % 4 == 1 else -term
+        k += 1
+        term *= angle / k
+    return cosine, sine
+
+
+def onto_planes(x, y, z):
+    return [(-z, -y), (x, z), (x, -y)]
+
+
+def tile_of_plane(u, v, rotation, texels):
+    cosine, sine = cosine_and_sine(Decimal(rotation))
+    return [cosine * u + sine * v, (cosine * v - sine * u) * texels[0] / texels[1]]
+
+
+def plane_origin(origin, rotation, offset, texels):
+    planes = []
+    for u, v in onto_planes(*origin):
+        place = [Decimal(o) + p for o, p in
+                 zip(offset, tile_of_plane(Decimal(u), Decimal(v), rotation, texels))]
+        whole = [int(p.to_integral_value(rounding="ROUND_FLOOR")) for p in place]
+        planes.append({"tile": whole, "rest": [float(p - w) for p, w in zip(place, whole)]})
+    return {"tileOrigin": origin, "rotation": rotation, "offset": offset, "texelsPerTile": texels,
+            "planes": planes}
+
+
+def plane_weights(normal, sharpness):
+    most = max(abs(Decimal(n)) for n in normal)
+    weights = [max(Decimal(0), (abs(Decimal(n)) / most) ** Decimal(sharpness) - Decimal(1) / 64)
+               for n in normal]
+    norm = sum(w * w for w in weights).sqrt()
+    return {"normal": normal, "planeSharpness": sharpness,
+            "weights": [float(w / norm) for w in weights]}
+
+
+def plane_places(position, rotation, scale, tile_size, texels):
+    per_tile = Decimal(scale) * Decimal(tile_size)
+    return {"position": position, "rotation": rotation, "scale": scale, "tileSize": tile_size,
+            "texelsPerTile": texels,
+            "tiles": [[float(p / per_tile) for p in tile_of_plane(u, v, rotation, texels)]
+                      for u, v in onto_planes(*(Decimal(x) for x in position))]}
+
+
+def plane_gradients(slopes, rotation):
+    cosine, sine = cosine_and_sine(Decimal(rotation))
+    x, y = (Decimal(s) for s in slopes)
+    right, up = float(cosine * x + sine * y), float(cosine * y - sine * x)
+    return {"slopes": slopes, "rotation": rotation,
+            "gradients": [[0.0, up, -right], [right, 0.0, -up], [right, up, 0.0]]}
+
+
 WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
 VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
@@ -130,6 +187,11 @@ TILES = [(0, 0), (1, 0), (0, 1), (-1, -1), (10000000, -3), (-(2**40), 2**40 - 1)
 PERIODS = [(0.5, 0.5), (1.0, 1.0), (1.37, 2.0), (4.0, 4.0), (16.0, 3.0)]
 GRIDS = [([63, 63], 1, 30, [1024, 1024]), ([64, 64], 0, 30, [1024, 512]),
          ([61, 21], 3, 12.5, [1000, 17]), ([8, 8], 1, 1000, [32, 32]), ([31, 31], 1, 1, [31, 40])]
+NORMALS = [([0, 0, 1], 8), ([0, -2, 0.5], 8), ([1, 1, -1], 8), ([0.9, -1, 0.75], 8),
+           ([0.125, 0.25, -0.5], 1), ([0.875, 1, 0.9375], 64)]
+ORIGINS = [([0, 0, 0], 0, [0.25, -3.5], [64, 64]), ([3, -2, 7], 0, [0, 0], [64, 48]),
+           ([2**40, 1 - 2**40, -77], 0, [0.5, 0], [64, 64]),
+           ([10000000, -9999999, 123456789], 0.5, [0, 0], [64, 48])]
 COUNTS = [0, 1580030168, 1580030169, 3160060337, 3950075422, 4213413783, 4279248374, 4292415292,
           4294609778, 4294923276, 4294962463, 4294966817, 4294967253, 4294967291, 4294967292]
 
@@ -151,4 +213,9 @@ print(json.dumps({
     "surfaceImpacts": [surface_impacts_of(*v, k, s, process)
                        for v, k in zip(VERTICES, (0, 1, -1, 7, 2147483647, -5)) for s in (1, 2)
                        for process in ("stratified", "poisson")],
+    "planeWeights": [plane_weights(*case) for case in NORMALS],
+    "planeOrigins": [plane_origin(*case) for case in ORIGINS],
+    "planePlaces": [plane_places([0.5, -1.25, 3], rotation, scale, 0.5, texels)
+                    for rotation, scale, texels in ((0, 1, [64, 64]), (0.5, 0.75, [64, 48]))],
+    "planeGradients": [plane_gradients([0.5, -0.25], rotation) for rotation in (0, 0.5, -2)],
 }, indent=1))

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A noise in three planes in space: a point, its screen-space derivatives and the normal there ->
 // LichenPlace; the gradient of slopes -> normal. Needs neither texture coordinates nor tangents.
-// Planes look along x, y and z. Each shows one field through all of space: a face and the opposite
-// one see it mirrored, as strata that run through, and nothing jumps where a component of the
-// normal changes its sign (docs/decisions/020-triplanar.md).
+// Planes look along x, y and z. Each shows one field through all of space: the same from both sides
+// of a sheet, and mirrored on the far face of a body (docs/decisions/021-triplanar.md).
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
@@ -85,7 +84,7 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
 
 /// The unit normal of a surface whose slopes have this gradient in space, on any side of it.
 vec3 lichenNormalFromGradient(vec3 normal, vec3 gradient) {
-  // [M20] eq. 2: of the gradient, what lies in the surface.
+  // [M20], the surface gradient: of that in space, what lies in the surface.
   vec3 outward = normalize(normal);
   return normalize(outward - gradient + dot(gradient, outward) * outward);
 }

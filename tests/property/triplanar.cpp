@@ -11,9 +11,11 @@
 #include <lichen/tiling_evaluate.h>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <random>
 
 using namespace lichen;
@@ -125,7 +127,7 @@ TEST_CASE("variance and histogram are those of one plane whatever the normal; th
     // Of 4000 values of no greater kurtosis than a Gaussian, the ratio of variances has a standard
     // error of sqrt(2 * 2 / 4000) = 3.2 %: five of them.
     CHECK(varianceOf(many) / varianceOf(one) == Approx(1.0).margin(0.16));
-    // [Kolmogorov and Smirnov] false alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 4000) = 0.060.
+    // Kolmogorov and Smirnov, false alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 4000) = 0.060.
     CHECK(kolmogorovSmirnov(many, one) < 0.060);
     const std::vector<double> averaged = samples(kNormals[k], plain);
     CHECK(varianceOf(averaged) / varianceOf(one) < 0.7);
@@ -236,8 +238,8 @@ TEST_CASE("the gradient in space is that of the height which all planes show") {
         return (double(twin.gaussian(0, noise, texton, moved)[0]) - 0.5) * deviation;
       };
       const double difference = (heightAt(kStep) - heightAt(-kStep)) / (2.0 * double(kStep));
-      // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; and a thirtieth of a
-      // texel's third derivative.
+      // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; and a thirtieth
+      // of a texel's third derivative.
       REQUIRE(double(slopes[axis]) == Approx(difference).margin(0.05));
     }
   }
@@ -253,6 +255,101 @@ TEST_CASE("the frames of the planes are right-handed and look along x, y and z")
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       CHECK(right[a] * up[b] - right[b] * up[a] == (k == axis ? 1.0f : 0.0f));
+    }
+  }
+}
+
+namespace {
+
+const nlohmann::json& vectors() {
+  static const nlohmann::json file = [] {
+    std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+    return nlohmann::json::parse(stream);
+  }();
+  return file;
+}
+
+/// A texton noise whose tiles have these texels, of a material as a vector says it.
+struct Textons {
+  explicit Textons(const nlohmann::json& v)
+      : bundle(syntheticTextonBundle({.texelsPerTileX = v["texelsPerTile"][0],
+                                      .texelsPerTileY = v["texelsPerTile"][1]})
+                   .bundle) {
+    material = triplanarMaterial();
+    material.rotation = v["rotation"];
+  }
+  Bundle bundle;
+  MaterialNoise material;
+};
+
+} // namespace
+
+TEST_CASE("weights, places and gradients of planes are those of the published test vectors") {
+  for (const nlohmann::json& v : vectors()["planeWeights"]) {
+    shader::LichenNoise noise = shaderNoise(tiling().bundle, triplanarMaterial(), {});
+    noise.planeSharpness = v["planeSharpness"];
+    TriplanarFootprint at;
+    at.normal = v["normal"].get<Vec3>();
+    const std::array<triplanar::Plane, 3> planes = triplanar::planesAt(at, noise);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(double(planes[axis].weight) == Approx(v["weights"][axis].get<double>()).margin(1e-5));
+  }
+  for (const nlohmann::json& v : vectors()["planePlaces"]) {
+    Textons textons(v);
+    textons.material.scale = v["scale"];
+    textons.bundle.noises[0].tileSizeMetres = v["tileSize"];
+    TriplanarFootprint at;
+    at.position = v["position"].get<Vec3>();
+    at.normal = {1.0f, 1.0f, 1.0f};
+    const std::array<triplanar::Plane, 3> planes =
+        triplanar::planesAt(at, shaderNoise(textons.bundle, textons.material, {}));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t k = 0; k < 2; ++k)
+        CHECK(double(planes[axis].at.position[k]) ==
+              Approx(v["tiles"][axis][k].get<double>()).margin(1e-5));
+  }
+  for (const nlohmann::json& v : vectors()["planeGradients"]) {
+    MaterialNoise material = triplanarMaterial();
+    material.rotation = v["rotation"];
+    TriplanarFootprint at;
+    at.normal = {1.0f, 1.0f, 1.0f};
+    std::array<triplanar::Plane, 3> planes =
+        triplanar::planesAt(at, shaderNoise(tiling().bundle, material, {}));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t other = 0; other < 3; ++other)
+        planes[other].weight = other == axis ? 1.0f : 0.0f;
+      const auto gradient = triplanar::blendedSlopes(planes, [&](const triplanar::Plane&) {
+        return std::array<float, 4>{v["slopes"][0], v["slopes"][1], 0.0f, 0.0f};
+      });
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(double(gradient[k]) == Approx(v["gradients"][axis][k].get<double>()).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("the origins of planes are those of the published test vectors") {
+  for (const nlohmann::json& v : vectors()["planeOrigins"]) {
+    Textons textons(v);
+    textons.material.offset = v["offset"].get<std::array<double, 2>>();
+    Placement placement;
+    placement.tileOriginX = v["tileOrigin"][0];
+    placement.tileOriginY = v["tileOrigin"][1];
+    placement.tileOriginZ = v["tileOrigin"][2];
+    const shader::LichenNoise noise = shaderNoise(textons.bundle, textons.material, placement);
+    const shader::LichenPlane planes[] = {noise.planeX, noise.planeY, noise.planeZ};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      INFO("tileOrigin " << v["tileOrigin"] << ", plane " << axis);
+      const nlohmann::json& expected = v["planes"][axis];
+      const auto tile = expected["tile"].get<std::array<std::int64_t, 2>>();
+      // A tile is a whole number of cells, counted modulo 2^32.
+      CHECK(std::uint32_t(planes[axis].cellI) ==
+            std::uint32_t(std::uint64_t(tile[0]) * std::uint64_t(noise.columnsPerTile)));
+      CHECK(std::uint32_t(planes[axis].cellJ) ==
+            std::uint32_t(std::uint64_t(tile[1]) * std::uint64_t(noise.rowsPerTile)));
+      // Origins of 1.3e8 tiles in doubles.
+      CHECK(double(planes[axis].offsetX) == Approx(expected["rest"][0].get<double>()).margin(2e-7));
+      CHECK(double(planes[axis].offsetY) == Approx(expected["rest"][1].get<double>()).margin(2e-7));
+      CHECK(planes[axis].seedWord == latticeSeed(textons.material.seed, std::uint32_t(axis)));
     }
   }
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Three maps of one noise at a list of points: points[k] -> values[3 k ... 3 k + 2].
+#define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 3
 #include "lichen.glsl"
