@@ -316,7 +316,7 @@ TEST_CASE("a tileable image of texton noise moved by its origin is the same imag
   options.height = 72;
   options.tileable = true;
   for (const PointProcess process : kProcesses) {
-    options.pointProcess = process;
+    options.material.pointProcess = process;
     options.origin = {0.0, 0.0};
     const LinearImage first = synthesized(bundle, options);
     options.origin = {-20.0 + 40.0 / 64.0, 17.0 / 48.0};
