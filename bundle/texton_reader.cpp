@@ -165,9 +165,9 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
                          losses <= n * kMaxTextonLosses;
   if (losses != 0 && n != 0 && !lossesFit)
     reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; for each channel, " + std::to_string(n) +
-                     ", as many, from " + std::to_string(shape.mipLevels) + " to " +
-                     std::to_string(kMaxTextonLosses) + ", are accepted");
+                 std::to_string(losses) + " values; as many for each of " + std::to_string(n) +
+                     " channels, " + std::to_string(shape.mipLevels) + " to " +
+                     std::to_string(kMaxTextonLosses) + " each, are accepted");
   const auto fits = [n](const std::vector<double>& covariance) {
     return n != 0 && covariance.size() == n * n;
   };

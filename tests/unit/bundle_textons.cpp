@@ -151,7 +151,7 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
     return found == findings.end() ? std::string() : found->message;
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
-        "16 values; for each channel, 3, as many, from 2 to 16, are accepted");
+        "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
         "0.4 at 8; no less than the mip level before, 0.5, is accepted");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==
