@@ -256,32 +256,34 @@ std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size
   return kept;
 }
 
-/// Whether each level of averaging loses the share of a step's variance that is stated of it: the
-/// mean of what it takes from the channels that vary, no less than the level before.
-void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
-  std::vector<Moment> kept(mipLoss.size());
-  double varying = 0.0;
-  for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
-    const std::vector<Moment> shares = keptShares(texton, step, c, mipLoss.size());
-    varying += shares.empty() ? 0.0 : 1.0;
-    for (std::size_t level = 0; level < shares.size(); ++level) {
-      kept[level].value += shares[level].value;
-      kept[level].error += shares[level].error;
-    }
-  }
+/// Whether each level of averaging loses the share of a channel's variance that is stated of it, no
+/// less than the level before.
+bool checkLosses(const Texton& texton, std::size_t step, std::size_t channel,
+                 const std::vector<double>& mipLoss) {
+  const std::span<const double> stated = lossRow(mipLoss, channel, texton.map.channels.size());
+  const std::vector<Moment> kept = keptShares(texton, step, channel, stated.size());
   double loss = 0.0, error = kTextRounding;
-  for (std::size_t level = 0; level < kept.size(); ++level) {
-    if (varying > 0.0) {
-      loss = std::clamp(1.0 - kept[level].value / varying, loss, 1.0);
-      error = std::max(error, kept[level].error / varying);
+  for (std::size_t level = 0; level < stated.size(); ++level) {
+    if (!kept.empty()) {
+      loss = std::clamp(1.0 - kept[level].value, loss, 1.0);
+      error = std::max(error, kept[level].error);
     }
-    const double stated = mipLoss[level];
-    if (std::abs(loss - stated) > error)
-      return texton.reader.error("texton-mip-loss", "mipLoss",
-                                 text(stated) + " at " + std::to_string(level) +
-                                     "; that of the texton's noise, " + text(loss) +
-                                     ", is accepted");
+    if (std::abs(loss - stated[level]) > error) {
+      texton.reader.error("texton-mip-loss", "mipLoss",
+                          text(stated[level]) + " at " +
+                              std::to_string(channel * stated.size() + level) +
+                              "; that of the texton's noise, " + text(loss) + ", is accepted");
+      return false;
+    }
   }
+  return true;
+}
+
+/// Likewise of all channels of a step; the first fault is told.
+void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
+  for (std::size_t c = 0; c < texton.map.channels.size(); ++c)
+    if (!checkLosses(texton, step, c, mipLoss))
+      return;
 }
 
 } // namespace

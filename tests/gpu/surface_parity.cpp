@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kPass = "surface_evaluate.comp";
 /// As it has them.
-enum Quantity { kValue, kGaussian, kImpacts };
+enum Quantity { kValue, kGaussian, kImpacts, kLost };
 
 /// As surface_evaluate.comp reads it.
 struct SurfacePoint {
@@ -149,16 +149,20 @@ TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1
     for (const LichenUniformInfo& info : manyUniforms()) {
       const auto values = twins.shader(kValue, info, points);
       const auto gaussians = twins.shader(kGaussian, info, points);
+      const auto lost = twins.shader(kLost, info, points);
       const shader::LichenUniforms& u = twins.host.uniforms();
       double largest = 0.0, beyond = 0.0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SurfaceFootprint at = footprintOf(points[k]);
         const auto value = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
         const auto gaussian = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto expectedLost =
+            twins.twin.lostVariance(0, u.noise, u.texton, at, mixOf(points[k]));
         for (std::size_t c = 0; c < 4; ++c) {
           double error = std::abs(double(values[k][c]) - double(value[c]));
-          if (c < std::size_t(texton.channels) || c == 3)
-            error = std::max(error, std::abs(double(gaussians[k][c]) - double(gaussian[c])));
+          if (c < std::size_t(texton.channels))
+            error = std::max({error, std::abs(double(gaussians[k][c]) - double(gaussian[c])),
+                              std::abs(double(lost[k][c]) - double(expectedLost[c]))});
           largest = std::max(largest, error);
           beyond += error > 1.0 / 1024.0 ? 1.0 / (4.0 * double(points.size())) : 0.0;
         }

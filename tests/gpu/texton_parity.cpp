@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kPass = "texton_evaluate.comp";
 /// As it has them.
-enum Quantity { kValue, kGaussian, kGradient, kImpacts };
+enum Quantity { kValue, kGaussian, kGradient, kImpacts, kLost };
 
 struct MixedPoint {
   Point point;
@@ -113,16 +113,21 @@ TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and al
     for (const LichenUniformInfo& info : manyUniforms()) {
       const auto values = twins.shader(kValue, info, points);
       const auto gaussians = twins.shader(kGaussian, info, points);
+      const auto lost = twins.shader(kLost, info, points);
       const shader::LichenUniforms& u = twins.host.uniforms();
-      Difference value, gaussian;
+      Difference value, gaussian, loss;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const TileFootprint at = footprintOf(points[k].point, u.noise);
         const auto expected = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
         const auto expectedG = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto expectedLost =
+            twins.twin.lostVariance(0, u.noise, u.texton, at, mixOf(points[k]));
         for (std::size_t c = 0; c < 4; ++c) {
           value.note(std::abs(double(values[k][c]) - double(expected[c])));
-          if (c < std::size_t(texton.channels) || c == 3)
+          if (c < std::size_t(texton.channels)) {
             gaussian.note(std::abs(double(gaussians[k][c]) - double(expectedG[c])));
+            loss.note(std::abs(double(lost[k][c]) - double(expectedLost[c])));
+          }
         }
       }
       INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
@@ -131,6 +136,8 @@ TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and al
       CHECK(value.fractionBeyond() <= 0.001);
       CHECK(gaussian.largest <= 1.0 / 255.0);
       CHECK(gaussian.fractionBeyond() <= 0.001);
+      CHECK(loss.largest <= 1.0 / 255.0);
+      CHECK(loss.fractionBeyond() <= 0.001);
     }
   }
 }
