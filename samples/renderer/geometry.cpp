@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Accessors to vertices and triangles [glTF 2.0, sections 3.6.2 and 3.7.2].
-// Tangents: per-triangle gradients of the texture coordinates, summed at each vertex and
-// orthogonalized [Lengyel, Foundations of Game Engine Development 2, 2019, section 7.5].
 #include "geometry.h"
 
 #include "scene_validate.h"
+#include "tangents.h"
 
 #include <algorithm>
 #include <array>
@@ -143,41 +142,6 @@ void makeFlat(Primitive& primitive) {
   primitive.vertices = std::move(vertices);
 }
 
-glm::vec3 anyPerpendicular(glm::vec3 n) {
-  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  return normalizedOr(axis - n * glm::dot(n, axis), glm::vec3(0, 0, 1));
-}
-
-void makeTangents(Primitive& primitive, glm::vec2 Vertex::*texCoord) {
-  std::vector<glm::vec3> alongU(primitive.vertices.size(), glm::vec3(0.0f));
-  std::vector<glm::vec3> alongV(primitive.vertices.size(), glm::vec3(0.0f));
-  const auto& vertices = primitive.vertices;
-  for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
-    const Vertex& a = vertices[primitive.indices[i]];
-    const Vertex& b = vertices[primitive.indices[i + 1]];
-    const Vertex& c = vertices[primitive.indices[i + 2]];
-    const glm::vec3 e1 = b.position - a.position;
-    const glm::vec3 e2 = c.position - a.position;
-    const glm::vec2 t1 = b.*texCoord - a.*texCoord;
-    const glm::vec2 t2 = c.*texCoord - a.*texCoord;
-    const float area = t1.x * t2.y - t1.y * t2.x;
-    if (std::abs(area) < std::numeric_limits<float>::min())
-      continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      alongU[primitive.indices[i + k]] += normalizedOr((e1 * t2.y - e2 * t1.y) / area, {});
-      alongV[primitive.indices[i + k]] += normalizedOr((e2 * t1.x - e1 * t2.x) / area, {});
-    }
-  }
-  for (std::size_t i = 0; i < primitive.vertices.size(); ++i) {
-    Vertex& v = primitive.vertices[i];
-    const glm::vec3 tangent = normalizedOr(alongU[i] - v.normal * glm::dot(v.normal, alongU[i]),
-                                           anyPerpendicular(v.normal));
-    // glTF's bitangent is cross(normal, tangent) * w and points along -v, the top of the image.
-    const float side = glm::dot(glm::cross(v.normal, tangent), alongV[i]);
-    v.tangent = glm::vec4(tangent, side > 0.0f ? -1.0f : 1.0f);
-  }
-}
-
 /// Copies attribute `name` into the vertices by `assign(vertex, pointer to its components)`.
 template <class Assign>
 Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primitive& source,
@@ -192,6 +156,18 @@ Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primiti
   for (std::size_t i = 0; i < target.vertices.size(); ++i)
     assign(target.vertices[i], values.value().data() + i * components, components);
   return true;
+}
+
+/// The set of texture coordinates that tangents are made for, where the file's will not do: they
+/// mean nothing without its normals, and belong to the normal texture.
+std::optional<int> madeTangents(const tinygltf::Primitive& source, const Material& material) {
+  const TextureSlot& texture = material.normalTexture;
+  if (!material.noiseNormalTexCoord && !texture.image)
+    return std::nullopt;
+  const int texCoord = material.noiseNormalTexCoord.value_or(texture.texCoord);
+  const bool inFile = source.attributes.count("NORMAL") != 0 &&
+                      source.attributes.count("TANGENT") != 0 && texCoord == texture.texCoord;
+  return inFile ? std::nullopt : std::optional<int>(texCoord);
 }
 
 } // namespace
@@ -234,7 +210,8 @@ Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int access
   return values;
 }
 
-std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive& source) {
+std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive& source,
+                         const Material& material) {
   const auto position = source.attributes.find("POSITION");
   if (position == source.attributes.end())
     return 0;
@@ -242,8 +219,10 @@ std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive
   const std::size_t stored =
       source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : vertices;
   const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
-  const bool flat = source.attributes.count("NORMAL") == 0; // a vertex for each index
-  return vertices + indices + (flat ? indices : 0);
+  // Flat normals take a vertex for each index, and tangents as many at most.
+  const bool splits =
+      source.attributes.count("NORMAL") == 0 || madeTangents(source, material).has_value();
+  return vertices + indices + (splits ? indices : 0);
 }
 
 Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
@@ -299,17 +278,10 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
     if (!mixed)
       return mixed.error();
   }
-  const bool hasNormals = present[1].value();
-  const bool hasTangents = present[2].value();
-  if (!hasNormals)
+  if (!present[1].value())
     makeFlat(target);
-  const TextureSlot& texture = material.normalTexture;
-  if (material.noiseNormalTexCoord || texture.image) {
-    const int texCoord = material.noiseNormalTexCoord.value_or(texture.texCoord);
-    // Tangents of the file mean nothing without its normals, and belong to the normal texture.
-    if (!hasNormals || !hasTangents || texCoord != texture.texCoord)
-      makeTangents(target, texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
-  }
+  if (const std::optional<int> texCoord = madeTangents(source, material))
+    makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
   return std::optional<Primitive>(std::move(target));
 }
 

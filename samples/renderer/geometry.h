@@ -16,9 +16,10 @@ namespace lichen::renderer {
 /// outside the accessor.
 [[nodiscard]] Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int accessor);
 
-/// Vertices and indices that readPrimitive() makes of a primitive, and needs on the way.
+/// Vertices and indices that readPrimitive() makes of a primitive at most, and needs on the way.
 [[nodiscard]] std::size_t expandedSize(const tinygltf::Model& model,
-                                       const tinygltf::Primitive& primitive);
+                                       const tinygltf::Primitive& primitive,
+                                       const Material& material);
 
 /// A glTF primitive as indexed triangles with normals (flat where the file has none), and tangents
 /// where `material` has normals of a texture or a noise. Nothing for points, lines, and primitives

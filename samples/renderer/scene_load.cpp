@@ -259,7 +259,7 @@ private:
   Result<void> loadPrimitive(std::size_t mesh, const tinygltf::Primitive& source) {
     const std::size_t material =
         source.material >= 0 ? std::size_t(source.material) : scene_.materials.size() - 1;
-    vertices_ += expandedSize(model_, source);
+    vertices_ += expandedSize(model_, source, scene_.materials[material]);
     if (vertices_ > kMaxSceneVertices)
       return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
                                              " vertices and indices; a smaller scene is accepted"};

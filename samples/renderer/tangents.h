@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Tangents of a mesh that has none.
+#pragma once
+
+#include "scene.h"
+
+namespace lichen::renderer {
+
+/// The frame that the normals of a texture read at `texCoord` are in, as exporters and bakers have
+/// it: MikkTSpace. Sets the tangent of every vertex that a triangle uses. Where a vertex lies on
+/// the edge of a mirrored texture it gets a copy for either side, at most as many vertices as there
+/// are indices. Triangles keep their order. Time n log n in the indices, memory about 90 bytes for
+/// each.
+void makeTangents(Primitive& primitive, glm::vec2 Vertex::*texCoord);
+
+/// Some unit vector at a right angle to the unit vector n.
+[[nodiscard]] glm::vec3 anyPerpendicular(glm::vec3 n);
+
+} // namespace lichen::renderer
