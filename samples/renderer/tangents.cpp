@@ -12,8 +12,10 @@
 // is turned round here, so that the fourth component is glTF's.
 #include "tangents.h"
 
+#include "orthonormal_frame.h"
+#include "unit_vector.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,11 +26,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr float kTiny = std::numeric_limits<float>::min();
-
-glm::vec3 unitOrZero(glm::vec3 v) {
-  const float length = glm::length(v);
-  return length > kTiny ? v / length : glm::vec3(0.0f);
-}
+constexpr glm::vec3 kNoDirection{0.0f};
 
 /// Corner 3 f + k of the mesh is corner k of its triangle f; edge 3 f + k leads from it to the
 /// next.
@@ -107,11 +105,10 @@ private:
       const glm::vec3 alongU = (c.position - a.position) * t1.y - (b.position - a.position) * t2.y;
       Face face;
       face.mirrored = !(area > 0.0f);
-      face.alongU = unitOrZero(face.mirrored ? -alongU : alongU);
+      face.alongU = normalizedOr(face.mirrored ? -alongU : alongU, kNoDirection);
       face.isDegenerate =
           a.position == b.position || b.position == c.position || c.position == a.position;
-      face.joinsAny =
-          face.isDegenerate || std::abs(area) <= kTiny || face.alongU == glm::vec3(0.0f);
+      face.joinsAny = face.isDegenerate || std::abs(area) <= kTiny || face.alongU == kNoDirection;
       faces_.push_back(face);
     }
   }
@@ -206,7 +203,7 @@ private:
         continue;
       const Vertex& v = at(corner);
       const auto inPlane = [&](glm::vec3 direction) {
-        return unitOrZero(direction - v.normal * glm::dot(v.normal, direction));
+        return normalizedOr(direction - v.normal * glm::dot(v.normal, direction), kNoDirection);
       };
       const glm::vec3 before = inPlane(at(previousCorner(corner)).position - v.position);
       const glm::vec3 after = inPlane(at(nextCorner(corner)).position - v.position);
@@ -242,8 +239,7 @@ private:
   }
 
   static glm::vec4 tangentOf(const Group& group, glm::vec3 normal) {
-    const glm::vec3 tangent = unitOrZero(group.alongU);
-    return glm::vec4(tangent != glm::vec3(0.0f) ? tangent : anyPerpendicular(normal),
+    return glm::vec4(normalizedOr(group.alongU, frameAlong(normal)[0]),
                      group.mirrored ? -1.0f : 1.0f);
   }
 
@@ -260,13 +256,6 @@ private:
 
 void makeTangents(Primitive& primitive, glm::vec2 Vertex::*texCoord) {
   TangentGroups(primitive, texCoord).run();
-}
-
-glm::vec3 anyPerpendicular(glm::vec3 n) {
-  const glm::vec3 axis = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  const glm::vec3 across = axis - n * glm::dot(n, axis);
-  const float length = glm::length(across);
-  return length > kTiny ? across / length : glm::vec3(0, 0, 1);
 }
 
 } // namespace lichen::renderer

@@ -13,7 +13,4 @@ namespace lichen::renderer {
 /// each.
 void makeTangents(Primitive& primitive, glm::vec2 Vertex::*texCoord);
 
-/// Some unit vector at a right angle to the unit vector n.
-[[nodiscard]] glm::vec3 anyPerpendicular(glm::vec3 n);
-
 } // namespace lichen::renderer
