@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -73,7 +74,52 @@ Primitive mirroredPair() {
               {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4});
 }
 
+/// Four uneven quads, of which those on the right have their part of the image mirrored.
+Primitive unevenGrid() {
+  Primitive grid;
+  const std::array<float, 3> columns{0.0f, 0.5f, 0.125f};
+  for (int k = 0; k < 9; ++k) {
+    const int x = k % 3;
+    const int y = k / 3;
+    Vertex v;
+    v.position = glm::vec3(float(x) + 0.25f * float(5 * k % 4),
+                           float(y) + 0.125f * float(3 * k % 5), 0.5f * float(7 * k % 3));
+    v.normal = glm::normalize(glm::vec3(float(k % 3 - 1), 0.5f * float(k % 2), 3.0f));
+    v.texCoord0 = glm::vec2(columns[std::size_t(x)] + 0.0625f * float(k % 2),
+                            0.5f * float(y) + 0.125f * float(2 * k % 3));
+    grid.vertices.push_back(v);
+  }
+  for (const std::uint32_t a : {0u, 1u, 3u, 4u})
+    grid.indices.insert(grid.indices.end(), {a, a + 1, a + 4, a, a + 4, a + 3});
+  return grid;
+}
+
+/// What Mikkelsen's own code makes of its corners (npm's mikktspace 1.1.1), the sign turned round
+/// as glTF's v is.
+const std::vector<glm::vec4> kMikkTSpace{
+    {0.840448f, -0.463856f, 0.280149f, -1}, {0.994572f, -0.102634f, 0.017106f, -1},
+    {0.148033f, -0.988982f, 0.000000f, -1}, {0.840448f, -0.463856f, 0.280149f, -1},
+    {0.148033f, -0.988982f, 0.000000f, -1}, {0.332403f, -0.906070f, 0.261812f, -1},
+    {-0.995501f, 0.093461f, -0.015577f, 1}, {-0.948190f, 0.032251f, 0.316063f, 1},
+    {-0.948020f, 0.114378f, 0.296944f, 1},  {-0.995501f, 0.093461f, -0.015577f, 1},
+    {-0.948020f, 0.114378f, 0.296944f, 1},  {-0.998688f, -0.051215f, 0.000000f, 1},
+    {0.332403f, -0.906070f, 0.261812f, -1}, {0.148033f, -0.988982f, 0.000000f, -1},
+    {0.636306f, -0.760941f, 0.126823f, -1}, {0.332403f, -0.906070f, 0.261812f, -1},
+    {0.636306f, -0.760941f, 0.126823f, -1}, {0.858558f, -0.425412f, 0.286186f, -1},
+    {-0.998688f, -0.051215f, 0.000000f, 1}, {-0.948020f, 0.114378f, 0.296944f, 1},
+    {-0.852080f, -0.439645f, 0.284027f, 1}, {-0.998688f, -0.051215f, 0.000000f, 1},
+    {-0.852080f, -0.439645f, 0.284027f, 1}, {-0.655921f, -0.744559f, 0.124093f, 1},
+};
+
 } // namespace
+
+TEST_CASE("tangents are those of MikkTSpace") {
+  const Primitive grid = withTangents(unevenGrid());
+  REQUIRE(grid.indices.size() == kMikkTSpace.size());
+  for (std::size_t k = 0; k < kMikkTSpace.size(); ++k)
+    for (int c = 0; c < 4; ++c)
+      CHECK(tangentAt(grid, k)[c] == Approx(kMikkTSpace[k][c]).margin(2e-6)); // six digits
+}
 
 TEST_CASE("triangles count by their angle at the vertex, not by their size") {
   const Primitive fan = withTangents(fanOfTwoAngles());
