@@ -223,15 +223,24 @@ private:
     };
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    const auto sharesVertex = [&](std::size_t i) {
+      return i > 0 && indices[order[i]] == indices[order[i - 1]];
+    };
+    const auto isCopy = [&](std::size_t i) {
+      return sharesVertex(i) && groupOf_[order[i]] != groupOf_[order[i - 1]];
+    };
+    std::size_t copies = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (isCopy(i))
+        ++copies;
+    vertices.reserve(vertices.size() + copies);
     std::uint32_t vertex = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t original = indices[order[i]];
-      const bool sameVertex = i > 0 && original == indices[order[i - 1]];
-      if (!sameVertex) {
-        vertex = original;
-      } else if (groupOf_[order[i]] != groupOf_[order[i - 1]]) {
+      if (!sharesVertex(i))
+        vertex = indices[order[i]];
+      if (isCopy(i)) {
         vertex = std::uint32_t(vertices.size());
-        vertices.push_back(Vertex(vertices[original]));
+        vertices.push_back(vertices[indices[order[i]]]); // reserved: does not move what it copies
       }
       primitive_.indices[order[i]] = vertex;
       vertices[vertex].tangent = tangentOf(groups_[groupOf_[order[i]]], vertices[vertex].normal);
