@@ -74,7 +74,7 @@ struct LichenNoise {
   uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it; triplanar derives its planes
-  float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
+  float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
   uint method; // LICHEN_METHOD_*
   int cellK;   // of surface noise: the third of cellI and cellJ
