@@ -10,10 +10,14 @@
 // Why, and the numbers: docs/decisions/019-border-of-textons.md.
 #include "border_penalty.h"
 
+#include <Eigen/SparseCholesky>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unsupported/Eigen/KroneckerProduct>
+#include <vector>
 
 namespace lichen::texton {
 namespace {
@@ -85,23 +89,24 @@ Eigen::VectorXd window(Index size) {
 
 double borderVisibility(const TextonCoefficients& coefficients) {
   const Index texels = Index(coefficients.width) * coefficients.height;
-  double visibility = 0.0;
-  for (int c = 0; c < coefficients.channels; ++c) {
+  std::vector<double> visibilities(std::size_t(coefficients.channels));
+  tbb::parallel_for(Index(0), Index(coefficients.channels), [&](Index c) {
     const Eigen::Map<const MatrixXf> plane(coefficients.values.data() + c * texels,
                                            coefficients.width, coefficients.height);
     const StepEnergies rows = stepsBetweenColumns(plane);
     const StepEnergies columns = stepsBetweenColumns(plane.transpose());
     if (const double border = rows.border + columns.border; border > 0.0)
-      visibility = std::max(visibility, std::sqrt(border / (rows.inside + columns.inside)));
-  }
-  return visibility;
+      visibilities[std::size_t(c)] = std::sqrt(border / (rows.inside + columns.inside));
+  });
+  return *std::max_element(visibilities.begin(), visibilities.end());
 }
 
-BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<float>& inverseX,
-                             const Eigen::SparseMatrix<float>& inverseY) {
-  const MatrixXd x = cosines(inverseX.rows()), y = cosines(inverseY.rows());
-  const MatrixXd smoothX = inverseX.cast<double>() * x.transpose();
-  const MatrixXd smoothY = inverseY.cast<double>() * y.transpose();
+BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<double>& normalX,
+                             const Eigen::SparseMatrix<double>& normalY) {
+  using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+  const MatrixXd x = cosines(normalX.rows()), y = cosines(normalY.rows());
+  const MatrixXd smoothX = Solver(normalX).solve(MatrixXd(x.transpose()));
+  const MatrixXd smoothY = Solver(normalY).solve(MatrixXd(y.transpose()));
   // A patch is column-major, a column of it a row of the texton: x is the faster index.
   const MatrixXd power = Eigen::kroneckerProduct(MatrixXd(y * smoothY), MatrixXd(x * smoothX));
   const MatrixXd insideX = x * window(x.cols()).asDiagonal() * x.transpose();
@@ -111,7 +116,7 @@ BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<float>& inverseX,
   const Eigen::LLT<MatrixXd> root(power);
   const MatrixXd lower = root.matrixL();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(lower.transpose() * border * lower);
-  modes_ = root.matrixU().solve(axes.eigenvectors());
+  modes_ = MatrixXd(root.matrixU().solve(axes.eigenvectors())).cast<float>();
   costs_ = axes.eigenvalues().cwiseMax(0.0);
   analysisX_ = x.cast<float>();
   analysisY_ = y.cast<float>();
@@ -122,9 +127,7 @@ BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<float>& inverseX,
 
 void BorderPenalty::setWeight(double weight) {
   weight_ = weight;
-  const Eigen::VectorXd removed =
-      (weight * costs_.array() / (1.0 + weight * costs_.array())).matrix();
-  shrinkage_ = (modes_ * removed.asDiagonal() * modes_.transpose()).cast<float>();
+  removed_ = (weight * costs_.array() / (1.0 + weight * costs_.array())).matrix().cast<float>();
 }
 
 void BorderPenalty::adapt(const TextonCoefficients& coefficients) {
@@ -134,13 +137,14 @@ void BorderPenalty::adapt(const TextonCoefficients& coefficients) {
 
 void BorderPenalty::apply(TextonCoefficients& coefficients) const {
   const Index texels = Index(coefficients.width) * coefficients.height;
-  for (int c = 0; c < coefficients.channels; ++c) {
+  tbb::parallel_for(Index(0), Index(coefficients.channels), [&](Index c) {
     Eigen::Map<MatrixXf> patch(coefficients.values.data() + c * texels, coefficients.width,
                                coefficients.height);
     const MatrixXf slow = analysisX_ * patch * analysisY_.transpose();
-    const Eigen::VectorXf removed = shrinkage_ * slow.reshaped();
+    const Eigen::VectorXf modes = removed_.cwiseProduct(modes_.transpose() * slow.reshaped());
+    const Eigen::VectorXf removed = modes_ * modes;
     patch -= synthesisX_ * removed.reshaped(slow.rows(), slow.cols()) * synthesisY_.transpose();
-  }
+  });
 }
 
 } // namespace lichen::texton

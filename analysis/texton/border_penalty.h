@@ -19,9 +19,9 @@ namespace lichen::texton {
 /// noise does, and `weight` times what of them is slow and near the border.
 class BorderPenalty {
 public:
-  /// The inverses of the normal matrices of the coefficients along a row and along a column.
-  BorderPenalty(const Eigen::SparseMatrix<float>& inverseX,
-                const Eigen::SparseMatrix<float>& inverseY);
+  /// The normal matrices of the coefficients along a row and along a column.
+  BorderPenalty(const Eigen::SparseMatrix<double>& normalX,
+                const Eigen::SparseMatrix<double>& normalY);
 
   /// Raises the weight where the border is visible, lowers it where it is not.
   void adapt(const TextonCoefficients& coefficients);
@@ -33,9 +33,9 @@ private:
   double weight_ = 0.0;
   Eigen::MatrixXf analysisX_, analysisY_;   ///< cosines x coefficients
   Eigen::MatrixXf synthesisX_, synthesisY_; ///< coefficients x cosines
-  Eigen::MatrixXd modes_;                   ///< cosines of both axes x modes
+  Eigen::MatrixXf modes_;                   ///< cosines of both axes x modes
   Eigen::VectorXd costs_;                   ///< of each mode, over its noise's power
-  Eigen::MatrixXf shrinkage_;               ///< cosines of both axes, squared
+  Eigen::VectorXf removed_;                 ///< share of each mode
 };
 
 } // namespace lichen::texton

@@ -8,7 +8,7 @@
 // transport distance between the two textures, so both projections are made in h^. [GLM17] makes
 // the second one in alpha^, where cutting off is enough, but where distances are weighted by 1 /
 // b^, ninefold at the highest frequency. In h^ it is least squares with the normal matrix B_x (x)
-// B_y, Toeplitz matrices of the kernel's autocorrelation, which are small.
+// B_y, Toeplitz matrices of the kernel's autocorrelation, which are small and banded.
 //
 // Relaxed averaged alternating reflections [L05] find the neighbourhood of a good minimum, since
 // they leave bad ones; then alternating projections, which never increase the distance, with
@@ -24,7 +24,7 @@
 #include <lichen/spectrum.h>
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCore>
+#include <Eigen/SparseCholesky>
 #include <tbb/parallel_for.h>
 
 #include <cassert>
@@ -46,24 +46,53 @@ constexpr float kHighestPeak = 2.0f;
 
 using Spectra = std::vector<HalfSpectrum>;
 
-/// The inverse of the normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and
-/// circulant where the support reaches around the period; positive definite, as b^ > 0. Its entries
-/// fall by a constant factor from one diagonal to the next; those that floats would not feel are
-/// left out, since products with what is left of them, below the smallest normal number, are slow.
-Eigen::SparseMatrix<float> inverseNormalMatrix(int size, int period, int order) {
-  constexpr double kNegligible = 1e-9;
+/// The normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and circulant where
+/// the support reaches around the period; positive definite, as b^ > 0.
+Eigen::SparseMatrix<double> normalMatrix(int size, int period, int order) {
   const std::vector<double> b = kernelAutocorrelation(order);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+  std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < size; ++i) {
     for (int lag = -order; lag <= order; ++lag) {
       const int j = ((i + lag) % period + period) % period;
       if (j < size)
-        matrix(i, j) += b[std::size_t(std::abs(lag))];
+        entries.emplace_back(i, j, b[std::size_t(std::abs(lag))]);
     }
   }
-  const Eigen::MatrixXd inverse = matrix.llt().solve(Eigen::MatrixXd::Identity(size, size));
-  return inverse.cast<float>().sparseView(1.0f, float(kNegligible));
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end()); // the sum of what reaches around twice
+  return matrix;
 }
+
+/// The inverse of a normal matrix along the rows of a matrix, by factors as narrow as it is.
+class NormalSolver {
+public:
+  explicit NormalSolver(const Eigen::SparseMatrix<double>& normal)
+      : lower_(Factors(normal).matrixL().nestedExpression().cast<float>()) {}
+
+  /// All rows at once: Eigen's own solver takes one right side after the other, whose steps wait
+  /// for one another.
+  void solveRows(Eigen::MatrixXf& rows) const {
+    using Entry = Eigen::SparseMatrix<float>::InnerIterator; // the first is the diagonal's
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+      Entry entry(lower_, j);
+      rows.col(j) /= entry.value();
+      while (++entry)
+        rows.col(entry.row()) -= entry.value() * rows.col(j);
+    }
+    for (Eigen::Index j = rows.cols() - 1; j >= 0; --j) {
+      Entry entry(lower_, j);
+      const float diagonal = entry.value();
+      while (++entry)
+        rows.col(j) -= entry.value() * rows.col(entry.row());
+      rows.col(j) /= diagonal;
+    }
+  }
+
+private:
+  using Factors =
+      Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  Eigen::SparseMatrix<float> lower_;
+};
 
 /// Spectra of the model's power and random phases.
 Spectra randomPhases(const GaussianModel& model, std::uint32_t seed) {
@@ -79,9 +108,11 @@ public:
   Fit(const GaussianModel& model, int width, int height, int order)
       : model_(model), kernelX_(kernelAmplitudes(order, model.width())),
         kernelY_(kernelAmplitudes(order, model.height())),
-        inverseX_(inverseNormalMatrix(width, model.width(), order)),
-        inverseY_(inverseNormalMatrix(height, model.height(), order)),
-        border_(inverseX_, inverseY_), work_(model.channels) {
+        solverX_(normalMatrix(width, model.width(), order)),
+        solverY_(normalMatrix(height, model.height(), order)),
+        border_(normalMatrix(width, model.width(), order),
+                normalMatrix(height, model.height(), order)),
+        work_(model.channels) {
     coefficients_ = {width, height, int(model.channels.size()), {}};
     for (std::size_t c = 0; c < model.channels.size(); ++c)
       transforms_.emplace_back(model.width(), model.height(), width, height);
@@ -204,7 +235,11 @@ private:
       // Column-major: a column of `patch` is a row of the texton.
       Eigen::Map<Eigen::MatrixXf> patch(coefficients_.values.data() + c * patchSize(),
                                         coefficients_.width, coefficients_.height);
-      patch = (inverseX_ * patch * inverseY_).eval();
+      Eigen::MatrixXf columns = patch.transpose();
+      solverX_.solveRows(columns);
+      Eigen::MatrixXf rows = columns.transpose();
+      solverY_.solveRows(rows);
+      patch = rows;
     });
   }
 
@@ -224,8 +259,8 @@ private:
   const GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
-  Eigen::SparseMatrix<float> inverseX_;
-  Eigen::SparseMatrix<float> inverseY_;
+  NormalSolver solverX_;
+  NormalSolver solverY_;
   BorderPenalty border_;
   std::vector<PatchFft> transforms_;
   Spectra work_;

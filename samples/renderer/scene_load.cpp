@@ -272,10 +272,23 @@ private:
                              " without triangles is ignored");
       return {};
     }
+    noteMissingTangents(mesh, source, scene_.materials[material]);
     primitive.value()->material = material;
     primitivesOfMesh_[mesh]->push_back(scene_.primitives.size());
     scene_.primitives.push_back(std::move(*primitive.value()));
     return {};
+  }
+
+  void noteMissingTangents(std::size_t mesh, const tinygltf::Primitive& source,
+                           const Material& material) {
+    const TextureSlot& normals = material.normalTexture; // from which tangents are made
+    const bool makesTangents =
+        normals.image && source.attributes.contains("TEXCOORD_" + std::to_string(normals.texCoord));
+    if (material.noiseNeedsTangents && !makesTangents && !source.attributes.contains("TANGENT"))
+      scene_.notes.push_back(
+          "/meshes/" + std::to_string(mesh) + " \"" + printable(model_.meshes[mesh].name) +
+          "\" has no TANGENT, along which the noise of its material \"" + printable(material.name) +
+          "\" lies; any direction is taken, lichen apply finds good ones");
   }
 
   struct Pending {

@@ -7,6 +7,7 @@
 
 #include <lichen/bundle_writer.h>
 #include <lichen/image_io.h>
+#include <lichen/texton_mix.h>
 
 #include <materials.h>
 #include <plain.frag.h>
@@ -15,6 +16,7 @@
 #include <surface.frag.h>
 #include <synthetic_texton.h>
 #include <texton.frag.h>
+#include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
 #include <tiling.frag.separable.h>
@@ -95,12 +97,28 @@ TilingOptions bakedWith(LookupTable lut, GaussianOnly gaussian) {
 }
 
 /// Bilinear textons that reach 64 texels, with the 30 impacts of the default.
-std::vector<std::byte> textonGlb() {
-  return test::syntheticTextonGlb({.coefficientsX = 63,
-                                   .coefficientsY = 63,
-                                   .mipLevels = 4,
-                                   .texelsPerTileX = kExemplarSide,
-                                   .texelsPerTileY = kExemplarSide});
+test::SyntheticTexton textons() {
+  return {.coefficientsX = 63,
+          .coefficientsY = 63,
+          .mipLevels = 4,
+          .texelsPerTileX = kExemplarSide,
+          .texelsPerTileY = kExemplarSide};
+}
+
+std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
+
+/// A mix of as many steps as `lichen mix` makes of two exemplars, from one to the other over four
+/// tiles.
+std::vector<std::byte> mixGlb() {
+  test::SyntheticTexton texton = textons();
+  texton.steps = TextonMixOptions{}.steps;
+  BundleFile file = test::syntheticTextonBundle(texton);
+  file.bundle.materials[0]->mix = {
+      .source = MixSource::direction, .start = {0.0, 0.0}, .end = {4.0, 0.0}};
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  if (!glb)
+    throw std::runtime_error(glb.error().message);
+  return std::move(glb).value();
 }
 
 /// One texel a pixel.
@@ -161,7 +179,8 @@ std::vector<Row> measure() {
   Result<DeviceImage> image = gpu.createImage(info);
   if (!image)
     throw std::runtime_error(image.error().message);
-  // Separable tables have no targets of their own: those of the joint one.
+  // Separable tables have no targets of their own: those of the joint one. So have mixes: those of
+  // one texton.
   const Kind kinds[] = {
       {"tiling with joint table", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::no)),
        tiling_frag_joint, 3.6, 4.3},
@@ -170,7 +189,8 @@ std::vector<Row> measure() {
        4.3},
       {"tiling, Gaussian only", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::yes)),
        tiling_frag_gaussian, 2.5, 3.2},
-      {"texton, 30 impacts", textonGlb(), texton_frag, 42.0, 50.0}};
+      {"texton, 30 impacts", textonGlb(), texton_frag, 42.0, 50.0},
+      {"mix of textons, 30 impacts", mixGlb(), texton_frag_mixed, 42.0, 50.0}};
   test::PluginHost unit(gpu, kinds[0].glb);
   prepare(unit);
   std::vector<Row> rows;

@@ -5,7 +5,7 @@
 #include "rows.h"
 
 #include <lichen/spectrum.h>
-#include <lichen/texton.h>
+#include <lichen/texton_mix.h>
 
 #include <algorithm>
 #include <array>
@@ -73,6 +73,25 @@ void appendTimes(std::vector<Row>& rows) {
                     medianSeconds(kRuns, [&] { return bakedTexton(map, {}); }), target, "s",
                     "rust, median of 5"});
   }
+}
+
+/// A mix of two: the time of a bake for each, beside which the path between them is to be small.
+void appendMixTime(std::vector<Row>& rows) {
+  constexpr int kRuns = 5;
+  const std::array<MixedExemplar, 2> exemplars{{{"rust", {baseColorMap(exemplars::rust(256))}},
+                                                {"moss", {baseColorMap(exemplars::moss(256))}}}};
+  const double each = medianSeconds(kRuns, [&] { return bakedTexton(exemplars[0].maps[0], {}); }) +
+                      medianSeconds(kRuns, [&] { return bakedTexton(exemplars[1].maps[0], {}); });
+  const auto mix = [&] {
+    Result<TextonMixBake> bake = bakeTextonMix("benchmark", exemplars, {});
+    if (!bake) {
+      std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
+      std::exit(int(bake.error().kind));
+    }
+    return std::move(bake).value();
+  };
+  rows.push_back({"mix of two textons of 256 x 256 RGB, 21 steps", medianSeconds(kRuns, mix), each,
+                  "s", "rust and moss, median of 5; the target is the bakes of both"});
 }
 
 /// A number of each exemplar, and which has the greatest.
@@ -162,6 +181,7 @@ void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>&
 std::vector<Row> textonRows() {
   std::vector<Row> rows;
   appendTimes(rows);
+  appendMixTime(rows);
   const std::vector<Exemplar> exemplars = exemplars256();
   appendFits(rows, exemplars, 128, 16, 0.985);
   appendFits(rows, exemplars, 128, 32, 0.985);

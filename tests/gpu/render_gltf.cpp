@@ -3,6 +3,7 @@
 
 #include <lichen/image_io.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -129,6 +130,35 @@ void GltfScene::addBall(std::size_t material, nlohmann::json node) {
     }
   const std::size_t position = addFloats(positions, 3);
   addMesh({{"POSITION", position}, {"NORMAL", position}, {"TEXCOORD_0", addFloats(texCoords, 2)}},
+          addIndices(indices, 2), material, std::move(node));
+}
+
+void GltfScene::addBox(std::size_t material, nlohmann::json node) {
+  constexpr float kHalf = 0.7f;
+  std::vector<float> positions, normals, tangents;
+  std::vector<std::uint32_t> indices;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) {
+      const auto first = std::uint32_t(positions.size() / 3);
+      // Corners about the face's normal, counter-clockwise from outside.
+      for (const auto& [u, v] :
+           {std::pair{-1.0f, -side}, {1.0f, -side}, {1.0f, side}, {-1.0f, side}}) {
+        std::array<float, 3> position{}, normal{}, tangent{};
+        position[std::size_t(axis)] = kHalf * side;
+        position[std::size_t(axis + 1) % 3] = kHalf * u;
+        position[std::size_t(axis + 2) % 3] = kHalf * v;
+        normal[std::size_t(axis)] = side;
+        tangent[std::size_t(axis + 1) % 3] = 1.0f;
+        positions.insert(positions.end(), position.begin(), position.end());
+        normals.insert(normals.end(), normal.begin(), normal.end());
+        tangents.insert(tangents.end(), tangent.begin(), tangent.end());
+        tangents.push_back(1.0f);
+      }
+      indices.insert(indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+    }
+  addMesh({{"POSITION", addFloats(positions, 3)},
+           {"NORMAL", addFloats(normals, 3)},
+           {"TANGENT", addFloats(tangents, 4)}},
           addIndices(indices, 2), material, std::move(node));
 }
 

@@ -41,6 +41,8 @@ public:
 
   /// A sphere of radius 1 with normals and texture coordinates, and a ground at height y.
   void addBall(std::size_t material, nlohmann::json node = nlohmann::json::object());
+  /// A box of side 1.4 with normals and tangents, and without texture coordinates.
+  void addBox(std::size_t material, nlohmann::json node = nlohmann::json::object());
   void addGround(std::size_t material, float halfSide, float y);
   /// A camera on the positive z axis that looks at the origin from `distance`.
   void addCamera(float distance, float fieldOfView, float height = 0.0f, float tilt = 0.0f);

@@ -154,6 +154,25 @@ TEST_CASE("textons on a ball and on its ground are as they were") {
   checkGolden("texton_ball", render(textonBall(), settingsOf(256, 144, 4)));
 }
 
+TEST_CASE("textons on surfaces without texture coordinates are as they were") {
+  BundleFile file = syntheticTextonBundle({.smoothings = 1});
+  file.bundle.materials[0]->mapping = Mapping::surface;
+  GltfScene scene(encodeGlb(file).value());
+  for (int box = 0; box < 2; ++box)
+    scene.addBox(0, {{"translation", {box == 0 ? -0.9 : 1.1, 0.0, 0.0}},
+                     {"rotation", {0.0, std::sin(0.4 + box), 0.0, std::cos(0.4 + box)}}});
+  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
+  scene.addSun(3.0f);
+  checkGolden("texton_surface", render(scene.glb(), settingsOf(256, 144, 4)));
+}
+
+TEST_CASE("a mix of textons over a ball and its ground is as it was") {
+  BundleFile file = syntheticTextonBundle({.steps = 5, .smoothings = 1});
+  file.bundle.materials[0]->mix = {
+      .source = MixSource::direction, .start = {0.0, 0.0}, .end = {0.0, 1.0}};
+  checkGolden("texton_mix", render(ballOf(encodeGlb(file).value(), true), settingsOf(256, 144, 4)));
+}
+
 TEST_CASE("the impacts of textons are as they were") {
   // Without a ground, as below.
   RenderSettings settings = settingsOf(128, 72, 1);

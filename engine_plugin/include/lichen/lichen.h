@@ -345,7 +345,7 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
 
 /* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
  * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
-#define LICHEN_UNIFORM_BYTES 1024
+#define LICHEN_UNIFORM_BYTES 1280
 
 /* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
  */

@@ -90,11 +90,12 @@ vec3 textonDebug(LichenImpacts impacts) {
     return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
-  LichenMap map = lichenMixedMap(baseColorTable, impacts,
-                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
-                                 noiseData.texton);
-  return shownGaussian(
-      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
+  LichenKept kept = lichenTextonKept(baseColorTable, impacts, map, noiseData.texton);
+  return shownGaussian(lichenTextonGaussian(baseColorImage, impacts, kept, noiseData.noise, here,
+                                            noiseData.texton),
+                       map);
 }
 
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
@@ -105,11 +106,11 @@ vec3 surfaceDebug(LichenPlace place) {
                 (kSurfaceImpacts * kMostImpacts));
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return textonDebug(place.impacts);
-  LichenMap map = lichenMixedMap(baseColorTable, place.impacts,
-                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
-                                 noiseData.texton);
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  LichenMap here = lichenMixedMap(baseColorTable, place.impacts, map, noiseData.texton);
+  LichenKept kept = lichenTextonKept(baseColorTable, place.impacts, map, noiseData.texton);
   return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, place.impacts, place.surface,
-                                                   noiseData.noise, map, noiseData.texton),
+                                                   kept, noiseData.noise, here, noiseData.texton),
                        map);
 }
 #endif
