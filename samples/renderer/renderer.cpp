@@ -11,7 +11,7 @@
 #include "lighting.h"
 #include "noise_host.h"
 #include "pipelines.h"
-#include "sky.h"
+#include "sky_cache.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +22,6 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr int kSkyPanoramaHeight = 512;
 // Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
 // joins a ground to the sky and leaves the subject alone.
 constexpr float kHazeDistance = 80.0f;
@@ -71,7 +70,7 @@ public:
     inputs_.width = settings.width;
     inputs_.height = settings.height;
     inputs_.frames = settings.frames;
-    environment_ = uploadEnvironment(device, objects_, prepareEnvironment(panorama()));
+    environment_ = lightAround();
     collectNotes();
     const VkFilter filter = depthFilter();
     createTargets();
@@ -110,19 +109,24 @@ public:
 
 private:
   /// The environment file's, or the built-in sky, whose white balance the lights then take too.
-  LinearImage panorama() {
-    if (settings_.environment)
-      return fitted(*settings_.environment, int(device_.properties().limits.maxImageDimension2D));
+  GpuEnvironment lightAround() {
+    if (settings_.environment) {
+      const int longestSide = int(device_.properties().limits.maxImageDimension2D);
+      return uploadEnvironment(device_, objects_,
+                               prepareEnvironment(fitted(*settings_.environment, longestSide)));
+    }
     Lighting& lighting = inputs_.lighting;
     const glm::vec3 sunlight =
         lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
-    Sky sky = makeSky(lighting.towardSun, sunlight, lighting.skyIrradiance, kSkyPanoramaHeight);
+    SkyCache own;
+    SkyCache& skies = settings_.skies ? *settings_.skies : own;
+    const PreparedSky& sky = skies.under(lighting.towardSun, sunlight, lighting.skyIrradiance);
     for (Light& light : lighting.lights)
       light.color *= sky.balance;
     inputs_.hazeDistance =
         kHazeDistance *
         glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
-    return std::move(sky.panorama);
+    return uploadEnvironment(device_, objects_, sky.environment);
   }
 
   void collectNotes() {
