@@ -69,7 +69,8 @@ double meanDecoded(double stored, double deviation, shader::uint encoding) {
 } // namespace
 
 std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
-                                     const std::array<float, 3>& gaussian, float lostVariance) {
+                                     const std::array<float, 3>& gaussian,
+                                     const std::array<float, 3>& lostVariance) {
   const std::array<const shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
   std::array<float, 4> value{0.0f, 0.0f, 0.0f, 1.0f};
   std::array<float, 3> variance{};
@@ -78,7 +79,7 @@ std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
     const shader::vec4& row = *rows[c];
     const float stored = row.x * (gaussian[0] - 0.5f) + row.y * (gaussian[1] - 0.5f) +
                          row.z * (gaussian[2] - 0.5f) + row.w;
-    variance[c] = lostVariance * kVariance * (row.x * row.x + row.y * row.y + row.z * row.z);
+    variance[c] = lostVariance[c] * kVariance * (row.x * row.x + row.y * row.y + row.z * row.z);
     value[c] = map.encoding == LICHEN_ENCODING_SLOPE
                    ? stored
                    : float(std::max(0.0, meanDecoded(double(stored), std::sqrt(double(variance[c])),

@@ -26,12 +26,14 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
                 FindingList& findings, NoiseMap& map);
 
 /// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
+/// Time: 70 ns for each channel of a texel. Memory: 60 bytes a texel (docs/benchmarks.md).
 void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
                        const Table& image);
 
 /// Reads and checks mean, covariance and losses of `n` channels; 0 of channels that are not known.
+/// The losses are `lossRows` rows, of as many levels as is for the kind of image to say.
 [[nodiscard]] MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding,
-                                           std::size_t n);
+                                           std::size_t n, std::size_t lossRows);
 
 /// Reads and checks where a material takes the weight of a mix from; `textures` are glTF's.
 [[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,

@@ -289,7 +289,8 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
                    quoted(*name) + " is not an encoding of " + std::string(nameOf(map.target)));
   }
   readChannels(reader, map, targetKnown);
-  MapStatistics statistics = readStatistics(reader, map.encoding, map.channels.size());
+  const std::size_t lossRows = noise.method == Method::texton ? map.channels.size() : 1;
+  MapStatistics statistics = readStatistics(reader, map.encoding, map.channels.size(), lossRows);
   map.mean = std::move(statistics.mean);
   map.covariance = std::move(statistics.covariance);
   map.mipLoss = std::move(statistics.mipLoss);

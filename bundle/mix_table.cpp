@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lichen {
 namespace {
@@ -40,10 +41,13 @@ Table mixTable(const NoiseMap& map) {
     }
     for (std::size_t c = map.mean.size(); c < kComponents; ++c)
       texel(LICHEN_MIX_DEVIATION)[c] = 1.0f;
-    const std::vector<double>& losses = steps[s].mipLoss;
-    for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS; ++mip)
-      texel(LICHEN_MIX_KEPT + mip / kComponents)[mip % kComponents] =
-          float(std::sqrt(1.0 - losses[std::min(mip, losses.size() - 1)]));
+    for (std::size_t c = 0; c < map.scale.size(); ++c) {
+      // Of a channel that never varies mips keep nothing, as where there is no mix.
+      const std::span<const double> losses = lossRow(steps[s].mipLoss, c, map.scale.size());
+      for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && map.scale[c] > 0.0; ++mip)
+        texel(LICHEN_MIX_KEPT + mip)[c] =
+            float(std::sqrt(1.0 - losses[std::min(mip, losses.size() - 1)]));
+    }
   }
   appendTexels(table.texels, table.format, texels);
   return table;

@@ -34,6 +34,12 @@ bool mappingFits(Method method, Mapping mapping) {
   }
 }
 
+std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
+                                std::size_t rows) {
+  const std::size_t levels = mipLoss.size() / rows;
+  return mipLoss.subspan(row * levels, levels);
+}
+
 TableKind tableKindOf(const NoiseMap& map) {
   if (!map.inverseTable)
     return TableKind::none;

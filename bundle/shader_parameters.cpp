@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 
 namespace lichen {
 namespace {
@@ -73,7 +74,7 @@ shader::uint encodingOf(ValueEncoding encoding) {
 std::array<float, 4> decodedMean(const shader::LichenMap& constants, const Bundle& bundle,
                                  const NoiseMap& map) {
   if (!map.inverseTable)
-    return decodedGaussian(constants, {0.5f, 0.5f, 0.5f}, 1.0f);
+    return decodedGaussian(constants, {0.5f, 0.5f, 0.5f}, {1.0f, 1.0f, 1.0f});
   const Table& table = bundle.tables[*map.inverseTable];
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto channels = std::size_t(channelCount(table.format));
@@ -106,13 +107,22 @@ shader::uint alignedMips(const Noise& noise, const Bundle& bundle, const Table& 
 }
 
 /// sqrt(1 - loss) of each mip as unorm bytes, the first in the lowest byte of x; the last repeats.
-shader::uvec4 keptAmplitudes(const std::vector<double>& mipLoss) {
+shader::uvec4 keptAmplitudes(std::span<const double> losses) {
   std::array<shader::uint, 4> words{};
-  for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && !mipLoss.empty(); ++mip) {
-    const double loss = mipLoss[std::min(mip, mipLoss.size() - 1)];
+  for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && !losses.empty(); ++mip) {
+    const double loss = losses[std::min(mip, losses.size() - 1)];
     words[mip / 4] |= shader::uint(std::lround(255.0 * std::sqrt(1.0 - loss))) << (8 * (mip % 4));
   }
   return {words[0], words[1], words[2], words[3]};
+}
+
+/// What mips keep of each channel of a texton; nothing of one that does not vary, so that impacts
+/// are left out where nothing is left of the others.
+void setTextonKept(shader::LichenMap& result, const NoiseMap& map) {
+  const std::array<shader::uvec4*, 3> kept{&result.mipKept0, &result.mipKept1, &result.mipKept2};
+  for (std::size_t c = 0; c < map.scale.size(); ++c)
+    if (map.scale[c] > 0.0)
+      *kept[c] = keptAmplitudes(lossRow(map.mipLoss, c, map.scale.size()));
 }
 
 /// The whole tiles of an offset, or on a periodic lattice its whole periods, in tiles.
@@ -275,7 +285,9 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
     result.decoding = LICHEN_DECODING_GAUSSIAN;
     setRows(result, diagonal(map.scale), n, map.mean);
     result.sumFactor = {1.0f, 1.0f, 1.0f, 0.0f};
+    setTextonKept(result, map);
   } else {
+    result.mipKept0 = keptAmplitudes(map.mipLoss);
     result.alignedMips = alignedMips(noise, bundle, image);
     result.tableLevels = shader::uint(map.levels.size());
     const TableKind kind = tableKindOf(map);
@@ -289,7 +301,6 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   }
   const std::array<float, 4> mean = decodedMean(result, bundle, map);
   result.mean = {mean[0], mean[1], mean[2], mean[3]};
-  result.mipKept = keptAmplitudes(map.mipLoss);
   return result;
 }
 

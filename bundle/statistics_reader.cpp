@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lichen {
 namespace {
@@ -84,26 +85,37 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
   return std::move(*covariance);
 }
 
-/// Shares of lost variance; how many is for the kind of image to say.
-std::vector<double> readLosses(ObjectReader& reader) {
-  std::optional<std::vector<double>> loss = reader.numbers("mipLoss", {0.0, 1.0});
-  if (!loss)
+/// Shares of lost variance, a row of levels a channel or one of all. Rows that are no rows are for
+/// the caller to refuse, who knows how many levels there are.
+std::vector<double> readLosses(ObjectReader& reader, std::size_t rows) {
+  std::optional<std::vector<double>> losses = reader.numbers("mipLoss", {0.0, 1.0});
+  if (!losses)
     return {};
-  if (!loss->empty() && loss->front() != 0.0)
-    reader.error("map-mip-loss", "mipLoss",
-                 json(loss->front()).dump() + " at 0; 0 is accepted: level 0 loses nothing");
-  if (!std::is_sorted(loss->begin(), loss->end()))
-    reader.error("map-mip-loss", "mipLoss", "decreases from one mip level to the next");
-  return std::move(*loss);
+  for (std::size_t r = 0; r < rows && losses->size() % rows == 0; ++r) {
+    const std::span<const double> row = lossRow(*losses, r, rows);
+    if (!row.empty() && row.front() != 0.0)
+      reader.error("map-mip-loss", "mipLoss",
+                   json(row.front()).dump() + " at " + std::to_string(r * row.size()) +
+                       "; 0 is accepted: level 0 loses nothing");
+    const auto fall = std::is_sorted_until(row.begin(), row.end());
+    if (fall != row.end())
+      reader.error("map-mip-loss", "mipLoss",
+                   json(*fall).dump() + " at " +
+                       std::to_string(r * row.size() + std::size_t(fall - row.begin())) +
+                       "; no less than the mip level before, " + json(*(fall - 1)).dump() +
+                       ", is accepted");
+  }
+  return std::move(*losses);
 }
 
 } // namespace
 
-MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding, std::size_t n) {
+MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding, std::size_t n,
+                             std::size_t lossRows) {
   MapStatistics statistics;
   statistics.mean = readMean(reader, encoding, n);
   statistics.covariance = readCovariance(reader, n);
-  statistics.mipLoss = readLosses(reader);
+  statistics.mipLoss = readLosses(reader, lossRows);
   return statistics;
 }
 

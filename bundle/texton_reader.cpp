@@ -114,7 +114,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, FindingList&
                             ", one for each step after the first, are accepted");
   for (std::size_t k = 0; k < later; ++k) {
     ObjectReader step((*list)[k], reader.pointerTo(kKey) + "/" + std::to_string(k), findings);
-    map.laterSteps.push_back(readStatistics(step, map.encoding, map.channels.size()));
+    const std::size_t n = map.channels.size();
+    map.laterSteps.push_back(readStatistics(step, map.encoding, n, n));
     step.warnOfUnknown();
     const std::size_t losses = map.laterSteps.back().mipLoss.size();
     if (losses != 0 && losses != map.mipLoss.size())
@@ -158,13 +159,15 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
   const Table* image = readTableIndex(reader, "texton", "map-texton-index", tables, map.image);
   if (isUnknown(shape))
     return;
-  const std::size_t losses = map.mipLoss.size();
-  const bool lossesFit = losses >= std::size_t(shape.mipLevels) && losses <= kMaxTextonLosses;
-  if (losses != 0 && !lossesFit)
-    reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; " + std::to_string(shape.mipLevels) + " to " +
-                     std::to_string(kMaxTextonLosses) + " are accepted");
   const std::size_t n = map.channels.size();
+  const std::size_t losses = map.mipLoss.size();
+  const bool lossesFit = n != 0 && losses % n == 0 && losses >= n * std::size_t(shape.mipLevels) &&
+                         losses <= n * kMaxTextonLosses;
+  if (losses != 0 && n != 0 && !lossesFit)
+    reader.error("map-mip-loss", "mipLoss",
+                 std::to_string(losses) + " values; as many for each of " + std::to_string(n) +
+                     " channels, " + std::to_string(shape.mipLevels) + " to " +
+                     std::to_string(kMaxTextonLosses) + " each, are accepted");
   const auto fits = [n](const std::vector<double>& covariance) {
     return n != 0 && covariance.size() == n * n;
   };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace lichen {
@@ -31,31 +32,30 @@ Rounding roundingOf(TexelFormat format) {
   return isHalf ? Rounding{0x1p-10, 0x1p-24} : Rounding{kSumsOfSingles * 0x1p-23, 0x1p-149};
 }
 
-/// Texels of one channel of a frame, row by row, and 0 around them; with what each may be off.
+/// Texels of one channel of a frame, row by row, and 0 around them; with their magnitudes, which
+/// tell what each may be off, averaged as they are.
 struct Plane {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::vector<double> values;
-  std::vector<double> errors;
+  std::vector<float> values;
+  std::vector<float> magnitudes;
 };
 
-std::vector<double> magnitudes(const Plane& plane) {
-  std::vector<double> values = plane.values;
-  for (double& value : values)
-    value = std::abs(value);
-  return values;
+double errorOf(float magnitude, const Rounding& rounding) {
+  return rounding.share * double(magnitude) + rounding.least;
 }
 
 /// Averages of 2 x 2 texels, those beyond the borders 0.
-std::vector<double> halved(std::span<const double> values, std::size_t width, std::size_t height) {
-  std::vector<double> half;
+std::vector<float> halved(std::span<const float> values, std::size_t width, std::size_t height) {
+  std::vector<float> half;
+  half.reserve((width + 1) / 2 * ((height + 1) / 2));
   for (std::size_t y = 0; y < height; y += 2)
     for (std::size_t x = 0; x < width; x += 2) {
       double sum = 0.0;
       for (std::size_t v = y; v < std::min(y + 2, height); ++v)
         for (std::size_t u = x; u < std::min(x + 2, width); ++u)
-          sum += values[v * width + u];
-      half.push_back(sum / 4.0);
+          sum += double(values[v * width + u]);
+      half.push_back(float(sum / 4.0));
     }
   return half;
 }
@@ -63,7 +63,7 @@ std::vector<double> halved(std::span<const double> values, std::size_t width, st
 Plane halved(const Plane& plane) {
   return {(plane.width + 1) / 2, (plane.height + 1) / 2,
           halved(plane.values, plane.width, plane.height),
-          halved(plane.errors, plane.width, plane.height)};
+          halved(plane.magnitudes, plane.width, plane.height)};
 }
 
 /// b_j, j = 0 .. order: the B-spline of degree 2 order + 1 at the integers. [GLM17] section 4.1.
@@ -78,25 +78,34 @@ std::span<const double> kernelAutocorrelation(int order) {
 }
 
 /// Sum over k, l of b(k - l) p(k) q(l) of two planes of this width.
-double product(std::span<const double> p, std::span<const double> q, std::size_t width, int order) {
+double product(std::span<const float> p, std::span<const float> q, std::size_t width, int order) {
   const std::span<const double> b = kernelAutocorrelation(order);
-  const auto columns = std::ptrdiff_t(width);
-  const auto rows = std::ptrdiff_t(p.size() / width);
-  std::vector<double> alongX(q.size());
-  for (std::ptrdiff_t y = 0; y < rows; ++y)
-    for (std::ptrdiff_t x = 0; x < columns; ++x)
-      for (std::ptrdiff_t j = std::max(x - order, std::ptrdiff_t(0));
-           j <= std::min(x + order, columns - 1); ++j)
-        alongX[std::size_t(y * columns + x)] +=
-            b[std::size_t(std::abs(j - x))] * q[std::size_t(y * columns + j)];
+  const auto reach = std::size_t(order);
+  const std::size_t rows = p.size() / width;
+  // Of a row: sums along y of p, and q with zeros around it.
+  std::vector<double> alongY(width), padded(width + 2 * reach);
   double sum = 0.0;
-  for (std::ptrdiff_t y = 0; y < rows; ++y)
-    for (std::ptrdiff_t j = std::max(y - order, std::ptrdiff_t(0));
-         j <= std::min(y + order, rows - 1); ++j)
-      for (std::ptrdiff_t x = 0; x < columns; ++x)
-        sum += b[std::size_t(std::abs(j - y))] * p[std::size_t(y * columns + x)] *
-               alongX[std::size_t(j * columns + x)];
+  for (std::size_t y = 0; y < rows; ++y) {
+    std::fill(alongY.begin(), alongY.end(), 0.0);
+    for (std::size_t j = y - std::min(y, reach); j < std::min(y + reach + 1, rows); ++j) {
+      const double weight = b[j < y ? y - j : j - y];
+      for (std::size_t x = 0; x < width; ++x)
+        alongY[x] += weight * double(p[j * width + x]);
+    }
+    std::copy_n(q.begin() + std::ptrdiff_t(y * width), width,
+                padded.begin() + std::ptrdiff_t(reach));
+    for (std::size_t x = 0; x < width; ++x) {
+      double alongX = b[0] * padded[x + reach];
+      for (std::size_t k = 1; k <= reach; ++k)
+        alongX += b[k] * (padded[x + reach - k] + padded[x + reach + k]);
+      sum += alongY[x] * alongX;
+    }
+  }
   return sum;
+}
+
+double sumOf(std::span<const float> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// A sum of products, and how far rounding may have taken it.
@@ -105,11 +114,13 @@ struct Moment {
   double error = 0.0;
 };
 
-Moment momentOf(const Plane& p, const Plane& q, int order) {
-  const std::vector<double> ofP = magnitudes(p), ofQ = magnitudes(q);
-  return {product(p.values, q.values, p.width, order),
-          product(ofP, q.errors, p.width, order) + product(p.errors, ofQ, p.width, order) +
-              product(p.errors, q.errors, p.width, order)};
+Moment momentOf(const Plane& p, const Plane& q, int order, const Rounding& rounding) {
+  // The error of a texel is share |a| + least, and b adds up to 1.
+  const auto [share, least] = rounding;
+  const double shares = (2.0 + share) * share * product(p.magnitudes, q.magnitudes, p.width, order);
+  const double leasts = least * ((1.0 + share) * (sumOf(p.magnitudes) + sumOf(q.magnitudes)) +
+                                 least * double(p.values.size()));
+  return {product(p.values, q.values, p.width, order), shares + leasts};
 }
 
 /// What is checked, and where its faults are recorded.
@@ -118,19 +129,21 @@ struct Texton {
   const TextonShape& shape;
   const NoiseMap& map;
   const Table& image;
+  Rounding rounding;                      ///< of its texels
   std::vector<std::vector<float>> levels; ///< of the image, decoded
 };
 
 /// One channel of a frame.
 Plane planeOf(const Texton& texton, std::size_t step, std::uint32_t level, std::size_t channel) {
   const auto stride = std::size_t(channelCount(texton.image.format));
-  const Rounding rounding = roundingOf(texton.image.format);
   Plane plane{texton.shape.frameWidth() >> level, texton.shape.frameHeight() >> level, {}, {}};
   const std::size_t texels = plane.width * plane.height;
-  for (std::size_t i = step * texels; i < (step + 1) * texels; ++i) {
-    const auto value = double(texton.levels[level][i * stride + channel]);
-    plane.values.push_back(value);
-    plane.errors.push_back(rounding.share * std::abs(value) + rounding.least);
+  plane.values.resize(texels);
+  plane.magnitudes.resize(texels);
+  const float* first = &texton.levels[level][step * texels * stride + channel];
+  for (std::size_t i = 0; i < texels; ++i) {
+    plane.values[i] = first[i * stride];
+    plane.magnitudes[i] = std::abs(plane.values[i]);
   }
   return plane;
 }
@@ -162,22 +175,25 @@ bool checkBorders(const Texton& texton) {
   return true;
 }
 
-/// Whether each mip has the averages of the level above it.
-bool checkMips(const Texton& texton, std::size_t step) {
-  for (std::uint32_t level = 1; level < texton.image.mipLevels; ++level)
-    for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
-      const Plane mip = planeOf(texton, step, level, c);
-      const Plane average = halved(planeOf(texton, step, level - 1, c));
-      for (std::size_t i = 0; i < mip.values.size(); ++i)
-        if (std::abs(mip.values[i] - average.values[i]) > mip.errors[i] + average.errors[i]) {
-          const std::size_t row = step * mip.height + i / mip.width;
-          texton.reader.error("texton-mips", "texton",
-                              text(mip.values[i]) + " " + placeOf(i % mip.width, row, level) +
-                                  "; the average of those of the level above, " +
-                                  text(average.values[i]) + ", is accepted");
-          return false;
-        }
-    }
+/// Whether each mip of a channel has the averages of the level above it.
+bool checkMips(const Texton& texton, std::size_t step, std::size_t channel) {
+  Plane average = planeOf(texton, step, 0, channel);
+  for (std::uint32_t level = 1; level < texton.image.mipLevels; ++level) {
+    average = halved(average);
+    Plane mip = planeOf(texton, step, level, channel);
+    for (std::size_t i = 0; i < mip.values.size(); ++i)
+      if (std::abs(double(mip.values[i]) - double(average.values[i])) >
+          errorOf(mip.magnitudes[i], texton.rounding) +
+              errorOf(average.magnitudes[i], texton.rounding)) {
+        const std::size_t row = step * mip.height + i / mip.width;
+        texton.reader.error("texton-mips", "texton",
+                            text(double(mip.values[i])) + " " + placeOf(i % mip.width, row, level) +
+                                "; the average of those of the level above, " +
+                                text(double(average.values[i])) + ", is accepted");
+        return false;
+      }
+    average = std::move(mip);
+  }
   return true;
 }
 
@@ -207,7 +223,7 @@ void checkCovariance(const Texton& texton, std::size_t step,
     planes.push_back(planeOf(texton, step, 0, c));
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t d = 0; d <= c; ++d) {
-      const Moment moment = momentOf(planes[c], planes[d], texton.shape.order);
+      const Moment moment = momentOf(planes[c], planes[d], texton.shape.order, texton.rounding);
       const double factor = texton.map.scale[c] * texton.map.scale[d];
       const double stated = covariance[c * n + d];
       if (std::abs(factor * moment.value - stated) >
@@ -224,7 +240,7 @@ void checkCovariance(const Texton& texton, std::size_t step,
 std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size_t channel,
                                std::size_t levels) {
   Plane plane = planeOf(texton, step, 0, channel);
-  const Moment whole = momentOf(plane, plane, texton.shape.order);
+  const Moment whole = momentOf(plane, plane, texton.shape.order, texton.rounding);
   if (whole.value <= 0.0)
     return {};
   std::vector<Moment> kept{{1.0, 0.0}};
@@ -233,53 +249,56 @@ std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size
     texelArea *= 4.0;
     plane = level < texton.image.mipLevels ? planeOf(texton, step, level, channel) : halved(plane);
     // Minified textons are interpolated bilinearly, whatever the order.
-    const Moment moment = momentOf(plane, plane, 1);
+    const Moment moment = momentOf(plane, plane, 1, texton.rounding);
     const double share = texelArea * moment.value / whole.value;
     kept.push_back({share, (texelArea * moment.error + share * whole.error) / whole.value});
   }
   return kept;
 }
 
-/// Whether each level of averaging loses the share of a step's variance that is stated of it: the
-/// mean of what it takes from the channels that vary, no less than the level before.
-void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
-  std::vector<Moment> kept(mipLoss.size());
-  double varying = 0.0;
-  for (std::size_t c = 0; c < texton.map.channels.size(); ++c) {
-    const std::vector<Moment> shares = keptShares(texton, step, c, mipLoss.size());
-    varying += shares.empty() ? 0.0 : 1.0;
-    for (std::size_t level = 0; level < shares.size(); ++level) {
-      kept[level].value += shares[level].value;
-      kept[level].error += shares[level].error;
-    }
-  }
+/// Whether each level of averaging loses the share of a channel's variance that is stated of it, no
+/// less than the level before.
+bool checkLosses(const Texton& texton, std::size_t step, std::size_t channel,
+                 const std::vector<double>& mipLoss) {
+  const std::span<const double> stated = lossRow(mipLoss, channel, texton.map.channels.size());
+  const std::vector<Moment> kept = keptShares(texton, step, channel, stated.size());
   double loss = 0.0, error = kTextRounding;
-  for (std::size_t level = 0; level < kept.size(); ++level) {
-    if (varying > 0.0) {
-      loss = std::clamp(1.0 - kept[level].value / varying, loss, 1.0);
-      error = std::max(error, kept[level].error / varying);
+  for (std::size_t level = 0; level < stated.size(); ++level) {
+    if (!kept.empty()) {
+      loss = std::clamp(1.0 - kept[level].value, loss, 1.0);
+      error = std::max(error, kept[level].error);
     }
-    const double stated = mipLoss[level];
-    if (std::abs(loss - stated) > error)
-      return texton.reader.error("texton-mip-loss", "mipLoss",
-                                 text(stated) + " at " + std::to_string(level) +
-                                     "; that of the texton's noise, " + text(loss) +
-                                     ", is accepted");
+    if (std::abs(loss - stated[level]) > error) {
+      texton.reader.error("texton-mip-loss", "mipLoss",
+                          text(stated[level]) + " at " +
+                              std::to_string(channel * stated.size() + level) +
+                              "; that of the texton's noise, " + text(loss) + ", is accepted");
+      return false;
+    }
   }
+  return true;
+}
+
+/// Likewise of all channels of a step; the first fault is told.
+void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
+  for (std::size_t c = 0; c < texton.map.channels.size(); ++c)
+    if (!checkLosses(texton, step, c, mipLoss))
+      return;
 }
 
 } // namespace
 
 void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
                        const Table& image) {
-  Texton texton{reader, shape, map, image, {}};
+  Texton texton{reader, shape, map, image, roundingOf(image.format), {}};
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     texton.levels.push_back(decodeLevel(image, level));
   if (!checkBorders(texton))
     return;
   for (std::size_t step = 0; step < std::size_t(shape.steps); ++step)
-    if (!checkMips(texton, step))
-      return;
+    for (std::size_t c = 0; c < map.channels.size(); ++c)
+      if (!checkMips(texton, step, c))
+        return;
   checkScale(texton);
   checkCovariance(texton, 0, map.covariance);
   checkLosses(texton, 0, map.mipLoss);

@@ -72,15 +72,15 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
                              "it is not accepted",
                              foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
                              nameOf(chosen.method))};
-  const MaterialNoise material = materialOf(bundle, noise.value());
   SynthesisOptions& synthesis = arguments.synthesis;
-  synthesis.noise = noise.value();
   synthesis.map = chosen.maps[map.value()].target;
-  synthesis.seed = arguments.seed.value_or(material.seed);
-  synthesis.contrast = arguments.contrast.value_or(material.contrast);
-  synthesis.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
-  synthesis.impacts = arguments.impacts.value_or(material.impacts);
-  synthesis.pointProcess = arguments.points.value_or(material.pointProcess);
+  synthesis.material = materialOf(bundle, noise.value());
+  MaterialNoise& material = synthesis.material;
+  material.seed = arguments.seed.value_or(material.seed);
+  material.contrast = arguments.contrast.value_or(material.contrast);
+  material.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
+  material.impacts = arguments.impacts.value_or(material.impacts);
+  material.pointProcess = arguments.points.value_or(material.pointProcess);
   if (arguments.mix && chosen.texton.steps == 1)
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
@@ -93,7 +93,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
 /// What a core texture of the map holds.
 Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearImage values) {
   const std::filesystem::path output = arguments.output;
-  const Noise& noise = bundle.noises[arguments.synthesis.noise];
+  const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
   const MapTarget target = arguments.synthesis.map;
   LinearImage texture =
       coreTexture(noise.maps[*findMap(noise, target)], std::move(values)); // which was made
@@ -128,7 +128,7 @@ Result<int> run(Arguments& arguments) {
     const nlohmann::ordered_json report{{"output", arguments.output},
                                         {"width", arguments.synthesis.width},
                                         {"height", arguments.synthesis.height},
-                                        {"seed", arguments.synthesis.seed},
+                                        {"seed", arguments.synthesis.material.seed},
                                         {"seconds", seconds.count()}};
     printLine(toText(report));
   }

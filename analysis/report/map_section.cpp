@@ -215,7 +215,8 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, const Material
                          const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
   const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
-  SynthesisOptions options = patternOf(material);
+  SynthesisOptions options;
+  options.material = material;
   options.map = shown.exemplar.target;
   options.texelsPerTile = width;
   const Extents extents = resultExtents({width, height}, exemplarSide);

@@ -91,11 +91,11 @@ Measure modelErrorMeasure(const KernelComparison& kernels) {
 Result<void> judgeAsGaussian(const Bundle& bundle, const SynthesisOptions& options,
                              const NoiseMap& map, const MapExemplar& exemplar, bool isEnlarged,
                              NoiseComparison& comparison) {
-  const Result<MapExemplar> gaussian = gaussianVersion(map, exemplar, options.seed);
+  const Result<MapExemplar> gaussian = gaussianVersion(map, exemplar, options.material.seed);
   if (!gaussian)
     return gaussian.error();
   comparison.gaussian = comparison.look.picture(gaussian.value());
-  const Result<KernelComparison> kernels = compareTexton(bundle, options.noise, exemplar);
+  const Result<KernelComparison> kernels = compareTexton(bundle, options.material.noise, exemplar);
   if (!kernels)
     return kernels.error();
   comparison.kernels = kernels.value();
@@ -117,8 +117,8 @@ Result<void> judgeAsGaussian(const Bundle& bundle, const SynthesisOptions& optio
 }
 
 Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const MapExemplar& given,
-                                SynthesisOptions options, const Progress& progress) {
-  const Noise& noise = bundle.noises[options.noise];
+                                const MaterialNoise& material, const Progress& progress) {
+  const Noise& noise = bundle.noises[material.noise];
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const Extents baked{int(width), int(height)};
   // Textons of smaller maps of a set are of the size of the largest.
@@ -128,6 +128,8 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const
     enlarged = exemplar::resampled(given, baked.width, baked.height, false);
   const MapExemplar& exemplar = enlarged ? *enlarged : given;
   const bool hasLattice = noise.method == Method::tiling;
+  SynthesisOptions options;
+  options.material = material;
   options.map = map.target;
   options.width = std::min(kResultExemplars * baked.width, kLargestSide);
   options.height = std::min(kResultExemplars * baked.height, kLargestSide);
@@ -172,8 +174,7 @@ Result<NoiseComparison> compareNoise(const Bundle& bundle, const MaterialNoise& 
                         const Result<const NoiseMap*> map = mapOf(bundle, material.noise, exemplar);
                         if (!map)
                           return map.error();
-                        return compare(bundle, *map.value(), exemplar, patternOf(material),
-                                       progress);
+                        return compare(bundle, *map.value(), exemplar, material, progress);
                       });
 }
 

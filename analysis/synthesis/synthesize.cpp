@@ -46,8 +46,8 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
       options.height > kMaxImageSide)
     return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
                  ": sides from 1 to " + std::to_string(kMaxImageSide) + " pixels are accepted");
-  if (options.noise >= bundle.noises.size())
-    return usage("noise " + std::to_string(options.noise) + ": the bundle has " +
+  if (options.material.noise >= bundle.noises.size())
+    return usage("noise " + std::to_string(options.material.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
   if (options.stride < 1 || (options.tileable && options.stride != 1))
     return usage("stride " + std::to_string(options.stride) +
@@ -58,12 +58,14 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
         !checked)
       return checked;
   if (Result<void> checked =
-          checkRange("blend sharpness", options.blendSharpness, kBlendSharpnessRange);
+          checkRange("blend sharpness", options.material.blendSharpness, kBlendSharpnessRange);
       !checked)
     return checked;
-  if (Result<void> checked = checkRange("contrast", options.contrast, kContrastRange); !checked)
+  if (Result<void> checked = checkRange("contrast", options.material.contrast, kContrastRange);
+      !checked)
     return checked;
-  if (Result<void> checked = checkRange("impacts", options.impacts, kImpactsRange); !checked)
+  if (Result<void> checked = checkRange("impacts", options.material.impacts, kImpactsRange);
+      !checked)
     return checked;
   for (const double weight : options.mix)
     if (Result<void> checked = checkRange("mix", weight, kMixWeightRange); !checked)
@@ -91,7 +93,7 @@ using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&,
 
 Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
                                          const shader::LichenNoise& parameters, std::size_t map) {
-  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.noise);
+  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.material.noise);
   if (!created)
     return created.error();
   return PointEvaluation([evaluator = std::move(created).value(), parameters, map,
@@ -103,13 +105,22 @@ Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOp
 Result<PointEvaluation> textonEvaluation(const Bundle& bundle, const SynthesisOptions& options,
                                          const shader::LichenNoise& parameters,
                                          const shader::LichenTexton& texton, std::size_t map) {
-  Result<TextonEvaluator> created = TextonEvaluator::create(bundle, options.noise);
+  Result<TextonEvaluator> created = TextonEvaluator::create(bundle, options.material.noise);
   if (!created)
     return created.error();
   return PointEvaluation([evaluator = std::move(created).value(), parameters, texton,
                           map](const TileFootprint& at, const MixPlace& mix) {
     return evaluator.evaluate(map, parameters, texton, at, mix);
   });
+}
+
+/// The material of a plane whose coordinates are tiles.
+MaterialNoise onTiles(MaterialNoise material) {
+  material.mapping = Mapping::uv;
+  material.scale = 1.0;
+  material.offset = {0.0, 0.0};
+  material.rotation = 0.0;
+  return material;
 }
 
 /// As synthesize(), with pixels per tile along each axis; the options are in range. Throws
@@ -127,16 +138,10 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   const std::array<double, 2> start{
       startOf(options.origin[0], placement.periodTilesX, options.tileable),
       startOf(options.origin[1], placement.periodTilesY, options.tileable)};
-  MaterialNoise material;
-  material.noise = options.noise;
-  material.seed = options.seed;
-  material.blendSharpness = options.blendSharpness;
-  material.contrast = options.contrast;
-  material.impacts = options.impacts;
-  material.pointProcess = options.pointProcess;
+  const MaterialNoise material = onTiles(options.material);
   const shader::LichenNoise parameters = shaderNoise(bundle, material, placement);
   const Result<PointEvaluation> evaluation =
-      bundle.noises[options.noise].method == Method::texton
+      bundle.noises[options.material.noise].method == Method::texton
           ? textonEvaluation(bundle, options, parameters, shaderTexton(bundle, material, placement),
                              map)
           : tilingEvaluation(bundle, options, parameters, map);
@@ -144,7 +149,7 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
     return evaluation.error();
 
   LinearImage image(options.width, options.height,
-                    int(bundle.noises[options.noise].maps[map].channels.size()));
+                    int(bundle.noises[options.material.noise].maps[map].channels.size()));
   const auto evaluateRow = [&](int y) {
     TileFootprint at;
     at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
@@ -173,17 +178,6 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
 
 } // namespace
 
-SynthesisOptions patternOf(const MaterialNoise& material) {
-  SynthesisOptions options;
-  options.noise = material.noise;
-  options.seed = material.seed;
-  options.blendSharpness = material.blendSharpness;
-  options.contrast = material.contrast;
-  options.impacts = material.impacts;
-  options.pointProcess = material.pointProcess;
-  return options;
-}
-
 Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
   const auto exhausted = [&] {
     return "not enough memory for an image of " + std::to_string(options.width) + "x" +
@@ -192,11 +186,12 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
   return withinMemory(exhausted, [&]() -> Result<LinearImage> {
     if (Result<void> checked = check(bundle, options); !checked)
       return checked.error();
-    const std::optional<std::size_t> map = findMap(bundle.noises[options.noise], options.map);
+    const std::optional<std::size_t> map =
+        findMap(bundle.noises[options.material.noise], options.map);
     if (!map)
-      return usage("noise '" + bundle.noises[options.noise].name + "' has no map " +
+      return usage("noise '" + bundle.noises[options.material.noise].name + "' has no map " +
                    std::string(nameOf(options.map)));
-    const Noise& noise = bundle.noises[options.noise];
+    const Noise& noise = bundle.noises[options.material.noise];
     const auto [tileWidth, tileHeight] = exemplarSize(bundle, noise, noise.maps[*map]);
     const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : tileWidth;
     const std::array<double, 2> perTile{pixels, pixels * tileHeight / tileWidth};
@@ -223,7 +218,8 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, const MaterialNoise&
     return "not enough memory for a preview with " + std::to_string(tiles) + " tiles a side";
   };
   return withinMemory(exhausted, [&]() -> Result<LinearImage> {
-    SynthesisOptions options = patternOf(material);
+    SynthesisOptions options;
+    options.material = material;
     options.map = target;
     options.tileable = true;
     options.width = options.height = 1; // until the noise is known
@@ -232,7 +228,7 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, const MaterialNoise&
     if (tiles < 1 || tiles > kMaxPreviewSide)
       return usage("a preview with " + std::to_string(tiles) + " tiles a side; 1 to " +
                    std::to_string(kMaxPreviewSide) + " are accepted");
-    const Noise& noise = bundle.noises[options.noise];
+    const Noise& noise = bundle.noises[options.material.noise];
     const std::optional<std::size_t> map = findMap(noise, target);
     if (!map)
       return usage("noise '" + noise.name + "' has no map " + std::string(nameOf(target)));

@@ -31,6 +31,10 @@ constexpr Index kSlowCosines = 8;     // along a side: up to three and a half wa
 constexpr double kBorderWidth = 0.25; // of the side, on each
 constexpr double kMostWeight = 0.1;   // from which it starts
 constexpr double kLeastWeight = 1e-3; // from which the reflections can still raise it to the most
+/// Squares are seen from such a visibility on, as of the height map of a rock wall, 10 without
+/// more: there alone the model is left for an even border, with a weight above the most.
+constexpr double kSeenVisibility = 4.0;
+constexpr double kMostSeenWeight = 1.0;
 /// The power of the visibility by which one reflection changes the weight: slower than the fit.
 constexpr double kAdaption = 0.25;
 
@@ -131,8 +135,11 @@ void BorderPenalty::setWeight(double weight) {
 }
 
 void BorderPenalty::adapt(const TextonCoefficients& coefficients) {
-  setWeight(std::clamp(weight_ * std::pow(borderVisibility(coefficients), kAdaption), kLeastWeight,
-                       kMostWeight));
+  const double visibility = borderVisibility(coefficients);
+  double weight = weight_ * std::pow(visibility, kAdaption);
+  if (weight > kMostWeight)
+    weight = std::max(kMostWeight, weight_ * std::pow(visibility / kSeenVisibility, kAdaption));
+  setWeight(std::clamp(weight, kLeastWeight, kMostSeenWeight));
 }
 
 void BorderPenalty::apply(TextonCoefficients& coefficients) const {

@@ -163,22 +163,36 @@ float knownLevel(const Impacts& impacts) {
   return std::min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
 }
 
-/// What the sum over impacts is multiplied by. Beyond the last mip textons stay as they are, and
-/// the amplitude falls as the deviation does.
-float gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
-             const shader::LichenTexton& texton, const shader::LichenMap& map) {
-  const float kept = textonKept(map, impacts.level);
-  const float ratio = kept > 0.0f ? std::sqrt(textonKept(map, knownLevel(impacts)) / kept) : 0.0f;
-  return noise.contrast * ratio * texton.amplitude;
+/// What the sums over impacts are multiplied by. Beyond the last mip textons stay as they are, and
+/// amplitudes fall as deviations do.
+std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
+                            const shader::LichenTexton& texton, const shader::LichenMap& map) {
+  const std::array<float, 3> fetched = textonKept(map, impacts.level);
+  const std::array<float, 3> seen = textonKept(map, knownLevel(impacts));
+  constexpr float kLeast = 1e-6f; // below the square of an amplitude's first step, 1/255
+  std::array<float, 3> gain{};
+  for (std::size_t c = 0; c < gain.size(); ++c)
+    gain[c] = noise.contrast * std::sqrt(seen[c] / std::max(fetched[c], kLeast)) * texton.amplitude;
+  return gain;
 }
 
-/// Gaussian values of a sum over impacts, and the share of the variance that filtering loses.
-/// `here` is the map at its place in a mix.
-Value gaussianOf(Value sum, float gain, const Impacts& impacts, const shader::LichenMap& here) {
+/// From so far that nothing is left to see, the mean needs no impacts.
+bool needsImpacts(const std::array<float, 3>& gain) { return gain != std::array<float, 3>{}; }
+
+/// The share of the variance that filtering loses of each channel.
+std::array<float, 3> lostOf(const Impacts& impacts, const shader::LichenMap& here) {
+  std::array<float, 3> lost = textonKept(here, knownLevel(impacts));
+  for (float& share : lost)
+    share = 1.0f - share;
+  return lost;
+}
+
+/// Gaussian values of a sum over impacts. `here` is the map at its place in a mix.
+Value gaussianOf(Value sum, const std::array<float, 3>& gain, const shader::LichenMap& here) {
   const std::array<float, 3> factor{here.sumFactor.x, here.sumFactor.y, here.sumFactor.z};
   for (std::size_t c = 0; c < 3; ++c)
-    sum[c] = 0.5f + gain * factor[c] * sum[c];
-  sum[3] = 1.0f - textonKept(here, knownLevel(impacts));
+    sum[c] = 0.5f + gain[c] * factor[c] * sum[c];
+  sum[3] = 1.0f;
   return sum;
 }
 
@@ -220,16 +234,15 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   const Impacts impacts = texton::impactsWithin(0.0f, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const float gain = gainOf(impacts, noise, texton, here);
+  const std::array<float, 3> gain = gainOf(impacts, noise, texton, here);
   Value sum{};
-  // From so far that nothing is left to see, the mean needs no impacts.
-  if (gain > 0.0f)
+  if (needsImpacts(gain))
     texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
       const Value h = textons.at(place);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += sign * h[c];
     });
-  return gaussianOf(sum, gain, impacts, here);
+  return gaussianOf(sum, gain, here);
 }
 
 Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -239,21 +252,42 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, noise, texton);
   const Textons textons(map.image, texton, surface.impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const float gain = gainOf(surface.impacts, noise, texton, here);
+  const std::array<float, 3> gain = gainOf(surface.impacts, noise, texton, here);
   Value sum{};
-  if (gain > 0.0f)
+  if (needsImpacts(gain))
     texton::forEachSurfaceImpact(surface, noise, texton, [&](const Vec2& place, float weight) {
       const Value h = textons.at(place);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += weight * h[c];
     });
-  return gaussianOf(sum, gain, surface.impacts, here);
+  return gaussianOf(sum, gain, here);
+}
+
+std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
+                                                   const shader::LichenNoise& noise,
+                                                   const shader::LichenTexton& texton,
+                                                   const TileFootprint& at,
+                                                   const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  return lostOf(texton::impactsWithin(0.0f, at, noise, texton), map.mix.at(map.constants, mix));
+}
+
+std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
+                                                   const shader::LichenNoise& noise,
+                                                   const shader::LichenTexton& texton,
+                                                   const SurfaceFootprint& at,
+                                                   const MixPlace& mix) const {
+  const Map& map = (*maps_)[mapIndex];
+  return lostOf(texton::surfaceImpactsAt(at, noise, texton).impacts,
+                map.mix.at(map.constants, mix));
 }
 
 Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
-                               const Value& gaussian, const MixPlace& mix) {
+                               const Value& gaussian, std::array<float, 3> lost,
+                               const MixPlace& mix) {
   // Contrast scales what is missing with what is there.
-  const float lost = noise.contrast * noise.contrast * gaussian[3];
+  for (float& share : lost)
+    share *= noise.contrast * noise.contrast;
   return decodedGaussian(map.mix.at(map.constants, mix), {gaussian[0], gaussian[1], gaussian[2]},
                          lost);
 }
@@ -261,13 +295,15 @@ Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const TileFootprint& at,
                                 const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix), mix);
+  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix),
+                 lostVariance(mapIndex, noise, texton, at, mix), mix);
 }
 
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const SurfaceFootprint& at,
                                 const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix), mix);
+  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix),
+                 lostVariance(mapIndex, noise, texton, at, mix), mix);
 }
 
 Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -278,6 +314,22 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   });
 }
 
+std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
+                                                   const shader::LichenNoise& noise,
+                                                   const shader::LichenTexton& texton,
+                                                   const TriplanarFootprint& at,
+                                                   const MixPlace& mix) const {
+  std::array<float, 3> lost{};
+  for (const triplanar::Plane& plane : triplanar::planesAt(at, noise)) {
+    if (plane.weight == 0.0f)
+      continue;
+    const std::array<float, 3> own = lostVariance(mapIndex, plane.noise, texton, plane.at, mix);
+    for (std::size_t c = 0; c < lost.size(); ++c)
+      lost[c] += plane.weight * plane.weight * own[c];
+  }
+  return lost;
+}
+
 Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const shader::LichenTexton& texton, const TriplanarFootprint& at,
                                 const MixPlace& mix) const {
@@ -286,7 +338,8 @@ Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
     return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
       return evaluate(mapIndex, plane.noise, texton, plane.at, mix);
     });
-  return decoded(map, noise, gaussian(mapIndex, noise, texton, at, mix), mix);
+  return decoded(map, noise, gaussian(mapIndex, noise, texton, at, mix),
+                 lostVariance(mapIndex, noise, texton, at, mix), mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
@@ -298,7 +351,7 @@ std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
   const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, noise, texton, here);
+  const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, noise, texton, here)[0];
   std::array<float, 3> sum{};
   if (scale > 0.0f)
     texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {

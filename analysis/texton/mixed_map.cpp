@@ -8,12 +8,14 @@
 namespace lichen::texton {
 namespace {
 
-/// packUnorm4x8 of GLSL.
-shader::uint packedBytes(const std::array<float, 4>& values) {
-  shader::uint word = 0;
-  for (std::size_t k = 0; k < 4; ++k)
-    word |= shader::uint(std::lround(std::clamp(values[k], 0.0f, 1.0f) * 255.0f)) << (8 * k);
-  return word;
+using Amplitudes = std::array<float, LICHEN_MAX_MIPS>;
+
+/// As LichenMap has the amplitudes that mips keep.
+shader::uvec4 keptBytes(const Amplitudes& kept) {
+  std::array<shader::uint, 4> words{};
+  for (std::size_t mip = 0; mip < kept.size(); ++mip)
+    words[mip / 4] |= shader::uint(std::lround(255.0f * kept[mip])) << (8 * (mip % 4));
+  return {words[0], words[1], words[2], words[3]};
 }
 
 } // namespace
@@ -55,9 +57,15 @@ shader::LichenMap MixRows::at(shader::LichenMap map, const MixPlace& mix) const 
   map.row1.y *= deviation[1];
   map.row2.z *= deviation[2];
   map.sumFactor = {1.0f / deviation[0], 1.0f / deviation[1], 1.0f / deviation[2], 0.0f};
-  map.mipKept = {
-      packedBytes(row(atStep, LICHEN_MIX_KEPT)), packedBytes(row(atStep, LICHEN_MIX_KEPT + 1)),
-      packedBytes(row(atStep, LICHEN_MIX_KEPT + 2)), packedBytes(row(atStep, LICHEN_MIX_KEPT + 3))};
+  std::array<Amplitudes, 3> kept{};
+  for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS; ++mip) {
+    const Row ofMip = row(atStep, LICHEN_MIX_KEPT + mip);
+    for (std::size_t c = 0; c < kept.size(); ++c)
+      kept[c][mip] = ofMip[c];
+  }
+  map.mipKept0 = keptBytes(kept[0]);
+  map.mipKept1 = keptBytes(kept[1]);
+  map.mipKept2 = keptBytes(kept[2]);
   return map;
 }
 

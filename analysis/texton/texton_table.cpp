@@ -69,21 +69,21 @@ Plane stacked(std::span<const TextonCoefficients* const> steps, const TextonShap
   return plane;
 }
 
-/// What each level of averaging keeps of the variance of one channel of one step. Empty where the
-/// channel does not vary.
-std::vector<double> keptShares(std::vector<Plane> mips, int order) {
+/// What each level of averaging takes from the variance of one channel of one step.
+std::vector<double> lostShares(std::vector<Plane> mips, int order) {
+  std::vector<double> lost(kMaxTextonLosses, 0.0);
   const double whole = variance(mips[0], order, 1.0);
-  std::vector<double> kept;
-  if (whole <= 0.0)
-    return kept;
   double side = 1.0;
-  for (std::size_t level = 0; level < kMaxTextonLosses; ++level, side *= 2.0) {
+  for (std::size_t level = 1; level < lost.size() && whole > 0.0; ++level) {
+    side *= 2.0;
     if (level == mips.size())
       mips.push_back(halved(mips.back()));
-    // Minified textons are interpolated bilinearly, whatever the order.
-    kept.push_back(variance(mips[level], level == 0 ? order : 1, side) / whole);
+    // Minified textons are interpolated bilinearly, whatever the order. Rounding may make the
+    // losses of small ones decrease.
+    const double kept = variance(mips[level], 1, side) / whole;
+    lost[level] = std::clamp(1.0 - kept, lost[level - 1], 1.0);
   }
-  return kept;
+  return lost;
 }
 
 /// One channel of one step, as the table's levels have it.
@@ -153,21 +153,11 @@ std::vector<std::vector<double>> mipLosses(const Table& table, const TextonShape
     levels.push_back(decodeLevel(table, level));
   std::vector<std::vector<double>> losses;
   for (int step = 0; step < shape.steps; ++step) {
-    std::vector<double> kept(kMaxTextonLosses, 0.0);
-    std::size_t count = 0;
+    std::vector<double>& ofStep = losses.emplace_back();
     for (std::size_t c = 0; c < channels; ++c) {
-      const std::vector<double> shares =
-          keptShares(mipsOf(table, levels, shape, step, c), shape.order);
-      count += shares.empty() ? 0u : 1u;
-      for (std::size_t level = 0; level < shares.size(); ++level)
-        kept[level] += shares[level];
-    }
-    std::vector<double>& lost = losses.emplace_back();
-    double loss = 0.0;
-    for (std::size_t level = 0; level < kept.size(); ++level) {
-      // Without variation nothing is lost; rounding may make the losses of small ones decrease.
-      const double here = count > 0 && level > 0 ? 1.0 - kept[level] / double(count) : 0.0;
-      lost.push_back(loss = std::clamp(here, loss, 1.0));
+      const std::vector<double> lost =
+          lostShares(mipsOf(table, levels, shape, step, c), shape.order);
+      ofStep.insert(ofStep.end(), lost.begin(), lost.end());
     }
   }
   return losses;

@@ -22,8 +22,8 @@ namespace lichen::texton {
 [[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables,
                                               int step = 0);
 
-/// NoiseMap::mipLoss of each step of such a table, kMaxTextonLosses values: the mean over its
-/// channels that vary.
+/// NoiseMap::mipLoss of each step of such a table, kMaxTextonLosses values a channel; of one that
+/// does not vary 0.
 [[nodiscard]] std::vector<std::vector<double>>
 mipLosses(const Table& table, const TextonShape& shape, std::size_t channels);
 

@@ -11,6 +11,7 @@
 #include "cross_covariance.h"
 
 #include "tie_order.h"
+#include "transport/covariance_map.h"
 #include "value_encoding.h"
 
 #include <tbb/parallel_for.h>
@@ -238,19 +239,19 @@ public:
   }
 
   /// P x D: how much of each settled coordinate to add to z so that the linear part grows by
-  /// `lack`, least squares with kDamping.
+  /// `lack`, least squares with kDamping. The normal equations are diagonal on the axes of
+  /// response^T response and B^T B, whose eigenvalues are squares of gains.
   [[nodiscard]] MatrixXd slopeFor(const MatrixXd& lack, const Gaussianized& gaussian) const {
-    constexpr unsigned kBoth = Eigen::ComputeFullU | Eigen::ComputeFullV;
-    const Eigen::JacobiSVD<MatrixXd> left(response_, kBoth);
-    const Eigen::JacobiSVD<MatrixXd> right(
-        decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions)), kBoth);
-    MatrixXd part = left.matrixU().transpose() * lack * right.matrixU();
+    const MatrixXd decoder =
+        decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions));
+    const auto left = transport::principalAxes(MatrixXd(response_.transpose() * response_));
+    const auto right = transport::principalAxes(MatrixXd(decoder.transpose() * decoder));
+    MatrixXd part = left.eigenvectors().transpose() * response_.transpose() * lack * decoder *
+                    right.eigenvectors();
     for (Index r = 0; r < part.rows(); ++r)
-      for (Index c = 0; c < part.cols(); ++c) {
-        const double gain = left.singularValues()[r] * right.singularValues()[c];
-        part(r, c) *= gain / (gain * gain + kDamping);
-      }
-    return left.matrixV() * part * right.matrixV().transpose();
+      for (Index c = 0; c < part.cols(); ++c)
+        part(r, c) /= left.eigenvalues()[r] * right.eigenvalues()[c] + kDamping;
+    return left.eigenvectors() * part * right.eigenvectors().transpose();
   }
 
   /// z + slope^T z_settled of the pixels, D x pixels; in two and three dimensions with moves of at

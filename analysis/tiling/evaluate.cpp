@@ -51,10 +51,10 @@ float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
 
 /// The variance that a bilinear fetch of one mip keeps.
 float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified) {
-  const float kept = mipKept(map, mip);
+  const float kept = mipKept(map.mipKept0, mip);
   // Midway between four texels the fetch is their average, a texel of the next mip.
   constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
-  const float loss = 4.0f - 4.0f * mipKept(map, mip + 1) / std::max(kept, kLeast);
+  const float loss = 4.0f - 4.0f * mipKept(map.mipKept0, mip + 1) / std::max(kept, kLeast);
   // Where the taps do not share their place between texels, or pixels are smaller than texels and
   // would show the table's level as a mesh, the average over all places.
   constexpr float kAverage = 1.0f / 6.0f;
@@ -208,7 +208,8 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
     return decodeJoint(map, gaussian, lost);
   if (map.constants.decoding == LICHEN_DECODING_SEPARABLE)
     return decodeSeparable(map, gaussian, lost);
-  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]}, lost);
+  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
+                         {lost, lost, lost});
 }
 
 Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,

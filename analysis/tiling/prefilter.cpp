@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace lichen::tiling {
 namespace {
@@ -25,10 +26,6 @@ constexpr std::size_t kSamplesPerCell = 32;
 
 /// Directions whose losses differ by less, as a share of the largest, lose alike.
 constexpr double kAlike = 1e-3;
-
-std::array<float, 3> sum(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
 
 /// Element [i * side + j]: the weight of cell j in the mean of a lookup along one axis at the
 /// middle of cell i, displaced by N(0, variance / 36).
@@ -80,20 +77,29 @@ InverseTable blurredAlongAxes(const InverseTable& table, double variance) {
 template <std::size_t kDimensions>
 InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
-  const TableLookup<kDimensions> lookup(table);
-  const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
+  using Lookup = TableLookup<kDimensions>;
+  const Lookup lookup(table);
+  const std::size_t samples = offsets.size();
+  const auto side = std::size_t(table.side);
+  // Cells have few coordinates: element [i * samples + s] of an axis is cell i's middle, displaced.
+  const std::vector<float> middles = axisMiddles(table.side);
+  std::array<std::vector<typename Lookup::Place>, kDimensions> places;
+  for (std::size_t axis = 0; axis < kDimensions; ++axis)
+    for (const float middle : middles)
+      for (const std::array<float, 3>& offset : offsets)
+        places[axis].push_back(lookup.along(axis, middle + offset[axis]));
   const auto channels = std::size_t(table.channels);
   InverseTable result = table;
   tbb::parallel_for(std::size_t(0), table.cellCount(), [&](std::size_t cell) {
-    const std::array<float, 3> middle{middles[cell].x, middles[cell].y, middles[cell].z};
-    std::array<float, 4> total{};
-    for (const std::array<float, 3>& offset : offsets) {
-      const std::array<float, 4> value = lookup(sum(middle, offset));
-      for (std::size_t c = 0; c < 4; ++c)
-        total[c] += value[c];
-    }
+    std::array<const typename Lookup::Place*, kDimensions> along;
+    std::size_t rest = cell;
+    for (std::size_t axis = 0; axis < kDimensions; ++axis, rest /= side)
+      along[axis] = &places[axis][rest % side * samples];
+    TableValue total{};
+    for (std::size_t s = 0; s < samples; ++s)
+      total += std::apply([&](const auto*... axis) { return lookup.at(axis[s]...); }, along);
     for (std::size_t c = 0; c < channels; ++c)
-      result.values[cell * channels + c] = total[c] / float(offsets.size());
+      result.values[cell * channels + c] = total[c] / float(samples);
   });
   return result;
 }

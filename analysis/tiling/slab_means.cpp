@@ -101,7 +101,7 @@ FetchMoments momentsOfFetches(const InverseTable& slab, const Mips& mips, const 
   const TableLookup<kDimensions> lookup(slab);
   FetchMoments moments;
   for (std::uint32_t sample = 0; sample < kSamples; ++sample) {
-    const std::array<float, 4> value = lookup(blendedFetch(mips, between, sample));
+    const TableValue value = lookup(blendedFetch(mips, between, sample));
     for (std::size_t c = 0; c < 4; ++c) {
       moments.mean[c] += double(value[c]) / kSamples;
       moments.square[c] += double(value[c]) * double(value[c]) / kSamples;

@@ -30,7 +30,7 @@ std::vector<float> sampledVariance(const InverseTable& table, const ChannelMatri
     std::array<double, 4> squares{};
     for (const std::array<float, 3>& offset : offsets) {
       const Point& middle = middles[cell];
-      const std::array<float, 4> value =
+      const TableValue value =
           lookup({middle.x + offset[0], middle.y + offset[1], middle.z + offset[2]});
       for (std::size_t c = 0; c < 4; ++c) {
         sum[c] += double(value[c]);

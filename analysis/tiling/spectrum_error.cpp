@@ -91,8 +91,9 @@ std::vector<float> noiseWindow(const Gaussianized& gaussian, const TableLookup<k
         value[1] += blend.weights[k] * (p.y - kMean);
         value[2] += blend.weights[k] * (p.z - kMean);
       }
-      const std::array<float, 4> looked = lookup(value);
-      values.insert(values.end(), looked.begin(), looked.begin() + std::ptrdiff_t(channels));
+      const TableValue looked = lookup(value);
+      for (std::size_t c = 0; c < channels; ++c)
+        values.push_back(looked[c]);
     }
   return values;
 }

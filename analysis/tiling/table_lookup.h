@@ -32,6 +32,10 @@ private:
   std::array<float, kSteps + 2> values_{};
 };
 
+/// A cell's channels, padded to four: loaded and added at once whatever the optimization is, which
+/// sanitizers then check once, not four times.
+using TableValue = float __attribute__((vector_size(4 * sizeof(float))));
+
 /// The table with its cells padded to four channels, for lookups at Gaussian values.
 template <std::size_t kDimensions>
 class TableLookup {
@@ -43,42 +47,52 @@ public:
         cells_[i][c] = table.values[i * std::size_t(table.channels) + c];
   }
 
-  using Value = std::array<float, 4>;
+  /// Where a value lies along one axis: between a cell, counted in the table's cells, and the one
+  /// `step` farther.
+  struct Place {
+    std::size_t cell;
+    std::size_t step;
+    float fraction;
+  };
 
-  [[nodiscard]] Value operator()(const std::array<float, 3>& gaussian) const {
-    std::size_t base = 0;
-    std::array<std::size_t, kDimensions> step{};
-    std::array<float, kDimensions> fraction{};
+  [[nodiscard]] Place along(std::size_t axis, float gaussian) const {
     std::size_t stride = 1;
-    for (std::size_t axis = 0; axis < kDimensions; ++axis, stride *= side_) {
-      const float place = std::clamp(coordinate_(gaussian[axis]), 0.0f, float(side_ - 1));
-      const auto cell = std::size_t(place);
-      base += cell * stride;
-      step[axis] = cell + 1 < side_ ? stride : 0;
-      fraction[axis] = place - float(cell);
-    }
-    return interpolated<kDimensions>(&cells_[base], step, fraction);
+    for (std::size_t k = 0; k < axis; ++k)
+      stride *= side_;
+    const float place = std::clamp(coordinate_(gaussian), 0.0f, float(side_ - 1));
+    const auto cell = std::size_t(place);
+    return {cell * stride, cell + 1 < side_ ? stride : 0, place - float(cell)};
+  }
+
+  /// At one place along each axis.
+  template <class... Places>
+  [[nodiscard]] TableValue at(const Places&... places) const {
+    static_assert(sizeof...(places) == kDimensions);
+    return interpolated(&cells_[(places.cell + ...)], places...);
+  }
+
+  [[nodiscard]] TableValue operator()(const std::array<float, 3>& gaussian) const {
+    if constexpr (kDimensions == 1)
+      return at(along(0, gaussian[0]));
+    else if constexpr (kDimensions == 2)
+      return at(along(0, gaussian[0]), along(1, gaussian[1]));
+    else
+      return at(along(0, gaussian[0]), along(1, gaussian[1]), along(2, gaussian[2]));
   }
 
 private:
-  template <std::size_t kAxes>
-  static Value interpolated(const Value* cell, const std::array<std::size_t, kDimensions>& step,
-                            const std::array<float, kDimensions>& fraction) {
-    if constexpr (kAxes == 0) {
-      return *cell;
-    } else {
-      const Value low = interpolated<kAxes - 1>(cell, step, fraction);
-      const Value high = interpolated<kAxes - 1>(cell + step[kAxes - 1], step, fraction);
-      Value result;
-      for (std::size_t c = 0; c < 4; ++c)
-        result[c] = low[c] + fraction[kAxes - 1] * (high[c] - low[c]);
-      return result;
-    }
+  static TableValue interpolated(const TableValue* cell) { return *cell; }
+
+  template <class... Rest>
+  static TableValue interpolated(const TableValue* cell, const Place& place, const Rest&... rest) {
+    const TableValue low = interpolated(cell, rest...);
+    const TableValue high = interpolated(cell + place.step, rest...);
+    return low + place.fraction * (high - low);
   }
 
   std::size_t side_;
   CellCoordinate coordinate_;
-  std::vector<Value> cells_;
+  std::vector<TableValue> cells_;
 };
 
 } // namespace lichen::tiling

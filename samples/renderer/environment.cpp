@@ -208,6 +208,7 @@ Environment prepareEnvironment(const LinearImage& panorama) {
   const auto samples = diffuseSamples();
   environment.diffuse =
       fillCube(kDiffuseSide, [&](glm::vec3 d) { return average(pyramid, d, samples); });
+  environment.brdf = environmentBrdf(kBrdfSide);
   return environment;
 }
 

@@ -18,13 +18,15 @@ struct CubeLevel {
 };
 
 inline constexpr int kSpecularLevels = 7;
+inline constexpr int kBrdfSide = 32;
 
 struct Environment {
   LinearImage panorama; ///< RGB radiance, latitude-longitude
   /// Level k holds the radiance averaged under the GGX lobe of roughness k / (levels - 1) seen
   /// along its axis [Karis 2013, "split sum"].
   std::vector<CubeLevel> specular;
-  CubeLevel diffuse; ///< irradiance / pi by normal
+  CubeLevel diffuse;           ///< irradiance / pi by normal
+  std::vector<glm::vec2> brdf; ///< environmentBrdf(kBrdfSide)
 };
 
 /// Halved, by averages of 2 x 2 pixels, until no side is longer than `longestSide`, at least 1.

@@ -91,6 +91,11 @@ Result<Sphere> subjectOf(const Scene& scene) {
                 std::max(glm::length(subject.size()) * 0.5f, kLeastRadius)};
 }
 
+glm::vec3 centerOf(const Scene& scene, const Instance& instance) {
+  const Box box = boxOf(scene, instance);
+  return (box.low + box.high) * 0.5f;
+}
+
 Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std::string& choice,
                             float aspect) {
   if (choice == "auto" || (choice.empty() && scene.cameras.empty()))

@@ -20,6 +20,9 @@ struct Sphere {
 /// large that its square overflows a float.
 [[nodiscard]] Result<Sphere> subjectOf(const Scene& scene);
 
+/// The middle of the box around an instance, in the world.
+[[nodiscard]] glm::vec3 centerOf(const Scene& scene, const Instance& instance);
+
 /// "auto", the name of a camera's node or of a camera of the file, or empty for the file's first
 /// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
 /// are.

@@ -9,7 +9,6 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr int kBrdfSide = 32;
 constexpr float kHalfMax = 65504.0f;
 
 /// Appends RGB as RGBA of half floats, a format that every device filters.
@@ -54,7 +53,7 @@ GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
   gpu.specular = uploadCube(device, environment.specular);
   gpu.diffuse = uploadCube(device, std::span(&environment.diffuse, 1));
   texels.clear();
-  for (const glm::vec2 value : environmentBrdf(kBrdfSide))
+  for (const glm::vec2 value : environment.brdf)
     appendHalf(texels, glm::vec3(value, 0.0f));
   gpu.brdf =
       uploadImage(device, halfImage(kBrdfSide, kBrdfSide), std::as_bytes(std::span(texels)), false);

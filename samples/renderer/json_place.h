@@ -46,6 +46,7 @@ public:
   /// An integer in [0, limit): an index into an array of `limit` values.
   [[nodiscard]] std::size_t asIndex(std::size_t limit) const;
   [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t limit) const;
+  double asNumber(double low, double high) const; ///< in [low, high], that a float can hold
   /// An integer in [low, high].
   [[nodiscard]] std::uint64_t integer(const char* key, std::uint64_t low, std::uint64_t high,
                                       std::optional<std::uint64_t> absent = std::nullopt) const;
@@ -61,8 +62,6 @@ public:
   [[nodiscard]] Place extension(const char* name) const; ///< an empty object when absent
 
 private:
-  [[nodiscard]] double asNumber(double low, double high) const;
-
   const nlohmann::json* value_;
   std::string pointer_;
 };

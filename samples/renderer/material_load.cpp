@@ -67,21 +67,27 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
   return index >= 0 && std::size_t(index) < value.ArrayLen() ? value.Get(index) : kNull;
 }
 
-/// Where the normals of a material's noise take their texture coordinates; nothing without normals,
-/// where the surface's own tangents are what the noise lies along, or where it lies in planes.
-/// The extension is the plugin's to check, later: here a fault counts as absence, and so does a
-/// revision that the plugin ignores.
-std::optional<int> noiseNormalTexCoord(const tinygltf::Model& model, const tinygltf::Value& use) {
+/// The noise that a material uses. The extension is the plugin's to check, later: here a fault
+/// counts as absence, and so does a revision that the plugin ignores.
+const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Value& use) {
+  static const tinygltf::Value kNull;
   const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
   const tinygltf::Value& index = at(use, "noise");
-  const tinygltf::Value& mapping = at(use, "mapping");
-  if (root == nullptr || !index.IsInt() ||
-      (mapping.IsString() && mapping.Get<std::string>() != nameOf(Mapping::uv)))
-    return std::nullopt;
+  if (root == nullptr || !index.IsInt())
+    return kNull;
   const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
   const tinygltf::Value& revision = at(noise, "revision");
-  if (!revision.IsInt() || revision.GetNumberAsInt() > kNoiseRevision)
-    return std::nullopt;
+  return revision.IsInt() && revision.GetNumberAsInt() <= kNoiseRevision ? noise : kNull;
+}
+
+/// Of the mappings in space: uv is the default.
+bool isMapped(const tinygltf::Value& use, Mapping expected) {
+  const tinygltf::Value& mapping = at(use, "mapping");
+  return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
+}
+
+/// Where the normals of a material's noise take their texture coordinates; nothing without normals.
+std::optional<int> normalTexCoord(const tinygltf::Value& noise, const tinygltf::Value& use) {
   const tinygltf::Value& maps = at(noise, "maps");
   for (int m = 0; m < int(maps.ArrayLen()); ++m) {
     const tinygltf::Value& target = at(at(maps, m), "target");
@@ -185,7 +191,11 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   result.emissiveTexture = readSlot(model, source.emissiveTexture);
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
-    result.noiseNormalTexCoord = noiseNormalTexCoord(model, *use);
+    const tinygltf::Value& noise = noiseOf(model, *use);
+    if (isMapped(*use, Mapping::surface))
+      result.noiseNeedsTangents = noise.IsObject();
+    else if (!isMapped(*use, Mapping::triplanar)) // whose slopes are gradients in space
+      result.noiseNormalTexCoord = normalTexCoord(noise, *use);
     readMix(model, *use, result);
   }
   return result;

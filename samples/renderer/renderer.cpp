@@ -11,7 +11,7 @@
 #include "lighting.h"
 #include "noise_host.h"
 #include "pipelines.h"
-#include "sky.h"
+#include "sky_cache.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +22,6 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr int kSkyPanoramaHeight = 512;
 // Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
 // joins a ground to the sky and leaves the subject alone.
 constexpr float kHazeDistance = 80.0f;
@@ -66,11 +65,12 @@ public:
     inputs_.subject = take(subjectOf(scene));
     const float aspect = float(settings.width) / float(settings.height);
     inputs_.camera = take(chooseCamera(scene, inputs_.subject, settings.camera, aspect));
+    blendedOrder_ = blendedOrder();
     inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
     inputs_.width = settings.width;
     inputs_.height = settings.height;
     inputs_.frames = settings.frames;
-    environment_ = uploadEnvironment(device, objects_, prepareEnvironment(panorama()));
+    environment_ = lightAround();
     collectNotes();
     const VkFilter filter = depthFilter();
     createTargets();
@@ -109,19 +109,24 @@ public:
 
 private:
   /// The environment file's, or the built-in sky, whose white balance the lights then take too.
-  LinearImage panorama() {
-    if (settings_.environment)
-      return fitted(*settings_.environment, int(device_.properties().limits.maxImageDimension2D));
+  GpuEnvironment lightAround() {
+    if (settings_.environment) {
+      const int longestSide = int(device_.properties().limits.maxImageDimension2D);
+      return uploadEnvironment(device_, objects_,
+                               prepareEnvironment(fitted(*settings_.environment, longestSide)));
+    }
     Lighting& lighting = inputs_.lighting;
     const glm::vec3 sunlight =
         lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
-    Sky sky = makeSky(lighting.towardSun, sunlight, lighting.skyIrradiance, kSkyPanoramaHeight);
+    SkyCache own;
+    SkyCache& skies = settings_.skies ? *settings_.skies : own;
+    const PreparedSky& sky = skies.under(lighting.towardSun, sunlight, lighting.skyIrradiance);
     for (Light& light : lighting.lights)
       light.color *= sky.balance;
     inputs_.hazeDistance =
         kHazeDistance *
         glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
-    return std::move(sky.panorama);
+    return uploadEnvironment(device_, objects_, sky.environment);
   }
 
   void collectNotes() {
@@ -338,13 +343,12 @@ private:
     transition(commands, skyDepth_, kDepthTarget, kSampled);
   }
 
-  void drawSurface(VkCommandBuffer commands, const Instance& instance) {
+  void drawSurface(VkCommandBuffer commands, const Instance& instance, VkCullModeFlags cull) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
-    const Material& material = scene_.materials[m];
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
     bindMaterial(commands, pipelines_.sceneLayout, m);
     const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
-    vkCmdSetCullMode(commands, material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    vkCmdSetCullMode(commands, cull);
     vkCmdSetFrontFace(commands,
                       mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     const shader::DrawData draw{instance.worldFromObject};
@@ -353,17 +357,31 @@ private:
     drawPrimitive(commands, instance.primitive);
   }
 
-  /// Indices of the blended instances, the farthest first.
+  void drawOpaque(VkCommandBuffer commands, const Instance& instance) {
+    const bool twoSided = materialOf(instance).doubleSided;
+    drawSurface(commands, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+  }
+
+  /// Of two sides the back comes first, which in a convex body is the far one.
+  void drawBlended(VkCommandBuffer commands, const Instance& instance) {
+    if (materialOf(instance).doubleSided)
+      drawSurface(commands, instance, VK_CULL_MODE_FRONT_BIT);
+    drawSurface(commands, instance, VK_CULL_MODE_BACK_BIT);
+  }
+
+  /// Indices of the blended instances, the farthest first, by the middles of their boxes: nodes of
+  /// many a file all have their origin in one place.
   [[nodiscard]] std::vector<std::size_t> blendedOrder() const {
+    const glm::mat4& camera = inputs_.camera.worldFromCamera;
     std::vector<std::pair<float, std::size_t>> order;
     for (std::size_t i = 0; i < scene_.instances.size(); ++i)
       if (materialOf(scene_.instances[i]).alphaMode == AlphaMode::blend) {
-        const glm::vec3 origin(scene_.instances[i].worldFromObject[3]);
-        order.emplace_back(-glm::distance(origin, glm::vec3(inputs_.camera.worldFromCamera[3])), i);
+        const glm::vec3 fromCamera = centerOf(scene_, scene_.instances[i]) - glm::vec3(camera[3]);
+        order.emplace_back(glm::dot(fromCamera, glm::vec3(camera[2])), i); // looks along -z
       }
     std::sort(order.begin(), order.end());
     std::vector<std::size_t> indices;
-    for (const auto& [distance, index] : order)
+    for (const auto& [height, index] : order)
       indices.push_back(index);
     return indices;
   }
@@ -377,14 +395,14 @@ private:
     bindGeometry(commands);
     for (const Instance& instance : scene_.instances)
       if (materialOf(instance).alphaMode != AlphaMode::blend)
-        drawSurface(commands, instance);
+        drawOpaque(commands, instance);
     if (debugView_ == DEBUG_NONE) {
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
       vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
       vkCmdDraw(commands, 3, 1, 0, 0);
     }
-    for (const std::size_t instance : blendedOrder())
-      drawSurface(commands, scene_.instances[instance]);
+    for (const std::size_t instance : blendedOrder_)
+      drawBlended(commands, scene_.instances[instance]);
     vkCmdEndRendering(commands);
     transition(commands, color_, kColorTarget, kSampled);
   }
@@ -411,6 +429,7 @@ private:
   NoiseHost noises_;
   GpuScene gpu_;
   FrameInputs inputs_;
+  std::vector<std::size_t> blendedOrder_;
   GpuEnvironment environment_;
   DeviceImage color_, depth_, sum_, sunDepth_, skyDepth_;
   std::array<VkImageView, SKY_DIRECTIONS> skyDepthLayers_{};

@@ -6,6 +6,7 @@
 
 #include "framing.h"
 #include "scene.h"
+#include "sky_cache.h"
 
 #include <lichen/headless_device.h>
 #include <lichen/image.h>
@@ -28,6 +29,7 @@ struct RenderSettings {
   bool toneMap = true;       ///< false: light as it is, for EXR
   std::string debugView;     ///< empty, or one of debugViewNames(); those are never tone-mapped
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
+  SkyCache* skies = nullptr; ///< the caller's, for several pictures; null: each makes its own
   std::function<void(std::uint32_t frames)> frameDone; ///< called with how many are done, or empty
 };
 

@@ -94,8 +94,9 @@ struct Material {
   TextureSlot mixTexture;
   std::optional<int> mixColorSet;
   int mixChannel = 0; ///< of either, 0 to 3
-  /// Texture coordinates of the noise, where it has normals.
+  /// Texture coordinates of the noise, where it lies along them and has normals.
   std::optional<int> noiseNormalTexCoord;
+  bool noiseNeedsTangents = false; ///< of the mesh: it is noise on the surface
 };
 
 enum class LightKind { directional, point, spot };

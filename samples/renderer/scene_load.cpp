@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A validated glTF file through tinygltf into the renderer's scene: nodes, meshes, cameras, lights.
-#include "geometry.h"
+// A validated glTF file through tinygltf into the renderer's scene.
 #include "gltf_file.h"
 #include "material_load.h"
-#include "orthonormal_frame.h"
+#include "node_walk.h"
 #include "printable.h"
 #include "scene.h"
 #include "scene_validate.h"
 
 #include <lichen/files.h>
 
-#include <glm/gtc/quaternion.hpp>
 #include <tiny_gltf.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <new>
 #include <span>
@@ -109,187 +106,6 @@ Result<tinygltf::Model> loadModel(GltfFile& file) {
   return model;
 }
 
-// ---- nodes -----------------------------------------------------------------------------------
-
-glm::mat4 localMatrix(const tinygltf::Node& node) {
-  if (node.matrix.size() == 16) {
-    glm::mat4 matrix(1.0f);
-    for (int i = 0; i < 16; ++i)
-      matrix[i / 4][i % 4] = float(node.matrix[std::size_t(i)]);
-    return matrix;
-  }
-  const auto vec3 = [](const std::vector<double>& v, glm::vec3 absent) {
-    return v.size() == 3 ? glm::vec3(v[0], v[1], v[2]) : absent;
-  };
-  const glm::vec3 scale = vec3(node.scale, glm::vec3(1.0f));
-  glm::mat4 matrix(1.0f);
-  if (node.rotation.size() == 4) {
-    const glm::quat q{float(node.rotation[3]), float(node.rotation[0]), float(node.rotation[1]),
-                      float(node.rotation[2])};
-    if (glm::length(q) > 0.0f)
-      matrix = glm::mat4_cast(glm::normalize(q));
-  }
-  for (int i = 0; i < 3; ++i)
-    matrix[i] *= scale[i];
-  matrix[3] = glm::vec4(vec3(node.translation, glm::vec3(0.0f)), 1.0f);
-  return matrix;
-}
-
-/// Position and rotation of a node, without its scale: cameras and lights ignore that.
-glm::mat4 rigid(const glm::mat4& m) {
-  const glm::vec3 back = glm::vec3(m[2]);
-  const glm::vec3 z = glm::length(back) > 0.0f ? glm::normalize(back) : glm::vec3(0, 0, 1);
-  const glm::vec3 up = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
-  const glm::vec3 y = glm::length(up) > 0.0f ? glm::normalize(up) : frameAlong(z)[1];
-  return glm::mat4(glm::vec4(glm::cross(y, z), 0), glm::vec4(y, 0), glm::vec4(z, 0), m[3]);
-}
-
-Camera readCamera(const tinygltf::Camera& source, const glm::mat4& world) {
-  Camera camera;
-  camera.name = source.name;
-  camera.worldFromCamera = rigid(world);
-  camera.perspective = source.type == "perspective";
-  if (camera.perspective) {
-    camera.verticalFieldOfView = float(source.perspective.yfov);
-    camera.aspectRatio = float(source.perspective.aspectRatio);
-    camera.near = float(source.perspective.znear);
-    camera.far = float(source.perspective.zfar);
-  } else {
-    camera.halfHeight = float(source.orthographic.ymag);
-    camera.aspectRatio = float(source.orthographic.xmag / source.orthographic.ymag);
-    camera.near = float(source.orthographic.znear);
-    camera.far = float(source.orthographic.zfar);
-  }
-  return camera;
-}
-
-Light readLight(const tinygltf::Light& source, const glm::mat4& world) {
-  Light light;
-  const glm::mat4 frame = rigid(world);
-  if (source.type == "point")
-    light.kind = LightKind::point;
-  else if (source.type == "spot")
-    light.kind = LightKind::spot;
-  if (source.color.size() == 3)
-    light.color = glm::vec3(source.color[0], source.color[1], source.color[2]);
-  light.intensity = float(source.intensity);
-  light.range = float(source.range);
-  light.position = glm::vec3(frame[3]);
-  light.direction = -glm::vec3(frame[2]);
-  light.innerConeCosine = float(std::cos(source.spot.innerConeAngle));
-  light.outerConeCosine = float(std::cos(source.spot.outerConeAngle));
-  return light;
-}
-
-/// Walks the default scene's forest with a stack of its own, so that depth costs no call stack.
-class NodeWalk {
-public:
-  NodeWalk(const tinygltf::Model& model, Scene& scene)
-      : model_(model), scene_(scene), primitivesOfMesh_(model.meshes.size()) {}
-
-  Result<void> run() {
-    if (model_.scenes.empty())
-      return Error{ErrorKind::badInput, "has no scene; a scene with a mesh is accepted"};
-    const int chosen = model_.defaultScene >= 0 ? model_.defaultScene : 0;
-    push(model_.scenes[std::size_t(chosen)].nodes, glm::mat4(1.0f));
-    while (!pending_.empty()) {
-      const auto [index, parent] = pending_.back();
-      pending_.pop_back();
-      if (Result<void> visited = visit(model_.nodes[std::size_t(index)], parent); !visited)
-        return visited;
-    }
-    if (scene_.instances.empty())
-      return Error{ErrorKind::badInput, "its scene has no triangles; at least one is accepted"};
-    return {};
-  }
-
-private:
-  Result<void> visit(const tinygltf::Node& node, const glm::mat4& parent) {
-    const glm::mat4 world = parent * localMatrix(node);
-    for (int column = 0; column < 4; ++column)
-      for (int row = 0; row < 4; ++row)
-        if (!std::isfinite(world[column][row]))
-          return Error{ErrorKind::badInput, "/nodes: the transform of node \"" +
-                                                printable(node.name) + "\" is not finite"};
-    if (node.camera >= 0)
-      addCamera(node, world);
-    if (const auto light = node.extensions.find("KHR_lights_punctual");
-        light != node.extensions.end() && light->second.Has("light"))
-      scene_.lights.push_back(readLight(
-          model_.lights[std::size_t(light->second.Get("light").GetNumberAsInt())], world));
-    if (node.mesh >= 0)
-      if (Result<void> added = addMesh(std::size_t(node.mesh), world); !added)
-        return added;
-    push(node.children, world);
-    return {};
-  }
-
-  /// The first is visited next.
-  void push(const std::vector<int>& nodes, const glm::mat4& parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-      pending_.push_back({*node, parent});
-  }
-
-  void addCamera(const tinygltf::Node& node, const glm::mat4& world) {
-    Camera camera = readCamera(model_.cameras[std::size_t(node.camera)], world);
-    camera.nodeName = node.name;
-    scene_.cameras.push_back(std::move(camera));
-  }
-
-  Result<void> addMesh(std::size_t mesh, const glm::mat4& world) {
-    if (!primitivesOfMesh_[mesh]) {
-      primitivesOfMesh_[mesh].emplace();
-      for (const tinygltf::Primitive& source : model_.meshes[mesh].primitives)
-        if (Result<void> loaded = loadPrimitive(mesh, source); !loaded)
-          return loaded;
-    }
-    for (const std::size_t primitive : *primitivesOfMesh_[mesh]) {
-      const Primitive& p = scene_.primitives[primitive];
-      drawn_ += p.vertices.size() + p.indices.size();
-      if (scene_.instances.size() == kMaxSceneInstances || drawn_ > kMaxDrawnVertices)
-        return Error{ErrorKind::resources,
-                     "/nodes: the scene draws more than " + std::to_string(kMaxSceneInstances) +
-                         " primitives, or " + std::to_string(kMaxDrawnVertices) +
-                         " vertices and indices; a smaller scene is accepted"};
-      scene_.instances.push_back({primitive, world});
-    }
-    return {};
-  }
-
-  Result<void> loadPrimitive(std::size_t mesh, const tinygltf::Primitive& source) {
-    const std::size_t material =
-        source.material >= 0 ? std::size_t(source.material) : scene_.materials.size() - 1;
-    vertices_ += expandedSize(model_, source);
-    if (vertices_ > kMaxSceneVertices)
-      return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
-                                             " vertices and indices; a smaller scene is accepted"};
-    Result<std::optional<Primitive>> primitive =
-        readPrimitive(model_, source, scene_.materials[material]);
-    if (!primitive)
-      return primitive.error();
-    if (!primitive.value()) {
-      scene_.notes.push_back("a primitive of mesh " + std::to_string(mesh) +
-                             " without triangles is ignored");
-      return {};
-    }
-    primitive.value()->material = material;
-    primitivesOfMesh_[mesh]->push_back(scene_.primitives.size());
-    scene_.primitives.push_back(std::move(*primitive.value()));
-    return {};
-  }
-
-  struct Pending {
-    int node;
-    glm::mat4 parent;
-  };
-  const tinygltf::Model& model_;
-  Scene& scene_;
-  std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_;
-  std::vector<Pending> pending_;
-  std::size_t vertices_ = 0; ///< and indices, of the primitives loaded so far
-  std::size_t drawn_ = 0;    ///< the same, of the instances
-};
-
 /// What the noise plugin reads: the file itself when it holds all its buffers, or else a GLB of its
 /// JSON and its buffers one behind the other.
 std::vector<std::byte> noiseBundle(GltfFile& file, const tinygltf::Model& model) {
@@ -328,7 +144,7 @@ Result<Scene> loadScene(GltfFile& file) {
     return named(model.error());
   if (Result<void> materials = readMaterials(model.value(), scene); !materials)
     return named(materials.error());
-  if (Result<void> walked = NodeWalk(model.value(), scene).run(); !walked)
+  if (Result<void> walked = walkNodes(model.value(), scene); !walked)
     return named(walked.error());
   std::sort(scene.notes.begin(), scene.notes.end());
   scene.notes.erase(std::unique(scene.notes.begin(), scene.notes.end()), scene.notes.end());

@@ -62,6 +62,8 @@ public:
     root_.each("skins", [&](const Place& p, std::size_t) { skin(p); });
     root_.each("scenes", [&](const Place& p, std::size_t) { scene(p); });
     root_.each("animations", [](const Place&, std::size_t) {}); // loaded, but not used
+    if (root_.find("animations"))
+      notes_.push_back("animations are not played: all stands as the file's nodes and weights are");
     (void)root_.index("scene", root_.countOf("scenes"));
   }
 
@@ -263,6 +265,22 @@ private:
       require((accessor.type == "VEC3" || accessor.type == "VEC4") &&
                   (isFloat || accessor.componentType == 5121 || accessor.componentType == 5123),
               "VEC3 or VEC4 of float, unsigned byte or unsigned short");
+    else if (name.starts_with("JOINTS_"))
+      require(accessor.type == "VEC4" &&
+                  (accessor.componentType == 5121 || accessor.componentType == 5123),
+              "VEC4 of unsigned byte or unsigned short");
+    else if (name.starts_with("WEIGHTS_"))
+      require(accessor.type == "VEC4" && notWord, "VEC4 of float, byte or short");
+  }
+
+  /// What a morph target adds to each vertex has three components, that to tangents too.
+  void morphTarget(const Place& place, std::uint64_t vertices) const {
+    for (const auto& [name, value] : place.json().items()) {
+      const Place entry = place.member(name.c_str());
+      (void)entry.asIndex(accessors_.size());
+      if (vertices != 0)
+        attribute(entry, name == "TANGENT" ? "NORMAL" : name, vertices);
+    }
   }
 
   void mesh(const Place& place) {
@@ -278,6 +296,8 @@ private:
         if (vertices != 0)
           attribute(entry, name, vertices);
       }
+      primitive.each("targets",
+                     [&](const Place& target, std::size_t) { morphTarget(target, vertices); });
       (void)primitive.index("material", root_.countOf("materials"));
       primitive.oneOf("mode", {0, 1, 2, 3, 4, 5, 6});
       if (const auto indices = primitive.index("indices", accessors_.size())) {
@@ -290,8 +310,13 @@ private:
                          ", SCALAR of 5121, 5123 or 5125 is accepted");
       }
     });
-    if (place.json()["primitives"][0].contains("targets"))
-      notes_.push_back("morph targets are ignored");
+    weights(place);
+  }
+
+  /// Of morph targets.
+  static void weights(const Place& place) {
+    place.each("weights",
+               [](const Place& weight, std::size_t) { weight.asNumber(-kLargest, kLargest); });
   }
 
   static void camera(const Place& place) {
@@ -358,8 +383,7 @@ private:
     place.numbers("rotation", 4, -1, 1);
     place.numbers("scale", 3, -kLargest, kLargest);
     (void)place.string("name");
-    if (place.find("skin"))
-      notes_.push_back("skins are ignored: skinned meshes stand where their nodes stand");
+    weights(place);
     (void)place.extension("KHR_lights_punctual")
         .index("light", root_.extension("KHR_lights_punctual").countOf("lights"));
   }
@@ -384,10 +408,20 @@ private:
   }
 
   void skin(const Place& place) const {
+    (void)place.member("joints");
     place.each("joints",
                [&](const Place& joint, std::size_t) { (void)joint.asIndex(parents_.size()); });
     (void)place.index("skeleton", parents_.size());
-    (void)place.index("inverseBindMatrices", accessors_.size());
+    const std::size_t joints = place.countOf("joints");
+    if (const auto matrices = place.index("inverseBindMatrices", accessors_.size())) {
+      const Accessor& accessor = accessors_[*matrices];
+      if (accessor.type != "MAT4" || accessor.componentType != kFloatComponent ||
+          accessor.count < joints)
+        place.fail("inverseBindMatrices are " + std::to_string(accessor.count) + " " +
+                   accessor.type + " of componentType " + std::to_string(accessor.componentType) +
+                   ", MAT4 of " + std::to_string(kFloatComponent) + " for each of the " +
+                   std::to_string(joints) + " joints is accepted");
+    }
   }
 
   void scene(const Place& place) const {

@@ -34,8 +34,8 @@
 // Rows (z) of a mix's table, whose columns (x) are its steps.
 #define LICHEN_MIX_MEAN 0      // of stored values, less that of the first step
 #define LICHEN_MIX_DEVIATION 1 // times six, over what a texel is multiplied with
-#define LICHEN_MIX_KEPT 2      // amplitudes that mips keep, of four in each of four rows
-#define LICHEN_MIX_ROWS 6
+#define LICHEN_MIX_KEPT 2      // and up: amplitudes that mip 0, 1, ... keeps of each channel
+#define LICHEN_MIX_ROWS 18     // LICHEN_MIX_KEPT + LICHEN_MAX_MIPS
 
 // Binding numbers, relative to the host's first binding: the uniform block, then for each map of
 // the noise, in order, its image (Gaussian image or texton) and its inverse table.
@@ -84,7 +84,7 @@ struct LichenNoise {
   uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it
-  float maxAnisotropy; // [1, 64] of the Gaussian images' sampler; read with LICHEN_ANISOTROPIC 1
+  float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
   float tileSizeMetres;
   uint method;          // LICHEN_METHOD_*
   int cellK;            // of surface noise: the third of cellI and cellJ
@@ -104,7 +104,10 @@ struct LichenMap {
   uint encoding;    // LICHEN_ENCODING_*
   uint decoding;    // LICHEN_DECODING_*
   vec4 mean;        // of the decoded values; w is 1. Slopes: z is the variance of a slope
-  uvec4 mipKept;    // amplitude that mip m keeps, sqrt(1 - lost variance): unorm byte m of sixteen
+  // Amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte m of sixteen.
+  // Tiling has only the first, of all channels together. Of textons a channel that is absent or
+  // does not vary keeps nothing.
+  uvec4 mipKept0, mipKept1, mipKept2;
   // The affine map of separable and Gaussian decoding: channel c is dot(row c, (input, 1)), the
   // input a separable table's values, or the Gaussian value less its mean.
   vec4 row0, row1, row2;
@@ -133,7 +136,7 @@ struct LichenUniforms {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS];
   LichenTexton texton;
-  vec4 reserved[14]; // 0: to 1280 bytes
+  vec4 reserved[2]; // 0: to 1280 bytes
 };
 
 #ifdef __cplusplus

@@ -2,7 +2,8 @@
 // A noise on a surface without texture coordinates: a point in space, its screen-space derivatives,
 // the normal and the tangent there -> LichenPlace. Slopes come out in the tangent space that these
 // span, as uv.glsl turns them.
-// [GLM17] Galerne, Leclaire and Moisan 2017, section 6: a frame that turns little along the surface.
+// [GLM17] Galerne, Leclaire and Moisan 2017, section 6: a frame that turns little along the
+// surface.
 #ifndef LICHEN_SURFACE_GLSL
 #define LICHEN_SURFACE_GLSL
 
@@ -24,8 +25,8 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
   return mat3(right, -handedness * cross(outward, right), outward);
 }
 
-/// The place at `position` [metres, relative to the host's integer tile origin], with the position's
-/// derivatives along the screen: usable in compute and in non-uniform control flow.
+/// The place at `position` [metres, relative to the host's integer tile origin], with the
+/// position's derivatives along the screen: usable in compute and in non-uniform control flow.
 LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
                                    vec3 normal, vec4 tangent, LichenNoise noise,
                                    LichenTexton texton) {

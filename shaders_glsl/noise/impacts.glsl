@@ -55,15 +55,24 @@ struct LichenWalk {
   float sign;     // of the last impact, +1 or -1
 };
 
-/// The number of a cell, a whole float below 2^47 in magnitude: modulo 2^32, or where there is a
-/// period, near [0, period).
-int lichenCellNumber(float cell, int period) {
+/// A whole float below 2^47 in magnitude, modulo 2^32.
+int lichenLowWord(float whole) {
   // Conversion of a float that no int holds is undefined: the two halves of the word by themselves.
   const float kHalfWord = 65536.0;
+  float high = floor(whole / kHalfWord);
+  return int(high) * int(kHalfWord) + int(whole - high * kHalfWord);
+}
+
+/// The number of a cell, a whole float below 2^47 in magnitude: modulo 2^32, or where there is a
+/// period, at most 2^29, whole periods from it: less than 2^22 of them from [0, period), or below
+/// 2^44 where these are of few cells.
+int lichenCellNumber(float cell, int period) {
+  int number = lichenLowWord(cell);
+  // A quotient of floats is off by few periods, which lichenWrapped mends; their product would be
+  // rounded, but modulo 2^32 it is exact, and so is what is left of the number.
   if (bool(LICHEN_PERIODIC_LATTICE) && period != 0)
-    cell -= float(period) * floor(cell / float(period));
-  float high = floor(cell / kHalfWord);
-  return int(high) * int(kHalfWord) + int(cell - high * kHalfWord);
+    number -= lichenLowWord(floor(cell / float(period))) * period;
+  return number;
 }
 
 /// `value` reduced to [0, period), for |value| < 2^22 periods; any value where the period is 0.

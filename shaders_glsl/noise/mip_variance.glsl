@@ -5,21 +5,21 @@
 
 #include "../interface/lichen_interface.h"
 
-/// The amplitude that the texels of a mip keep, of that of the Gaussian value.
-float lichenMipKept(int mip, LichenMap map) {
+/// The amplitude that the texels of a mip keep, of that of the Gaussian value: `bytes` are those of
+/// a channel, LichenMap::mipKept0 and so on.
+float lichenMipKept(int mip, uvec4 bytes) {
   // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
   int byte = min(mip, LICHEN_MAX_MIPS - 1);
-  uint word = byte < 8 ? (byte < 4 ? map.mipKept.x : map.mipKept.y)
-                       : (byte < 12 ? map.mipKept.z : map.mipKept.w);
+  uint word = byte < 8 ? (byte < 4 ? bytes.x : bytes.y) : (byte < 12 ? bytes.z : bytes.w);
   return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
 }
 
-/// The share of the variance that a level >= 0 keeps: a trilinear blend of a mip and its own
-/// average.
+/// The share of the variance that a level >= 0 of a Gaussian image keeps: a trilinear blend of a
+/// mip and its own average.
 float lichenLevelKept(float level, LichenMap map) {
   int mip = int(level);
-  float below = lichenMipKept(mip, map);
-  float above = lichenMipKept(mip + 1, map);
+  float below = lichenMipKept(mip, map.mipKept0);
+  float above = lichenMipKept(mip + 1, map.mipKept0);
   float rest = 1.0 - (level - float(mip));
   return above * above + rest * rest * (below * below - above * above);
 }

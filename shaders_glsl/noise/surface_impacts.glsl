@@ -12,10 +12,10 @@
 #include "hash.glsl"
 #include "impacts.glsl"
 
-/// What all maps of a surface noise share at one point, beside its LichenImpacts. Ways are in cubes,
-/// from the corner of the one that holds the point. A place of the point seen from an impact has
-/// three parts: two in texels, in the frame of the impact's texton, from the middle of what that
-/// reaches, and the height over the tangent plane in units of the greatest that counts.
+/// What all maps of a surface noise share at one point, beside its LichenImpacts. Ways are in
+/// cubes, from the corner of the one that holds the point. A place of the point seen from an impact
+/// has three parts: two in texels, in the frame of the impact's texton, from the middle of what
+/// that reaches, and the height over the tangent plane in units of the greatest that counts.
 struct LichenSurfaceImpacts {
   vec3 place;  // of the point seen from its cube's corner
   mat3 axes;   // `way * axes` is how much less the place is, seen from the way's end

@@ -37,13 +37,14 @@ int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenNoise noise,
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified.
 vec3 lichenSurfaceTextonGaussian(sampler2D image, LichenImpacts impacts,
-                                 LichenSurfaceImpacts surface, LichenNoise noise, LichenMap map,
-                                 LichenTexton texton) {
-  float gain = lichenTextonGain(impacts, noise, map);
+                                 LichenSurfaceImpacts surface, LichenKept kept,
+                                 LichenNoise noise, LichenMap map, LichenTexton texton) {
+  vec3 gain = lichenTextonGain(kept, noise);
   // As lichenTextonGaussian has it.
-  if (gain == 0.0)
+  if (gain == vec3(0.0))
     return vec3(0.5);
-  return 0.5 + gain * map.sumFactor.rgb * lichenSurfaceTextonSum(image, impacts, surface, noise, texton);
+  vec3 sum = lichenSurfaceTextonSum(image, impacts, surface, noise, texton);
+  return 0.5 + gain * map.sumFactor.rgb * sum;
 }
 
 /// The value of one map, as lichenTexton has it.
@@ -51,8 +52,9 @@ vec4 lichenSurfaceTexton(sampler2D image, sampler3D table, LichenImpacts impacts
                          LichenSurfaceImpacts surface, LichenNoise noise, LichenMap map,
                          LichenTexton texton) {
   LichenMap here = lichenMixedMap(table, impacts, map, texton);
+  LichenKept kept = lichenTextonKept(table, impacts, map, texton);
   return lichenTextonDecode(
-      lichenSurfaceTextonGaussian(image, impacts, surface, noise, here, texton), impacts, noise,
+      lichenSurfaceTextonGaussian(image, impacts, surface, kept, noise, here, texton), kept, noise,
       here);
 }
 

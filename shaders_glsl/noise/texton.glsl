@@ -9,7 +9,6 @@
 
 #include "../interface/lichen_interface.h"
 #include "impacts.glsl"
-#include "mip_variance.glsl"
 #include "texton_mix.glsl"
 #include "tiling_decode.glsl"
 
@@ -106,51 +105,59 @@ int lichenImpactCount(LichenImpacts impacts, LichenNoise noise, LichenTexton tex
   return count;
 }
 
-/// The share of the variance that textons fetched at a level >= 0 keep: of a trilinear blend of a
-/// mip and the next.
-float lichenTextonKept(float level, LichenMap map) {
+/// The share of each channel's variance that textons fetched at a level >= 0 keep: of a trilinear
+/// blend of a mip and the next.
+vec3 lichenTextonLevelKept(sampler3D table, float level, LichenImpacts impacts, LichenMap map,
+                           LichenTexton texton) {
   // docs/theory.md, Filtering: the covariance of the two.
   int mip = int(level);
-  float fine = lichenMipKept(mip, map);
-  float coarse = lichenMipKept(mip + 1, map);
-  float ratio = fine > 0.0 ? coarse / fine : 0.0;
-  float covariance =
+  vec3 fine = lichenTextonMipKept(table, mip, impacts, map, texton);
+  vec3 coarse = lichenTextonMipKept(table, mip + 1, impacts, map, texton);
+  const float kLeast = 1.0e-3; // of the amplitudes' steps of 1/255, below the first
+  vec3 ratio = coarse / max(fine, kLeast);
+  vec3 covariance =
       coarse * coarse + 0.5 * ratio * ratio * ratio * (fine * fine - coarse * coarse);
   float t = level - float(mip);
   float rest = 1.0 - t;
   return rest * rest * fine * fine + 2.0 * t * rest * covariance + t * t * coarse * coarse;
 }
 
-/// What the sum over impacts is multiplied by. Beyond the last mip textons stay as they are, and
-/// the amplitude falls as the deviation does.
-float lichenTextonGain(LichenImpacts impacts, LichenNoise noise, LichenMap map) {
-  float kept = lichenTextonKept(impacts.level, map);
-  float rest = lichenTextonKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
-  return noise.contrast * (kept > 0.0 ? sqrt(rest / kept) : 0.0);
+/// Shares of the variance of each channel of a map that filtering leaves at a point.
+struct LichenKept {
+  vec3 fetched; // of textons at the level at which they are fetched
+  vec3 seen;    // of the noise, seen through the footprint
+};
+
+LichenKept lichenTextonKept(sampler3D table, LichenImpacts impacts, LichenMap map,
+                            LichenTexton texton) {
+  float level = min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
+  return LichenKept(lichenTextonLevelKept(table, impacts.level, impacts, map, texton),
+                    lichenTextonLevelKept(table, level, impacts, map, texton));
+}
+
+/// What the sums over impacts are multiplied by. Beyond the last mip textons stay as they are, and
+/// amplitudes fall as deviations do.
+vec3 lichenTextonGain(LichenKept kept, LichenNoise noise) {
+  const float kLeast = 1.0e-6; // below the square of an amplitude's first step, 1/255
+  return noise.contrast * sqrt(kept.seen / max(kept.fetched, kLeast));
 }
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified. Of a mix, `map`
 /// is what lichenMixedMap makes of it; likewise below.
-vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenNoise noise,
-                          LichenMap map, LichenTexton texton) {
-  float gain = lichenTextonGain(impacts, noise, map);
+vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenKept kept,
+                          LichenNoise noise, LichenMap map, LichenTexton texton) {
+  vec3 gain = lichenTextonGain(kept, noise);
   // From so far that nothing is left to see, the mean needs no impacts.
-  if (gain == 0.0)
+  if (gain == vec3(0.0))
     return vec3(0.5);
   return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, noise, texton);
 }
 
-/// The share of the Gaussian value's variance that filtering loses.
-float lichenTextonLostVariance(LichenImpacts impacts, LichenMap map) {
-  return 1.0 - lichenTextonKept(min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1)), map);
-}
-
 /// The value that a Gaussian value stands for.
-vec4 lichenTextonDecode(vec3 gaussian, LichenImpacts impacts, LichenNoise noise, LichenMap map) {
-  float lost = lichenTextonLostVariance(impacts, map);
+vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenNoise noise, LichenMap map) {
   // Contrast scales what is missing with what is there.
-  float scaled = noise.contrast * noise.contrast * lost;
-  return lichenDecodeGaussian(gaussian, scaled, map);
+  vec3 lost = noise.contrast * noise.contrast * (1.0 - kept.seen);
+  return lichenDecodeGaussian(gaussian, lost, map);
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
@@ -159,7 +166,8 @@ vec4 lichenTextonDecode(vec3 gaussian, LichenImpacts impacts, LichenNoise noise,
 vec4 lichenTexton(sampler2D image, sampler3D table, LichenImpacts impacts, LichenNoise noise,
                   LichenMap map, LichenTexton texton) {
   LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  return lichenTextonDecode(lichenTextonGaussian(image, impacts, noise, here, texton), impacts,
+  LichenKept kept = lichenTextonKept(table, impacts, map, texton);
+  return lichenTextonDecode(lichenTextonGaussian(image, impacts, kept, noise, here, texton), kept,
                             noise, here);
 }
 

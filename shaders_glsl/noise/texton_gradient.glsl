@@ -105,7 +105,7 @@ LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradie
 vec3 lichenTextonGradient(sampler2D image, sampler3D table, LichenImpacts impacts,
                           LichenNoise noise, LichenMap map, LichenTexton texton) {
   LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  float gain = lichenTextonGain(impacts, noise, here);
+  float gain = lichenTextonGain(lichenTextonKept(table, impacts, map, texton), noise).x;
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, noise);
   while (gain > 0.0 && lichenGoesOn(walk, impacts)) {

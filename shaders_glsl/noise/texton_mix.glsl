@@ -8,6 +8,7 @@
 
 #include "../interface/lichen_interface.h"
 #include "impacts.glsl"
+#include "mip_variance.glsl"
 
 // 0 where no noise is a mix. A literal, or the host's specialization constant.
 #ifndef LICHEN_MIXED_TEXTONS
@@ -43,7 +44,8 @@ float lichenMixStep(LichenImpacts impacts, LichenTexton texton) {
   return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(texton.steps)) - 1.0);
 }
 
-/// The map at its place in a mix; without a mix, as it is. `table` is that of the map's binding.
+/// The map at its place in a mix, but for what mips keep, which lichenTextonMipKept tells; without a
+/// mix, as it is. `table` is that of the map's binding.
 LichenMap lichenMixedMap(sampler3D table, LichenImpacts impacts, LichenMap map,
                          LichenTexton texton) {
   if (!lichenIsMix(texton))
@@ -59,11 +61,19 @@ LichenMap lichenMixedMap(sampler3D table, LichenImpacts impacts, LichenMap map,
   map.row2.z *= deviation.z;
   // What is divided here is multiplied with above: the stored value does not depend on it.
   map.sumFactor = vec4(1.0 / deviation, 0.0);
-  map.mipKept = uvec4(packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT, texton)),
-                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 1, texton)),
-                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 2, texton)),
-                      packUnorm4x8(lichenMixRow(table, atStep, LICHEN_MIX_KEPT + 3, texton)));
   return map;
+}
+
+/// The amplitudes that the texels of a mip keep of each channel, at the map's place in a mix.
+vec3 lichenTextonMipKept(sampler3D table, int mip, LichenImpacts impacts, LichenMap map,
+                         LichenTexton texton) {
+  if (!lichenIsMix(texton))
+    return vec3(lichenMipKept(mip, map.mipKept0), lichenMipKept(mip, map.mipKept1),
+                lichenMipKept(mip, map.mipKept2));
+  int row = LICHEN_MIX_KEPT + min(mip, LICHEN_MAX_MIPS - 1);
+  vec3 kept = lichenMixRow(table, lichenMixStep(impacts, texton), row, texton).rgb;
+  // To the bytes that maps without a mix have: far away exactly nothing is left.
+  return floor(255.0 * kept + 0.5) * (1.0 / 255.0);
 }
 
 /// The derivative of the mean of a map's first channel along x and y [1 / tile]: 0 without a mix.

@@ -107,10 +107,10 @@ vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
 /// The variance that a bilinear fetch of one mip keeps. `magnified` is 0 at one texel a pixel and
 /// coarser, 1 from two pixels a texel on.
 float lichenFetchKept(int mip, float magnified, LichenTaps taps, LichenMap map) {
-  float kept = lichenMipKept(mip, map);
+  float kept = lichenMipKept(mip, map.mipKept0);
   // Midway between four texels the fetch is their average, a texel of the next mip.
   const float kLeast = 1.0e-3; // of the unorm bytes, below the smallest
-  float loss = 4.0 - 4.0 * lichenMipKept(mip + 1, map) / max(kept, kLeast);
+  float loss = 4.0 - 4.0 * lichenMipKept(mip + 1, map.mipKept0) / max(kept, kLeast);
   // Where the taps do not share their place between texels, or pixels are smaller than texels and
   // would show the table's level as a mesh, the average over all places.
   const float kAverage = 1.0 / 6.0;

@@ -127,8 +127,8 @@ vec3 lichenMeanDecoded(vec3 stored, vec3 deviation, LichenMap map) {
          above - curve + lichenDecodeStored(stored, map);
 }
 
-/// No table: the stored values are Gaussian themselves.
-vec4 lichenDecodeGaussian(vec3 gaussian, float lostVariance, LichenMap map) {
+/// No table: the stored values are Gaussian themselves, each of which lacks its own fraction.
+vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lostVariance, LichenMap map) {
   vec3 stored = lichenDecodeRows(gaussian - 0.5, map);
   // A row is six times the root of the covariance, for values of deviation 1/6.
   const float kVariance = 1.0 / 36.0;
@@ -154,7 +154,7 @@ vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, Lich
   if (bool(LICHEN_SEPARABLE_TABLES) && isSeparable)
     return lichenDecodeSeparable(table, gaussian, lostVariance, map);
   if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian)
-    return lichenDecodeGaussian(gaussian, lostVariance, map);
+    return lichenDecodeGaussian(gaussian, vec3(lostVariance), map);
   return lichenDecodeJoint(table, gaussian, lostVariance, map);
 }
 

@@ -68,35 +68,40 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
   return at.plane2;
 }
 
-/// The Gaussian value of one plane. `lost`: the share of its variance that filtering loses.
-vec3 lichenPlaneGaussian(sampler2D image, LichenPlanePlace plane, LichenNoise noise, LichenMap map,
-                         LichenTexton texton, out float lost) {
+/// The Gaussian value of one plane. `lost`: the shares of its channels' variance that filtering
+/// loses. `here` is the map at its place in a mix, and `table` that of the map's binding.
+vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plane,
+                         LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton,
+                         out vec3 lost) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise)) {
     noise.seedWord = lichenPlane(plane.axis, noise).seedWord;
-    lost = lichenTextonLostVariance(plane.impacts, map);
-    return lichenTextonGaussian(image, plane.impacts, noise, map, texton);
+    LichenKept kept = lichenTextonKept(table, plane.impacts, map, texton);
+    lost = 1.0 - kept.seen;
+    return lichenTextonGaussian(image, plane.impacts, kept, noise, here, texton);
   }
 #endif
   float level = lichenTilingLevel(plane.taps, noise, map);
-  lost = lichenTilingLostVariance(plane.taps, level, map);
+  lost = vec3(lichenTilingLostVariance(plane.taps, level, map));
   return lichenTilingGaussian(image, plane.taps, level);
 }
 
 /// The Gaussian value of all planes that count, as lichenPlaneGaussian has it.
-vec3 lichenTriplanarGaussian(sampler2D image, LichenTriplanar at, LichenNoise noise, LichenMap map,
-                             LichenTexton texton, out float lost) {
+vec3 lichenTriplanarGaussian(sampler2D image, sampler3D table, LichenTriplanar at,
+                             LichenNoise noise, LichenMap map, LichenMap here,
+                             LichenTexton texton, out vec3 lost) {
   // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
   // distribution.
   vec3 blend = vec3(0.0);
-  lost = 0.0;
+  lost = vec3(0.0);
   // A loop, in which pixels of other planes run together, and devices without a skip of branches
   // stop when none of them has more.
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    float lostOfPlane;
-    vec3 gaussian = lichenPlaneGaussian(image, plane, noise, map, texton, lostOfPlane);
+    vec3 lostOfPlane;
+    vec3 gaussian =
+        lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lostOfPlane);
     blend += plane.weight * (gaussian - 0.5);
     lost += plane.weight * plane.weight * lostOfPlane;
     ++rank;
@@ -108,24 +113,24 @@ vec3 lichenTriplanarGaussian(sampler2D image, LichenTriplanar at, LichenNoise no
 /// footprint hides. Slopes are decoded plane by plane: a joint table knows them as they lie in the
 /// exemplar, and those of three planes point in other directions.
 vec4 lichenTriplanarSlopes(sampler2D image, sampler3D table, LichenTriplanar at, LichenNoise noise,
-                           LichenMap map, LichenTexton texton) {
+                           LichenMap map, LichenMap here, LichenTexton texton) {
   vec4 blend = vec4(0.0);
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    float lost;
-    vec3 gaussian = lichenPlaneGaussian(image, plane, noise, map, texton, lost);
-    float scaled = noise.contrast * noise.contrast * lost;
+    vec3 lost;
+    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+    vec3 scaled = noise.contrast * noise.contrast * lost;
     vec3 slopes;
 #ifndef LICHEN_OMIT_TEXTONS
     if (lichenIsTexton(noise)) {
-      slopes = lichenDecodeGaussian(gaussian, scaled, map).xyz;
+      slopes = lichenDecodeGaussian(gaussian, scaled, here).xyz;
     } else
 #endif
     {
-      slopes = lichenTilingDecode(table, gaussian, scaled, map).xyz;
+      slopes = lichenTilingDecode(table, gaussian, scaled.x, map).xyz;
       float level = lichenTilingLevel(plane.taps, noise, map);
-      slopes.z *= lichenTilingFootprintShare(level, lost, map);
+      slopes.z *= lichenTilingFootprintShare(level, lost.x, map);
     }
     // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
     // slant, and its cosine's square along it.
@@ -138,30 +143,41 @@ vec4 lichenTriplanarSlopes(sampler2D image, sampler3D table, LichenTriplanar at,
   return blend;
 }
 
-/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
-/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
-/// footprint hides. `mixWeight` is that of the point; all impacts of all planes have it.
-vec4 lichenTriplanarValue(sampler2D image, sampler3D table, LichenTriplanar at, float mixWeight,
-                          LichenNoise noise, LichenMap map, LichenTexton texton) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise) && lichenIsMix(texton)) {
-    at.plane0.impacts.mixWeight = mixWeight;
-    at.plane1.impacts.mixWeight = mixWeight;
-    at.plane2.impacts.mixWeight = mixWeight;
-    map = lichenMixedMap(table, at.plane0.impacts, map, texton);
-  }
-#endif
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
-    return lichenTriplanarSlopes(image, table, at, noise, map, texton);
-  float lost;
-  vec3 gaussian = lichenTriplanarGaussian(image, at, noise, map, texton, lost);
-  // Contrast scales what is missing with what is there.
-  float scaled = noise.contrast * noise.contrast * lost;
+/// The map at the place in a mix that all planes share; without a mix, as it is.
+LichenMap lichenTriplanarMap(sampler3D table, LichenTriplanar at, LichenNoise noise, LichenMap map,
+                             LichenTexton texton) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
-    return lichenDecodeGaussian(gaussian, scaled, map);
+    return lichenMixedMap(table, at.plane0.impacts, map, texton);
 #endif
-  return lichenTilingDecode(table, gaussian, scaled, map);
+  return map;
+}
+
+/// The place in a mix, of all impacts of all planes.
+void lichenSetTriplanarMix(inout LichenTriplanar at, float mixWeight) {
+  at.plane0.impacts.mixWeight = mixWeight;
+  at.plane1.impacts.mixWeight = mixWeight;
+  at.plane2.impacts.mixWeight = mixWeight;
+}
+
+/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
+/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
+/// footprint hides. `mixWeight` is that of the point.
+vec4 lichenTriplanarValue(sampler2D image, sampler3D table, LichenTriplanar at, float mixWeight,
+                          LichenNoise noise, LichenMap map, LichenTexton texton) {
+  lichenSetTriplanarMix(at, mixWeight);
+  LichenMap here = lichenTriplanarMap(table, at, noise, map, texton);
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return lichenTriplanarSlopes(image, table, at, noise, map, here, texton);
+  vec3 lost;
+  vec3 gaussian = lichenTriplanarGaussian(image, table, at, noise, map, here, texton, lost);
+  // Contrast scales what is missing with what is there.
+  vec3 scaled = noise.contrast * noise.contrast * lost;
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    return lichenDecodeGaussian(gaussian, scaled, here);
+#endif
+  return lichenTilingDecode(table, gaussian, scaled.x, map);
 }
 
 #endif

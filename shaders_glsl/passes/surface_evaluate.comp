@@ -12,8 +12,9 @@
 #include "../lichen.glsl"
 
 const int kValue = 0;
-const int kGaussian = 1; // the Gaussian value, lost variance in alpha
+const int kGaussian = 1; // the Gaussian value; 1
 const int kImpacts = 2;  // how many reach the point, in all components
+const int kLost = 3;     // the share of the variance that filtering loses of each channel; 0
 layout(constant_id = 0) const int kQuantity = kValue;
 
 // The tangent's w is glTF's, the others' the place in a mix: of the gradients and the normal its
@@ -41,10 +42,13 @@ void main() {
   if (point.position.w != 0.0)
     lichenSetMix(place.impacts, point.gradientX.w, vec2(point.gradientY.w, point.normal.w));
   LichenMap here = lichenMixedMap(lichenTable0, place.impacts, map, texton);
+  LichenKept kept = lichenTextonKept(lichenTable0, place.impacts, map, texton);
   if (kQuantity == kGaussian)
     values[index] = vec4(lichenSurfaceTextonGaussian(lichenImage0, place.impacts, place.surface,
-                                                     noise, here, texton),
-                         lichenTextonLostVariance(place.impacts, here));
+                                                     kept, noise, here, texton),
+                         1.0);
+  else if (kQuantity == kLost)
+    values[index] = vec4(1.0 - kept.seen, 0.0);
   else if (kQuantity == kImpacts)
     values[index] = vec4(float(lichenSurfaceImpactCount(place.surface, noise, texton)));
   else

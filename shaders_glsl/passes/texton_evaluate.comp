@@ -12,9 +12,10 @@
 #include "../lichen.glsl"
 
 const int kValue = 0;
-const int kGaussian = 1; // the Gaussian value, lost variance in alpha
+const int kGaussian = 1; // the Gaussian value; 1
 const int kGradient = 2; // stored value of the first channel, its derivatives per tile; 0
 const int kImpacts = 3;  // how many reach the point, in all components
+const int kLost = 4;     // the share of the variance that filtering loses of each channel; 0
 layout(constant_id = 0) const int kQuantity = kValue;
 
 struct Point {
@@ -51,9 +52,12 @@ void main() {
   if (point.mixPlace.w != 0.0)
     lichenSetMix(place.impacts, point.mixPlace.x, point.mixPlace.yz);
   LichenMap here = lichenMixedMap(lichenTable0, place.impacts, map, texton);
+  LichenKept kept = lichenTextonKept(lichenTable0, place.impacts, map, texton);
   if (kQuantity == kGaussian)
-    values[index] = vec4(lichenTextonGaussian(lichenImage0, place.impacts, noise, here, texton),
-                         lichenTextonLostVariance(place.impacts, here));
+    values[index] =
+        vec4(lichenTextonGaussian(lichenImage0, place.impacts, kept, noise, here, texton), 1.0);
+  else if (kQuantity == kLost)
+    values[index] = vec4(1.0 - kept.seen, 0.0);
   else if (kQuantity == kGradient)
     values[index] = gradientAt(point);
   else if (kQuantity == kImpacts)

@@ -12,7 +12,7 @@
 #include "../lichen.glsl"
 
 const int kValue = 0;
-const int kGaussian = 1; // the Gaussian value, lost variance in alpha
+const int kGaussian = 1; // the Gaussian value, the first channel's lost variance in alpha
 const int kWeights = 2;  // of the planes that look along x, y, z; how many count
 layout(constant_id = 0) const int kQuantity = kValue;
 
@@ -41,10 +41,13 @@ void main() {
     values[index] =
         vec4(lichenPlaneWeights(point.normal.xyz, noise), float(place.triplanar.count));
   } else if (kQuantity == kGaussian) {
-    float lost;
-    vec3 gaussian = lichenTriplanarGaussian(lichenImage0, place.triplanar, noise,
-                                            lichenUniforms.maps[0], texton, lost);
-    values[index] = vec4(gaussian, lost);
+    lichenSetTriplanarMix(place.triplanar, place.impacts.mixWeight);
+    LichenMap map = lichenUniforms.maps[0];
+    LichenMap here = lichenTriplanarMap(lichenTable0, place.triplanar, noise, map, texton);
+    vec3 lost;
+    vec3 gaussian = lichenTriplanarGaussian(lichenImage0, lichenTable0, place.triplanar, noise,
+                                            map, here, texton, lost);
+    values[index] = vec4(gaussian, lost.x);
   } else {
     values[index] = LICHEN_NOISE(0, place);
   }

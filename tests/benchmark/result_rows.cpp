@@ -63,7 +63,7 @@ std::vector<LinearImage> resultMaps(const Bundle& bundle, const std::vector<MapE
     options.width = kExemplarsASide * set.front().width;
     options.height = kExemplarsASide * set.front().height;
     options.map = map.target;
-    options.seed = seed;
+    options.material.seed = seed;
     images.push_back(require(synthesize(bundle, options)));
   }
   return images;

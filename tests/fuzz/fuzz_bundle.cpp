@@ -66,7 +66,8 @@ void checkTexton(const NoiseMap& map, const TextonShape& shape, const Table& ima
     require(areFinite(step.mean) && areFinite(step.covariance) && areFinite(step.mipLoss),
             "a number of a step that is not finite");
   }
-  require(map.mipLoss.size() >= image.mipLevels && map.mipLoss.size() <= kMaxTextonLosses,
+  require(map.mipLoss.size() % n == 0 && map.mipLoss.size() >= n * image.mipLevels &&
+              map.mipLoss.size() <= n * kMaxTextonLosses,
           "number of a texton's losses");
   require(!map.inverseTable && map.levels.empty(), "an inverse table of a texton");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shader's integer hash, lattice and distribution function against C++.
+// The shader's integer hash, lattices and distribution function against C++.
 #include "compute_run.h"
 #include "require_device.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 using Words = std::array<std::uint32_t, 4>;
 
-enum Function { kHash, kTriangle, kCdf, kFloorDivide };
+enum Function { kHash, kTriangle, kCdf, kFloorDivide, kCellNumber };
 
 /// Three answers for each question.
 std::vector<Words> ask(Function function, const std::vector<Words>& questions) {
@@ -120,5 +120,34 @@ TEST_CASE("division that rounds down is exact below 2^22") {
       const double value = double(std::int32_t(questions[k][c]));
       const double expected = std::floor(value / double(questions[k][3]));
       REQUIRE(double(std::int32_t(answers[3 * k][c])) == expected);
+    }
+}
+
+TEST_CASE("a texton's cell has its exact number in any period, as far as floats hold cells") {
+  // Up to 2^28 tiles of 2^19 cells, the most that placements and grids have between them; a period
+  // of few cells is never of so fine a grid.
+  constexpr int kMostBits = 47, kMostBitsOfFewCells = 44;
+  constexpr std::uint32_t kFewCells = 8;
+  std::mt19937 generator(4u);
+  const auto cellBits = [&](std::uint32_t period) { // whole, of any magnitude and either sign
+    const int most = period != 0 && period < kFewCells ? kMostBitsOfFewCells : kMostBits;
+    const float mantissa = float(0x800000u | (generator() & 0x7fffffu));
+    const int exponent = int(generator() % std::uint32_t(most)) + 1 - 24;
+    const float cell = std::trunc(std::ldexp(mantissa, exponent));
+    return std::bit_cast<std::uint32_t>(generator() % 2 == 0 ? cell : -cell);
+  };
+  std::vector<Words> questions;
+  for (const std::uint32_t period : {0u, 1u, 3u, 7u, 64u, 1000u, 76029u, (1u << 24) - 3u,
+                                     226859u * 1000u, (1u << 29) - 1u, 1u << 29})
+    for (int k = 0; k < 2000; ++k)
+      questions.push_back({cellBits(period), cellBits(period), cellBits(period), period});
+  const std::vector<Words> answers = ask(kCellNumber, questions);
+  for (std::size_t k = 0; k < questions.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto cell = std::int64_t(std::bit_cast<float>(questions[k][c]));
+      const std::int64_t modulus =
+          questions[k][3] == 0 ? std::int64_t(1) << 32 : std::int64_t(questions[k][3]);
+      INFO("cell " << cell << ", period " << questions[k][3]);
+      REQUIRE(std::int64_t(answers[3 * k][c]) == (cell % modulus + modulus) % modulus);
     }
 }

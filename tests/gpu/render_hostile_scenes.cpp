@@ -16,6 +16,30 @@ using nlohmann::json;
 
 namespace {
 
+/// Skins the triangle to its own node, whose place it keeps.
+void addSkin(GltfScene& scene) {
+  const std::vector<std::uint16_t> joints(3 * 4, 0);
+  const std::vector<float> weights{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  const std::vector<float> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  json& accessors = scene.json["accessors"];
+  const std::size_t first = accessors.size();
+  const auto add = [&](std::span<const std::byte> bytes, int component, const char* type,
+                       int count) {
+    accessors.push_back({{"bufferView", scene.addView(bytes)},
+                         {"componentType", component},
+                         {"type", type},
+                         {"count", count}});
+  };
+  add(std::as_bytes(std::span(joints)), 5123, "VEC4", 3);
+  add(std::as_bytes(std::span(weights)), 5126, "VEC4", 3);
+  add(std::as_bytes(std::span(identity)), 5126, "MAT4", 1);
+  json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = first;
+  attributes["WEIGHTS_0"] = first + 1;
+  scene.json["skins"] = {{{"joints", {0}}, {"inverseBindMatrices", first + 2}}};
+  scene.json["nodes"][0]["skin"] = 0;
+}
+
 /// A scene with one of everything that has indices.
 GltfScene fullScene() {
   GltfScene scene = triangleScene();
@@ -29,7 +53,11 @@ GltfScene fullScene() {
   scene.addSun(3.0f);
   scene.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
       scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
-  scene.json["skins"] = {{{"joints", {0}}}};
+  nlohmann::json& mesh = scene.json["meshes"][0];
+  const std::size_t normals = mesh["primitives"][0]["attributes"]["NORMAL"];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", normals}}};
+  mesh["weights"] = {0.5};
+  addSkin(scene);
   return scene;
 }
 
@@ -47,6 +75,10 @@ const std::vector<Fault> kFaults{
      [](GltfScene& s) { s.json["asset"]["minVersion"] = "2.1"; }},
     {"an unknown required extension", "KHR_draco_mesh_compression",
      [](GltfScene& s) { s.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
+    {"geometry that meshoptimizer has packed", "EXT_meshopt_compression",
+     [](GltfScene& s) { s.json["extensionsRequired"] = {"EXT_meshopt_compression"}; }},
+    {"textures in KTX2", "KHR_texture_basisu",
+     [](GltfScene& s) { s.json["extensionsRequired"] = {"KHR_texture_basisu"}; }},
     {"nodes that are no array", "/nodes", [](GltfScene& s) { s.json["nodes"] = 3; }},
     {"a node that is no object", "/nodes/0", [](GltfScene& s) { s.json["nodes"][0] = "x"; }},
     {"a buffer longer than its chunk", "/buffers/0",
@@ -259,7 +291,50 @@ const std::vector<Fault> kFaults{
      }},
     {"a joint that is not there", "/skins/0/joints/0",
      [](GltfScene& s) { s.json["skins"][0]["joints"] = {40}; }},
-    {"no triangles", "no triangles", [](GltfScene& s) { s.json["scenes"][0]["nodes"] = {1}; }},
+    {"a skin without joints", "/skins/0", [](GltfScene& s) { s.json["skins"][0].erase("joints"); }},
+    {"joints of floats", "/meshes/0/primitives/0/attributes/JOINTS_0",
+     [](GltfScene& s) {
+       json& attributes = s.json["meshes"][0]["primitives"][0]["attributes"];
+       attributes["JOINTS_0"] = attributes["WEIGHTS_0"];
+     }},
+    {"weights of two components", "/meshes/0/primitives/0/attributes/WEIGHTS_0",
+     [](GltfScene& s) { s.json["accessors"][4]["type"] = "VEC2"; }},
+    {"a vertex of a joint outside the skin", "joint 7 is not accepted",
+     [](GltfScene& s) {
+       const auto view = s.json["accessors"][3]["bufferView"].get<std::size_t>();
+       s.binary[s.json["bufferViews"][view]["byteOffset"].get<std::size_t>()] = std::byte{7};
+     }},
+    {"a skin of fewer matrices than joints", "/skins/0",
+     [](GltfScene& s) {
+       s.json["skins"][0]["joints"] = {0, 1};
+     }},
+    {"a joint outside the scene", "/skins/0/joints/0",
+     [](GltfScene& s) {
+       s.json["skins"][0]["joints"] = {s.json["nodes"].size()};
+       s.json["nodes"].push_back(json::object());
+     }},
+    {"a skin that is not there", "/nodes/0/skin",
+     [](GltfScene& s) { s.json["nodes"][0]["skin"] = 3; }},
+    {"a morph target of two components", "/meshes/0/primitives/0/targets/0/POSITION",
+     [](GltfScene& s) {
+       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
+           s.addFloats({0, 0, 0, 0, 0, 0}, 2);
+     }},
+    {"a morph target of another count", "/meshes/0/primitives/0/targets/0/POSITION",
+     [](GltfScene& s) {
+       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
+           s.addFloats({0, 0, 0, 0, 0, 0}, 3);
+     }},
+    {"a weight that is a string", "/meshes/0/weights/0",
+     [](GltfScene& s) { s.json["meshes"][0]["weights"] = {"x"}; }},
+    {"a weight that moves vertices out of the floats", "beyond what a float can hold",
+     [](GltfScene& s) {
+       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
+           s.addFloats({3e38f, 0, 0, 0, 0, 0, 0, 0, 0}, 3);
+       s.json["meshes"][0]["weights"] = {1e30};
+     }},
+    {"nothing to draw", "no triangles, lines or points",
+     [](GltfScene& s) { s.json["scenes"][0]["nodes"] = {1}; }},
 };
 
 } // namespace

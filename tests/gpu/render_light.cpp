@@ -4,6 +4,7 @@
 #include "lighting.h"
 #include "shaders/scene_interface.h"
 #include "sky.h"
+#include "sky_cache.h"
 
 #include <catch2/catch.hpp>
 
@@ -190,4 +191,18 @@ TEST_CASE("an environment file is all the light of a scene without lights") {
   CHECK(lighting.lights.empty());
   CHECK(lighting.skyIrradiance == 0.0f);
   CHECK(arrangeLights(Scene(), {}, false).hasSun);
+}
+
+TEST_CASE("a sky is kept while its light stays the same, and made anew when that changes") {
+  SkyCache skies;
+  const glm::vec3 above(0.0f, 1.0f, 0.0f);
+  const glm::vec3 sunlight(3.0f);
+  const auto diffuse = [&](float irradiance) {
+    return skies.under(above, sunlight, irradiance).environment.diffuse.texels;
+  };
+  const std::vector<glm::vec3> bright = diffuse(1.0f);
+  CHECK(diffuse(1.0f) == bright);
+  const std::vector<glm::vec3> dim = diffuse(0.5f);
+  for (std::size_t i = 0; i < dim.size(); ++i)
+    CHECK(dim[i] != bright[i]);
 }

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numeric>
+
 using namespace lichen;
 using namespace lichen::test;
 using nlohmann::json;
@@ -96,6 +98,47 @@ TEST_CASE("a strip counts as the triangles that it becomes") {
   const Error error = refusalOf(folder, scene);
   CHECK(error.kind == ErrorKind::resources);
   CHECK(error.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
+}
+
+TEST_CASE("a point counts as the solid that it becomes") {
+  const TemporaryFolder folder;
+  GltfScene scene = triangleScene();
+  const std::size_t count = renderer::kMaxSceneVertices / 50;
+  scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+  scene.json["meshes"][0]["primitives"] = {
+      {{"attributes", {{"POSITION", scene.json["accessors"].size() - 1}}}, {"mode", 0}}};
+  CHECK(refusalOf(folder, scene).kind == ErrorKind::resources);
+}
+
+TEST_CASE("a small file that deforms without end is refused for its size") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kTargets = 1000;
+  const std::size_t count = renderer::kMaxSceneVertices / kTargets;
+  GltfScene targets = triangleScene();
+  targets.json["accessors"].push_back(
+      {{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+  const std::size_t zeros = targets.json["accessors"].size() - 1;
+  json& mesh = targets.json["meshes"][0];
+  mesh["primitives"] = {{{"attributes", {{"POSITION", zeros}}},
+                         {"targets", json(std::vector<json>(kTargets, {{"POSITION", zeros}}))}}};
+  mesh["weights"] = std::vector<int>(kTargets, 1);
+  const Error passes = refusalOf(folder, targets);
+  CHECK(passes.kind == ErrorKind::resources);
+  CHECK(passes.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
+
+  // Each node that deforms a mesh has vertices of its own, if it has any.
+  GltfScene nodes = triangleScene();
+  constexpr std::size_t kNodes = 1024;
+  json primitive{{"attributes", json::object()}};
+  nodes.json["meshes"][0]["primitives"] =
+      json(std::vector<json>(renderer::kMaxSceneInstances / kNodes + 1, primitive));
+  nodes.json["nodes"] = json(std::vector<json>(kNodes, {{"mesh", 0}, {"weights", {1}}}));
+  std::vector<std::size_t> all(kNodes);
+  std::iota(all.begin(), all.end(), 0u);
+  nodes.json["scenes"][0]["nodes"] = all;
+  const Error loads = refusalOf(folder, nodes);
+  CHECK(loads.kind == ErrorKind::resources);
+  CHECK(loads.message.find(std::to_string(renderer::kMaxSceneInstances)) != std::string::npos);
 }
 
 TEST_CASE("a buffer is read from inside the scene's folder only, by whatever way") {

@@ -28,7 +28,7 @@ struct Square {
     use.seed = 3;
   }
 
-  [[nodiscard]] LinearImage picture(const char* view, bool fromBehind = false) const {
+  [[nodiscard]] GltfScene scene(bool fromBehind = false) const {
     GltfScene scene(encodeGlb(file).value());
     scene.json["materials"][0]["doubleSided"] = fromBehind;
     const std::size_t positions = scene.addFloats({-4, -4, 0, 4, -4, 0, 4, 4, 0, -4, 4, 0}, 3);
@@ -45,9 +45,13 @@ struct Square {
          {"rotation", {0, 0, std::sin(kTurn / 2), std::cos(kTurn / 2)}},
          {"scale", {0.5, 0.5, 0.5}}});
     scene.addCamera(kDistance, kFieldOfView);
+    return scene;
+  }
+
+  [[nodiscard]] LinearImage picture(const char* view, bool fromBehind = false) const {
     renderer::RenderSettings settings = settingsOf(kSide, kSide, 1);
     settings.debugView = view;
-    return render(scene.glb(), settings);
+    return render(scene(fromBehind).glb(), settings);
   }
 
   /// Where a pixel sees the square, in the world.
@@ -112,4 +116,30 @@ TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent")
         REQUIRE(double(picture.pixel(x, y)[c]) ==
                 Approx(0.5 + 0.5 * normal[c]).margin(1.0 / 255.0));
     }
+}
+
+TEST_CASE("a mesh without tangents under noise that lies along them is named once") {
+  GltfScene scene = Square({.wholeFloats = true}).scene();
+  scene.json["meshes"][0]["name"] = "wall";
+  scene.json["materials"][0]["name"] = "moss";
+  const auto notesOf = [&] {
+    const TemporaryFolder folder;
+    const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+    REQUIRE(read.ok());
+    return read.value().notes;
+  };
+  CHECK(notesOf().empty());
+  nlohmann::json& primitives = scene.json["meshes"][0]["primitives"];
+  primitives[0]["attributes"].erase("TANGENT");
+  primitives.push_back(primitives[0]);
+  CHECK(notesOf() == std::vector<std::string>{
+                         "/meshes/0 \"wall\" has no TANGENT, along which the noise of its material "
+                         "\"moss\" lies; any direction is taken, lichen apply finds good ones"});
+  // From the texture coordinates of a normal texture tangents are made.
+  const auto texture = scene.addChecker(2, {0.5f, 0.5f, 1.0f}, {0.5f, 0.5f, 1.0f});
+  scene.json["materials"][0]["normalTexture"] = {{"index", texture}};
+  CHECK(notesOf().size() == 1);
+  for (nlohmann::json& primitive : primitives)
+    primitive["attributes"]["TEXCOORD_0"] = scene.addFloats({0, 1, 1, 1, 1, 0, 0, 0}, 2);
+  CHECK(notesOf().empty());
 }

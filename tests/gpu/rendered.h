@@ -22,6 +22,8 @@ inline renderer::RenderSettings settingsOf(std::uint32_t width, std::uint32_t he
   settings.width = width;
   settings.height = height;
   settings.frames = frames;
+  static renderer::SkyCache skies; // most pictures have the same sun
+  settings.skies = &skies;
   return settings;
 }
 

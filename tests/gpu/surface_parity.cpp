@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Texton noise on surfaces in the shader, through the plugin, against the CPU twin, and both
 // against an oracle that sums all impacts of a large box in double precision.
-#include "plugin_host.h"
-#include "require_device.h"
 #include "surface_reference.h"
-#include "synthetic_texton.h"
 #include "texton_reference.h"
-
-#include <lichen/texton_evaluate.h>
+#include "texton_twins.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,8 +16,9 @@ using namespace lichen::test;
 
 namespace {
 
-/// As surface_evaluate.comp has them.
-enum Quantity { kValue, kGaussian, kImpacts };
+constexpr const char* kPass = "surface_evaluate.comp";
+/// As it has them.
+enum Quantity { kValue, kGaussian, kImpacts, kLost };
 
 /// As surface_evaluate.comp reads it.
 struct SurfacePoint {
@@ -137,26 +134,6 @@ MixPlace mixOf(const SurfacePoint& point) {
   return {point.gradientX[3], {point.gradientY[3], point.normal[3]}};
 }
 
-/// A device, a noise on it and its twin.
-struct Twins {
-  explicit Twins(const SyntheticTexton& texton) : Twins(syntheticTextonGlb(texton)) {}
-  explicit Twins(const std::vector<std::byte>& glb)
-      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb),
-        twin(TextonEvaluator::create(bundle, 0).value()) {}
-  ~Twins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
-
-  std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
-                                           const std::vector<SurfacePoint>& points) {
-    static const std::vector<std::uint32_t> committed = committedShader("surface_evaluate.comp");
-    return host.evaluate(committed, quantity, info, points);
-  }
-
-  std::unique_ptr<HeadlessDevice> device = requireDevice();
-  Bundle bundle;
-  PluginHost host;
-  TextonEvaluator twin;
-};
-
 } // namespace
 
 TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1024 and all within "
@@ -166,22 +143,26 @@ TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1
         SyntheticTexton{
             .coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
         SyntheticTexton{.order = 3, .channels = 1}, SyntheticTexton{.steps = 3, .channels = 1}}) {
-    Twins twins(texton);
+    TextonTwins twins(kPass, texton);
     const std::vector<SurfacePoint> points = samplePoints(texton, 250);
     int uniforms = 0;
     for (const LichenUniformInfo& info : manyUniforms()) {
       const auto values = twins.shader(kValue, info, points);
       const auto gaussians = twins.shader(kGaussian, info, points);
+      const auto lost = twins.shader(kLost, info, points);
       const shader::LichenUniforms& u = twins.host.uniforms();
       double largest = 0.0, beyond = 0.0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SurfaceFootprint at = footprintOf(points[k]);
         const auto value = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
         const auto gaussian = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto expectedLost =
+            twins.twin.lostVariance(0, u.noise, u.texton, at, mixOf(points[k]));
         for (std::size_t c = 0; c < 4; ++c) {
           double error = std::abs(double(values[k][c]) - double(value[c]));
-          if (c < std::size_t(texton.channels) || c == 3)
-            error = std::max(error, std::abs(double(gaussians[k][c]) - double(gaussian[c])));
+          if (c < std::size_t(texton.channels))
+            error = std::max({error, std::abs(double(gaussians[k][c]) - double(gaussian[c])),
+                              std::abs(double(lost[k][c]) - double(expectedLost[c]))});
           largest = std::max(largest, error);
           beyond += error > 1.0 / 1024.0 ? 1.0 / (4.0 * double(points.size())) : 0.0;
         }
@@ -199,7 +180,7 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
        {std::pair{0, 1}, std::pair{1, 1}, std::pair{1, 3}, std::pair{3, 1}})
     for (const std::uint32_t mip : {0u, 1u, 2u}) {
       const SyntheticTexton texton{.order = order, .steps = steps, .wholeFloats = true};
-      Twins twins(texton);
+      TextonTwins twins(kPass, texton);
       std::vector<SurfacePoint> points = samplePoints(texton, 16);
       LichenUniformInfo info = surfaceUniformInfo();
       info.overrides |=
@@ -254,7 +235,7 @@ TEST_CASE("on a surface the constant weight of a mix is the material's") {
   const SyntheticTexton texton{.steps = 5, .channels = 1};
   BundleFile file = syntheticTextonBundle(texton);
   file.bundle.materials[0]->mix.weight = 0.6;
-  Twins twins(encodeGlb(file).value());
+  TextonTwins twins(kPass, encodeGlb(file).value());
   std::vector<SurfacePoint> points = samplePoints(texton, 100);
   for (SurfacePoint& point : points)
     point.position[3] = 0.0f; // its weight and derivatives are then not read
@@ -271,7 +252,7 @@ TEST_CASE("on a surface the constant weight of a mix is the material's") {
 
 TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") {
   const SyntheticTexton texton;
-  Twins twins(texton);
+  TextonTwins twins(kPass, texton);
   std::vector<SurfacePoint> points = samplePoints(texton, 400);
   for (SurfacePoint& point : points)
     point.gradientX = point.gradientY = {};
@@ -288,7 +269,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
 }
 
 TEST_CASE("a period is refused for noise on a surface") {
-  Twins twins(SyntheticTexton{});
+  TextonTwins twins(kPass, SyntheticTexton{});
   LichenUniformInfo info = surfaceUniformInfo();
   info.periodTiles[0] = info.periodTiles[1] = 2.0;
   LichenDiagnostic diagnostic;

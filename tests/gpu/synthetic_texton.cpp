@@ -85,20 +85,21 @@ double trace(const std::vector<double>& matrix, std::size_t n) {
   return sum;
 }
 
-/// The mean over the channels of the share of the variance that a bilinear fetch of each mip loses,
-/// as the order's own fetch at the first.
+/// The share of each channel's variance that a bilinear fetch of each mip loses; at the first the
+/// order's own fetch.
 std::vector<double> mipLosses(Plane mip, int order) {
-  std::vector<double> losses;
+  const std::size_t n = mip.channels;
+  std::vector<double> losses(n * kMaxTextonLosses, 0.0);
   const std::vector<double> whole = quadraticForm(mip, order, 0, 0);
   double texelArea = 1.0;
-  for (std::size_t level = 0; level < kMaxTextonLosses; ++level) {
-    const std::vector<double> left = level == 0 ? whole : quadraticForm(mip, 1, 0, 0);
-    double kept = 0.0;
-    for (std::size_t i = 0; i < whole.size(); i += mip.channels + 1)
-      kept += texelArea * left[i] / whole[i] / double(mip.channels);
-    losses.push_back(std::clamp(1.0 - kept, losses.empty() ? 0.0 : losses.back(), 1.0));
+  for (std::size_t level = 1; level < kMaxTextonLosses; ++level) {
     mip = halved(mip);
     texelArea *= 4.0;
+    const std::vector<double> left = quadraticForm(mip, 1, 0, 0);
+    for (std::size_t c = 0; c < n; ++c) {
+      double* loss = &losses[c * kMaxTextonLosses + level];
+      *loss = std::clamp(1.0 - texelArea * left[c * (n + 1)] / whole[c * (n + 1)], loss[-1], 1.0);
+    }
   }
   return losses;
 }

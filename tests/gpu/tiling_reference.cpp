@@ -128,7 +128,7 @@ double meanOver(const Decode& decode, double x, double deviation) {
 
 /// Step 5: s, and what of it the mips lose at the centres of their texels.
 std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
-  const shader::uint words[] = {m.mipKept.x, m.mipKept.y, m.mipKept.z, m.mipKept.w};
+  const shader::uint words[] = {m.mipKept0.x, m.mipKept0.y, m.mipKept0.z, m.mipKept0.w};
   const auto amplitude = [&](int mip) {
     mip = std::min(mip, 15);
     return double(words[mip / 4] >> (8 * (mip % 4)) & 255u) / 255.0;

@@ -149,7 +149,7 @@ std::vector<LinearImage> resultMaps(const Bundle& bundle, std::uint32_t seed, bo
     SynthesisOptions options;
     options.width = options.height = kResultSide;
     options.map = maps[m].target;
-    options.seed = onePattern ? seed : seed + std::uint32_t(100 * m);
+    options.material.seed = onePattern ? seed : seed + std::uint32_t(100 * m);
     Result<LinearImage> image = synthesize(bundle, options);
     REQUIRE(image);
     images.push_back(std::move(image).value());
@@ -229,8 +229,7 @@ TEST_CASE("a map of few values that has nothing to do with the others stays so")
 TEST_CASE("the Gaussian values of a map on a line keep the order of its values beside others") {
   const std::vector<MapExemplar> maps = coarseSet(true);
   const Bundle bundle = bakedBundle(maps);
-  const std::vector<float> gaussian =
-      decodeLevel(bundle.tables[bundle.noises[0].maps[1].image], 0);
+  const std::vector<float> gaussian = decodeLevel(bundle.tables[bundle.noises[0].maps[1].image], 0);
   std::map<float, std::pair<float, float>> ranges; // of Gaussian values, by roughness
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);

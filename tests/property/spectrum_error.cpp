@@ -134,7 +134,7 @@ TEST_CASE("exemplars too small for a window have no spectrum, and the usual shar
   CHECK(fitMap(small, colorSpaceOf(small), {}).share == kUsualShare);
 }
 
-TEST_CASE("the share for a large map is that of its middle") {
+TEST_CASE("the share for a large map is that of its middle", "[large]") {
   // Two channels of it: a table of two axes takes less time, and one axis is always given the usual
   // share.
   MapExemplar whole = test::threeMaterials(520, 64, 7, 3);
@@ -158,6 +158,16 @@ TEST_CASE("the share for a large map is that of its middle") {
       std::swap(shuffled.values[2 * i + c], shuffled.values[2 * other + c]);
   }
   CHECK(share - fitMap(shuffled, colorSpaceOf(whole), options).share > 0.2f);
+}
+
+TEST_CASE("a large map's fit can be stopped while a share is tried on its middle") {
+  const MapExemplar large = test::threeMaterials(520, 64, 7, 3);
+  MapFitOptions options;
+  int calls = 0;
+  const Progress stop = [&](double) { return ++calls < 2; };
+  options.progress = ProgressPart(stop);
+  CHECK_THROWS_AS(fitMap(large, colorSpaceOf(large), options), Interrupted);
+  CHECK(calls == 2);
 }
 
 TEST_CASE("a fit whose first share is good enough has told of nearly all its progress") {
@@ -248,7 +258,6 @@ TEST_CASE("maps of a set share a share of the surroundings, which stays small", 
     const MapFit expected = fitMap(maps[m], colorSpaceOf(maps[m]), given);
     settled.emplace_back(maps[m], colorSpaceOf(maps[m]), expected.gaussian, expected.table);
     const TilingBake& set = bake.value();
-    CHECK(set.tables[set.noise.maps[m].image].texels ==
-          gaussianTable(expected.gaussian, 8).texels);
+    CHECK(set.tables[set.noise.maps[m].image].texels == gaussianTable(expected.gaussian, 8).texels);
   }
 }

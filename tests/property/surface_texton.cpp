@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Statistics of texton noise on surfaces as the CPU twin evaluates it, against closed forms; its
 // impacts against the specification's test vectors.
-#include "synthetic_texton.h"
 #include "texton/surface_impacts.h"
-
-#include <lichen/texton_evaluate.h>
+#include "texton_evaluation.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -39,15 +37,16 @@ struct Plane {
   Vec right{}, down{}, outward{};
 };
 
-/// A texton noise of a material of the mapping surface, and its twin.
-struct Evaluation {
-  Evaluation(const SyntheticTexton& source, MaterialNoise material, const Placement& placement = {})
-      : bundle(syntheticTextonBundle(source).bundle),
-        twin(TextonEvaluator::create(bundle, 0).value()) {
-    material.mapping = Mapping::surface;
-    noise = shaderNoise(bundle, material, placement);
-    texton = shaderTexton(bundle, material, placement);
-  }
+MaterialNoise onSurface(MaterialNoise material) {
+  material.mapping = Mapping::surface;
+  return material;
+}
+
+/// Of a material of the mapping surface.
+struct Evaluation : TextonEvaluation {
+  Evaluation(const SyntheticTexton& source, const MaterialNoise& material,
+             const Placement& placement = {})
+      : TextonEvaluation(source, onSurface(material), placement) {}
 
   /// A pixel that shows textons at this mip, at a place in texels on a plane.
   [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
@@ -71,26 +70,9 @@ struct Evaluation {
 
   /// Stored values less their mean there.
   [[nodiscard]] Vec at(const Vec& place, const Plane& plane, double level = 0.0) const {
-    const auto value = twin.gaussian(0, noise, texton, footprint(place, plane, level));
-    Vec stored{};
-    for (std::size_t c = 0; c < bundle.noises[0].maps[0].scale.size(); ++c)
-      stored[c] = (double(value[c]) - 0.5) * bundle.noises[0].maps[0].scale[c];
-    return stored;
+    return storedAt(footprint(place, plane, level));
   }
-
-  Bundle bundle;
-  TextonEvaluator twin;
-  shader::LichenNoise noise;
-  shader::LichenTexton texton;
 };
-
-MaterialNoise materialOf(PointProcess process, double impacts, std::uint32_t seed) {
-  MaterialNoise material;
-  material.pointProcess = process;
-  material.impacts = impacts;
-  material.seed = seed;
-  return material;
-}
 
 const SyntheticTexton kColour{
     .coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .wholeFloats = true};

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <materials.h>
@@ -327,16 +328,55 @@ TEST_CASE("of one support the texton is as near to the model as any, and as flat
   }
 }
 
+namespace {
+
+constexpr std::size_t kOrders = 9; // 0 to 8
+
+/// Of spot noise with points of a Poisson process, over its deviation. Campbell's theorem: of order
+/// n the intensity times sum h^n.
+std::array<double, kOrders> cumulantsOf(const TextonCoefficients& spot, double intensity) {
+  std::array<double, kOrders> cumulants{};
+  for (std::size_t n = 2; n < kOrders; ++n) {
+    for (const float value : spot.values)
+      cumulants[n] += std::pow(double(value), double(n));
+    cumulants[n] *= intensity / std::pow(intensity * energy(spot), 0.5 * double(n));
+  }
+  return cumulants;
+}
+
+/// The standard deviation of the fourth power of a variable with these cumulants.
+double fourthPowerDeviation(const std::array<double, kOrders>& cumulants) {
+  std::array<double, kOrders> moments{1.0};
+  for (std::size_t n = 1; n < kOrders; ++n) {
+    double binomial = 1.0; // n - 1 over k - 1
+    for (std::size_t k = 1; k <= n; ++k) {
+      moments[n] += binomial * cumulants[k] * moments[n - k];
+      binomial *= double(n - k) / double(k);
+    }
+  }
+  return std::sqrt(moments[8] - moments[4] * moments[4]);
+}
+
+} // namespace
+
 TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminance texton not",
           "[large]") {
-  constexpr int kSupport = 31, kSamples = 4096;
-  constexpr double kIntensity = 30.0 / (kSupport * kSupport);
+  constexpr int kSupport = 31, kSamples = 16384;
+  constexpr double kImpacts = 30.0, kIntensity = kImpacts / (kSupport * kSupport);
   // Kolmogorov's law: a normal sample is farther with the probability 2 exp(-2 * 2.47^2) = 1e-5.
   const double chance = 2.47 / std::sqrt(double(kSamples));
+  struct Judgement {
+    double distance = 0.0; // Kolmogorov's, from the normal law
+    double excess = 0.0;   // kurtosis less 3
+    double error = 0.0;    // standard error of that
+    double skewness = 0.0; // of the closed form
+  };
   for (const auto& generate : {exemplars::granite, exemplars::rust}) {
     const GaussianModel model = modelOf(generate(128));
-    const auto distance = [&](const TextonCoefficients& spot) {
+    const auto judged = [&](const TextonCoefficients& spot) {
       const TextonCoefficients luminance = luminanceOf(spot);
+      const double variance = energy(luminance);
+      Judgement judgement{.excess = -3.0};
       std::vector<double> sample;
       for (int i = 0; i < kSamples; ++i) {
         // Pixels a support apart are independent.
@@ -344,11 +384,25 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
         const NoisePlanes noise =
             discreteSpotNoise(luminance, kIntensity, pixel, 1, Summation::direct);
         sample.push_back(double(noise.values[0]));
+        judgement.excess += std::pow(sample.back(), 4) / (variance * variance * kSamples);
       }
-      return distanceToNormal(std::move(sample), energy(luminance));
+      judgement.distance = distanceToNormal(std::move(sample), variance);
+      const std::array<double, kOrders> cumulants = cumulantsOf(luminance, kIntensity);
+      judgement.error = fourthPowerDeviation(cumulants) / std::sqrt(double(kSamples));
+      judgement.skewness = cumulants[3];
+      // What the paper compares: flatness over impacts is how far the Gaussian limit is.
+      const double excess = flatness(luminance, std::vector<float>{1.0f}) / kImpacts;
+      CHECK(cumulants[4] == Approx(excess).epsilon(1e-4));
+      CHECK(std::abs(judgement.excess - excess) < 5.0 * judgement.error);
+      return judgement;
     };
-    CHECK(distance(fitCoefficients(model, spotOptions(kSupport), FitMethod::transportDistance)) <
-          chance);
-    CHECK(distance(luminanceTexton(model, kSupport, kSupport)) > 2.0 * chance);
+    const Judgement texton =
+        judged(fitCoefficients(model, spotOptions(kSupport), FitMethod::transportDistance));
+    const Judgement luminance = judged(luminanceTexton(model, kSupport, kSupport));
+    CHECK(texton.excess < 4.0 / kImpacts + 5.0 * texton.error);
+    CHECK(luminance.excess > texton.excess + 5.0 * std::hypot(texton.error, luminance.error));
+    // A law that is nearly normal is off by its skewness / 6 times |1 - x^2| phi(x), at most 0.4.
+    CHECK(texton.distance < chance + 0.4 / 6.0 * std::abs(texton.skewness));
+    CHECK(luminance.distance > 2.0 * chance);
   }
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Statistics of texton noise as the CPU twin evaluates it, against closed forms; its impacts
 // against the specification's test vectors; whole images of it.
-#include "synthetic_texton.h"
 #include "texton/impacts.h"
+#include "texton_evaluation.h"
 
 #include <lichen/synthesize.h>
-#include <lichen/texton_evaluate.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -21,19 +20,10 @@ using namespace lichen::test;
 
 namespace {
 
-/// A texton noise of one material and its twin.
-struct Evaluation {
+struct Evaluation : TextonEvaluation {
   Evaluation(const SyntheticTexton& source, PointProcess process, double impacts,
              std::uint32_t seed)
-      : bundle(syntheticTextonBundle(source).bundle),
-        twin(TextonEvaluator::create(bundle, 0).value()) {
-    MaterialNoise material;
-    material.pointProcess = process;
-    material.impacts = impacts;
-    material.seed = seed;
-    noise = shaderNoise(bundle, material, {});
-    texton = shaderTexton(bundle, material, {});
-  }
+      : TextonEvaluation(source, materialOf(process, impacts, seed)) {}
 
   /// Stored values less their mean, at a place in texels whose footprint is this mip's.
   [[nodiscard]] std::array<double, 3> at(double x, double y, double level = 0.0) const {
@@ -44,17 +34,8 @@ struct Evaluation {
     place.position = {float(x) / texton.texelsPerTileX, float(y) / texton.texelsPerTileY};
     place.dx = {pixelX, 0.0f};
     place.dy = {0.0f, pixelY};
-    const auto value = twin.gaussian(0, noise, texton, place);
-    std::array<double, 3> stored{};
-    for (std::size_t c = 0; c < bundle.noises[0].maps[0].scale.size(); ++c)
-      stored[c] = (double(value[c]) - 0.5) * bundle.noises[0].maps[0].scale[c];
-    return stored;
+    return storedAt(place);
   }
-
-  Bundle bundle;
-  TextonEvaluator twin;
-  shader::LichenNoise noise;
-  shader::LichenTexton texton;
 };
 
 const SyntheticTexton kColour{
@@ -316,7 +297,7 @@ TEST_CASE("a tileable image of texton noise moved by its origin is the same imag
   options.height = 72;
   options.tileable = true;
   for (const PointProcess process : kProcesses) {
-    options.pointProcess = process;
+    options.material.pointProcess = process;
     options.origin = {0.0, 0.0};
     const LinearImage first = synthesized(bundle, options);
     options.origin = {-20.0 + 40.0 / 64.0, 17.0 / 48.0};

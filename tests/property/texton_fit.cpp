@@ -119,31 +119,42 @@ TEST_CASE("the relative model error is its definition, for every order and odd s
   }
 }
 
-TEST_CASE("a texton is nearer to the model than the papers' algorithm finds, and has no border") {
+namespace {
+
+/// With the model's covariance, as the papers' textons have it.
+TextonCoefficients corrected(const GaussianModel& model, const FitOptions& options,
+                             FitMethod method) {
+  TextonCoefficients texton = fitCoefficients(model, options, method);
+  REQUIRE(correctCovariance(texton, options.order, modelCovariance(model)));
+  return texton;
+}
+
+} // namespace
+
+TEST_CASE(
+    "a texton of 32 or 64 texels is nearer to the model than the papers' algorithm finds, one "
+    "of 16 as near, and neither has a border") {
   // Three materials in patches of some 20 texels: slow waves that reach beyond the supports.
   const GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
-  const auto corrected = [&](const FitOptions& options, FitMethod method) {
-    TextonCoefficients texton = fitCoefficients(model, options, method);
-    REQUIRE(correctCovariance(texton, options.order, modelCovariance(model)));
-    return texton;
-  };
   struct Bound {
     int side;
     double papers;     // error over that of the papers' algorithm
     double visibility; // of the border, mean over the starts
   };
-  // Of three starts each; what starts differ by is under 0.5 %. Without the border's penalty the
-  // visibility is 0.9 and 1.2, 1.1 and 1.4, 2.5 and 2.0 for the orders 0 and 1.
-  for (const Bound& bound : {Bound{16, 1.01, 0.85}, Bound{32, 0.99, 1.05}, Bound{64, 0.995, 1.7}}) {
+  // The worst of the orders, 1.0014, 0.9836 and 0.9827, and what starts differ by, at most 0.5 %;
+  // of three starts each. Without the border's penalty the visibility is 0.9 and 1.2, 1.1 and 1.4,
+  // 2.5 and 2.0 for the orders 0 and 1.
+  for (const Bound& bound :
+       {Bound{16, 1.005, 0.85}, Bound{32, 0.988, 1.05}, Bound{64, 0.988, 1.7}}) {
     for (const int order : {0, 1, 3}) {
       double ours = 0.0, papers = 0.0, visibility = 0.0;
       for (const std::uint32_t seed : {1u, 2u, 3u}) {
         FitOptions options = support(bound.side - order, order);
         options.seed = seed;
-        const TextonCoefficients texton = corrected(options, FitMethod::transportDistance);
+        const TextonCoefficients texton = corrected(model, options, FitMethod::transportDistance);
         ours += relativeModelError(model, texton, order);
-        papers +=
-            relativeModelError(model, corrected(options, FitMethod::alternatingProjections), order);
+        papers += relativeModelError(
+            model, corrected(model, options, FitMethod::alternatingProjections), order);
         visibility += borderVisibility(texton) / 3.0;
         CHECK(flatness(texton, kLuminanceWeights) <= 4.0);
       }
@@ -152,6 +163,40 @@ TEST_CASE("a texton is nearer to the model than the papers' algorithm finds, and
       CHECK(visibility < bound.visibility);
     }
   }
+}
+
+TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the papers' algorithm "
+          "finds, whatever its support") {
+  const GaussianModel model = modelOf(threeMaterials(256, 256, 7, 6));
+  for (const int side : {16, 32, 64}) {
+    INFO("support " << side);
+    const auto error = [&](FitMethod method) {
+      return relativeModelError(model, corrected(model, support(side - 1), method), 1);
+    };
+    // TARGETS.md; 0.993, 0.995 and 0.986 measured.
+    CHECK(error(FitMethod::transportDistance) < error(FitMethod::alternatingProjections));
+  }
+}
+
+TEST_CASE("a texton of what is nearly all slower than itself has no border that is seen as cloth") {
+  // Power as the frequency to the -4: 97 % of it is slower than the support.
+  constexpr int kSide = 256;
+  GaussianModel model;
+  model.channels.push_back({kSide, kSide, {}});
+  HalfSpectrum& spectrum = model.channels[0];
+  for (int v = 0; v < kSide; ++v)
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      const double square = double(u * u + spectrum.signedRow(v) * spectrum.signedRow(v));
+      spectrum.values.emplace_back(square > 0.0 ? float(1e3 / square) : 0.0f);
+    }
+  const double ours =
+      borderVisibility(fitCoefficients(model, support(63), FitMethod::transportDistance));
+  const double papers =
+      borderVisibility(fitCoefficients(model, support(63), FitMethod::alternatingProjections));
+  // 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/019).
+  CAPTURE(ours, papers);
+  CHECK(papers > 15.0);
+  CHECK(ours < 7.0);
 }
 
 TEST_CASE("the visibility of a border is the mean step across it over that inside") {
@@ -189,14 +234,23 @@ TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
                    kLuminanceWeights) <= 4.0);
 }
 
-TEST_CASE("a support as large as the exemplar holds the model whole, in every order") {
+TEST_CASE("a support as large as the exemplar holds the model whole by the papers' algorithm, and "
+          "all but what an even texton costs by ours") {
   const GaussianModel model = modelOf(threeMaterials(24, 20, 9));
-  for (const int order : {0, 1, 3}) {
+  struct Cost {
+    int order;
+    double error;
+  };
+  // Any phases fit, but most have peaks and a border, and the limits on these leave an error:
+  // 0.022, 0.0097 and 0.0004.
+  for (const auto& [order, cost] : {Cost{0, 0.03}, Cost{1, 0.015}, Cost{3, 0.001}}) {
     FitOptions options = support(24, order);
     options.height = 20;
-    // Any phases fit, so that hardly any error is left for a quiet border.
-    CHECK(relativeModelError(model, fitCoefficients(model, options, FitMethod::transportDistance),
-                             order) < 0.03);
+    const auto error = [&, order = order](FitMethod method) {
+      return relativeModelError(model, fitCoefficients(model, options, method), order);
+    };
+    CHECK(error(FitMethod::alternatingProjections) < 1e-5); // 1.8e-7, rounding
+    CHECK(error(FitMethod::transportDistance) < cost);
   }
 }
 

@@ -173,7 +173,8 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
             noise.twin.gaussian(0, noise.parameters, noise.texton, at, {float(step) / 2.0f, {}});
         sum += double(value[0]) - 0.5;
         squares += std::pow(double(value[0]) - 0.5, 2);
-        lost = double(value[3]);
+        lost = double(noise.twin.lostVariance(0, noise.parameters, noise.texton, at,
+                                              {float(step) / 2.0f, {}})[0]);
       }
       INFO("step " << step << ", level " << level);
       const double count = kSide * kSide;

@@ -91,42 +91,49 @@ TEST_CASE("sound textons of every order, size and format have no fault") {
 
 TEST_CASE("texels that are not what the map says of them are found") {
   example::checkFaults(
-      soundFile(), {
-                       {"a texel right of the coefficients", "texton-border",
-                        [](GlbParts& p) { setTexel(p, 0, 21, 0, 0, 0x1p-10f); }},
-                       {"a texel below them", "texton-border",
-                        [](GlbParts& p) { setTexel(p, 0, 0, 18, 2, -0x1p-24f); }},
-                       {"the frame's last texel", "texton-border",
-                        [](GlbParts& p) { setTexel(p, 0, 27, 23, 1, 0.5f); }},
-                       {"a mip's texel that is no average", "texton-mips",
-                        [](GlbParts& p) { setTexel(p, 1, 5, 4, 1, 1.01f * texel(1, 5, 4, 1)); }},
-                       {"a texel of the last mip that should be 0", "texton-mips",
-                        [](GlbParts& p) { setTexel(p, 2, 6, 5, 0, 0x1p-16f); }},
-                       {"a channel of more variance than the map says", "texton-covariance",
-                        [](GlbParts& p) { scaleChannel(p, 1, 1.01f); }},
-                       {"a channel that goes against the others", "texton-covariance",
-                        [](GlbParts& p) { scaleChannel(p, 2, -1.0f); }},
-                       {"another covariance than the texels'", "texton-covariance",
-                        [](GlbParts& p) {
-                          nlohmann::json& covariance = p.map(0, 0)["covariance"];
-                          covariance[1] = covariance[3] = 0.99 * covariance[1].get<double>();
-                        }},
-                       {"a scale that is not six deviations", "texton-scale",
-                        [](GlbParts& p) {
-                          nlohmann::json& scale = p.map(0, 0)["scale"];
-                          scale[0] = 1.001 * scale[0].get<double>();
-                        }},
-                       {"a mip that loses more than the map says", "texton-mip-loss",
-                        [](GlbParts& p) {
-                          nlohmann::json& loss = p.map(0, 0)["mipLoss"];
-                          loss[1] = 0.98 * loss[1].get<double>();
-                        }},
-                       {"an average beyond the mips that loses more", "texton-mip-loss",
-                        [](GlbParts& p) {
-                          nlohmann::json& loss = p.map(0, 0)["mipLoss"];
-                          loss[4] = loss[3];
-                        }},
-                   });
+      soundFile(),
+      {
+          {"a texel right of the coefficients", "texton-border",
+           [](GlbParts& p) { setTexel(p, 0, 21, 0, 0, 0x1p-10f); }},
+          {"a texel below them", "texton-border",
+           [](GlbParts& p) { setTexel(p, 0, 0, 18, 2, -0x1p-24f); }},
+          {"the frame's last texel", "texton-border",
+           [](GlbParts& p) { setTexel(p, 0, 27, 23, 1, 0.5f); }},
+          {"a mip's texel that is no average", "texton-mips",
+           [](GlbParts& p) { setTexel(p, 1, 5, 4, 1, 1.01f * texel(1, 5, 4, 1)); }},
+          {"a texel of the last mip that should be 0", "texton-mips",
+           [](GlbParts& p) { setTexel(p, 2, 6, 5, 0, 0x1p-16f); }},
+          {"a channel of more variance than the map says", "texton-covariance",
+           [](GlbParts& p) { scaleChannel(p, 1, 1.01f); }},
+          {"a channel that goes against the others", "texton-covariance",
+           [](GlbParts& p) { scaleChannel(p, 2, -1.0f); }},
+          {"another covariance than the texels'", "texton-covariance",
+           [](GlbParts& p) {
+             nlohmann::json& covariance = p.map(0, 0)["covariance"];
+             covariance[1] = covariance[3] = 0.99 * covariance[1].get<double>();
+           }},
+          {"a scale that is not six deviations", "texton-scale",
+           [](GlbParts& p) {
+             nlohmann::json& scale = p.map(0, 0)["scale"];
+             scale[0] = 1.001 * scale[0].get<double>();
+           }},
+          {"a mip that loses more of the third channel than the map says", "texton-mip-loss",
+           [](GlbParts& p) {
+             nlohmann::json& loss = p.map(0, 0)["mipLoss"][2 * kMaxTextonLosses + 1];
+             loss = 0.98 * loss.get<double>();
+           }},
+          {"the losses of two channels, exchanged", "texton-mip-loss",
+           [](GlbParts& p) {
+             nlohmann::json& loss = p.map(0, 0)["mipLoss"];
+             for (std::size_t level = 0; level < kMaxTextonLosses; ++level)
+               std::swap(loss[level], loss[kMaxTextonLosses + level]);
+           }},
+          {"an average beyond the mips that loses more", "texton-mip-loss",
+           [](GlbParts& p) {
+             nlohmann::json& loss = p.map(0, 0)["mipLoss"];
+             loss[4] = loss[3];
+           }},
+      });
 }
 
 TEST_CASE("mips may be averages of texels before they were rounded, or after") {

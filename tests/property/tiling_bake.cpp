@@ -91,7 +91,7 @@ TEST_CASE("a bake does not depend on the number of threads") {
   CHECK(one.noise.maps[0].mipLoss == many.noise.maps[0].mipLoss);
 }
 
-TEST_CASE("the bake of a set does not depend on the number of threads") {
+TEST_CASE("the bake of a set does not depend on the number of threads", "[large]") {
   // Maps of three dimensions, two, two and one, the last of another size: in two, points are moved
   // to go with the maps before; on a line, ties are exchanged.
   const MapExemplar color = test::threeMaterials(64, 64, 22);

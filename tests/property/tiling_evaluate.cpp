@@ -291,7 +291,7 @@ TEST_CASE("a tileable image continues across all its borders as it does inside",
       double inside = 0.0;
       for (std::uint32_t seed = 1; seed <= 48; ++seed) {
         SynthesisOptions options = sized(width, height);
-        options.seed = seed;
+        options.material.seed = seed;
         openSeam += stepAfter(synthesized(options), lines - 1, columns);
         options.tileable = true;
         const LinearImage image = synthesized(options);
@@ -311,7 +311,7 @@ TEST_CASE("a tileable image continues across all its borders as it does inside",
 TEST_CASE("seeds give different patterns of one material, and no pattern repeats the exemplar") {
   const LinearImage one = synthesized(sized(256, 256));
   SynthesisOptions options = sized(256, 256);
-  options.seed = 2;
+  options.material.seed = 2;
   const LinearImage two = synthesized(options);
   const Moments a = momentsOf(one.values, 3);
   const Moments b = momentsOf(two.values, 3);
@@ -353,7 +353,7 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
   options.map = MapTarget::height;
   CHECK(refused(options));
   options = sized(8, 8);
-  options.noise = 3;
+  options.material.noise = 3;
   CHECK(refused(options));
   for (const double texels : {1e-40, 1e-4, -1.0, 1e30, std::nan("")}) {
     options = sized(8, 8);
@@ -362,12 +362,12 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
   }
   for (const double sharpness : {0.0, 1000.0, std::nan("")}) {
     options = sized(8, 8);
-    options.blendSharpness = sharpness;
+    options.material.blendSharpness = sharpness;
     CHECK(refused(options));
   }
   for (const double contrast : {-0.1, 4.1, std::nan("")}) {
     options = sized(8, 8);
-    options.contrast = contrast;
+    options.material.contrast = contrast;
     CHECK(refused(options));
   }
   options = sized(63, 128); // under half of the tile's 128 texels

@@ -109,7 +109,7 @@ TEST_CASE("on every slab shown and hidden variance of the slopes add up to the e
       for (int s = 0; s < kSamples; ++s) {
         const std::array<float, 3> g{float(0.5 + kept * deviate(random) / 6.0),
                                      float(0.5 + kept * deviate(random) / 6.0), 0.5f};
-        const std::array<float, 4> value = flatAcross ? onLine(g) : inPlane(g);
+        const TableValue value = flatAcross ? onLine(g) : inPlane(g);
         for (std::size_t c = 0; c < 3; ++c) {
           sum[c] += double(value[c]) / kSamples;
           squares[c] += double(value[c]) * double(value[c]) / kSamples;

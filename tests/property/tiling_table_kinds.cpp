@@ -310,7 +310,8 @@ TEST_CASE(
   CHECK(bakedWith(dark, options).noises[0].maps[0].tableBasis.empty());
 }
 
-TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in any case") {
+TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in any case",
+          "[large]") {
   MapExemplar grey = test::threeMaterials(48, 48, 2);
   for (std::size_t i = 0; i < grey.values.size(); ++i)
     grey.values[i] = grey.values[i - i % 3];

@@ -118,16 +118,16 @@ Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map)
             map.scale[c] * map.scale[d] *
             product(frame, width, stored, {std::min(c, d), std::max(c, d)}, shape.order);
   // Losses of the mips and of one average more, by bilinear interpolation.
-  map.mipLoss = {0.0};
+  const std::size_t levels = std::size_t(shape.mipLevels) + 1;
+  map.mipLoss.assign(n * levels, 0.0);
   std::vector<double> mip = frame;
   double area = 1.0;
-  for (std::size_t level = 1; level <= std::size_t(shape.mipLevels); ++level) {
+  for (std::size_t level = 1; level < levels; ++level) {
     mip = halved(mip, width >> (level - 1), stored);
     area *= 4.0;
-    double kept = 0.0;
     for (std::size_t c = 0; c < n; ++c)
-      kept += 36.0 * area * product(mip, width >> level, stored, {c, c}, 1) / double(n);
-    map.mipLoss.push_back(1.0 - kept);
+      map.mipLoss[c * levels + level] =
+          1.0 - 36.0 * area * product(mip, width >> level, stored, {c, c}, 1);
   }
   std::vector<double> image;
   for (const double share : kMixShares) {

@@ -121,13 +121,41 @@ TEST_CASE("every disagreement of a map with its texton is found") {
           {"no losses", "required", [](GlbParts& p) { p.map(1, 0).erase("mipLoss"); }},
           {"fewer losses than mips", "map-mip-loss",
            [](GlbParts& p) { p.map(1, 0)["mipLoss"] = {0.0}; }},
+          {"losses of all channels together", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = std::vector<double>(16, 0.0); }},
+          {"fewer losses than mips a channel", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = std::vector<double>(3, 0.0); }},
           {"more losses than are known", "map-mip-loss",
-           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = std::vector<double>(17, 0.0); }},
-          {"a loss at level 0", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"] = std::vector<double>(3 * 17, 0.0); }},
+          {"a loss of the first channel at level 0", "map-mip-loss",
            [](GlbParts& p) { p.map(1, 0)["mipLoss"][0] = 0.1; }},
+          {"a loss of the third channel at level 0", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"][6] = 0.1; }},
+          {"losses of the third channel that decrease", "map-mip-loss",
+           [](GlbParts& p) { p.map(1, 0)["mipLoss"][8] = 0.0; }},
           {"a texton where tiling has a Gaussian image", "required",
            [](GlbParts& p) { p.extension()["noises"][1]["method"] = "tiling"; }},
       });
+}
+
+TEST_CASE("a texton's losses that are not as many for each channel are refused with what is "
+          "accepted, as are those of channels that fall") {
+  const auto messageOf = [](const std::vector<double>& losses) {
+    GlbParts parts(soundFile());
+    parts.map(1, 0)["mipLoss"] = losses;
+    const std::vector<Finding> findings = checkBundle(parts.join());
+    const auto found = std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+      return finding.code == "map-mip-loss" &&
+             finding.pointer.find("laterSteps") == std::string::npos;
+    });
+    return found == findings.end() ? std::string() : found->message;
+  };
+  CHECK(messageOf(std::vector<double>(16, 0.0)) ==
+        "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
+  CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
+        "0.4 at 8; no less than the mip level before, 0.5, is accepted");
+  CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==
+        "0.1 at 3; 0 is accepted: level 0 loses nothing");
 }
 
 TEST_CASE("every fault of a mix's later steps is found") {
@@ -163,8 +191,12 @@ TEST_CASE("every fault of a mix's later steps is found") {
            [&](GlbParts& p) { steps(p)[1]["mipLoss"].erase(2); }},
           {"a loss at level 0", "map-mip-loss",
            [&](GlbParts& p) { steps(p)[1]["mipLoss"][0] = 0.1; }},
-          {"losses that decrease", "map-mip-loss",
-           [&](GlbParts& p) { steps(p)[1]["mipLoss"][2] = 0.0; }},
+          {"losses of all channels together", "map-mip-loss",
+           [&](GlbParts& p) {
+             steps(p)[1]["mipLoss"] = {0.0, 0.5, 0.8};
+           }},
+          {"losses of the second channel that decrease", "map-mip-loss",
+           [&](GlbParts& p) { steps(p)[1]["mipLoss"][5] = 0.0; }},
       });
 }
 

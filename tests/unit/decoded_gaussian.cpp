@@ -54,8 +54,8 @@ TEST_CASE(
     for (const double mean : {-0.05, 0.0, 0.02, 0.2, 0.5, 0.8, 1.0, 1.1})
       for (const double deviation : {0.01, 0.05, 0.1, 0.2})
         for (const float lost : {0.1f, 1.0f, 4.0f}) {
-          const auto value =
-              decodedGaussian(mapOf(mean, deviation, encoding), {0.5f, 0.5f, 0.5f}, lost);
+          const auto value = decodedGaussian(mapOf(mean, deviation, encoding), {0.5f, 0.5f, 0.5f},
+                                             {lost, 0.0f, 0.0f});
           const double hidden = deviation * std::sqrt(double(lost));
           INFO("mean " << mean << ", deviation " << deviation << ", lost " << lost);
           // The polynomial in place of the sRGB curve; of linear values rounding alone.
@@ -68,7 +68,7 @@ TEST_CASE("of logarithmic light the mean is that of its powers") {
   for (const double mean : {-0.5, 0.0, 0.3, 2.0, 8.0})
     for (const double deviation : {0.01, 0.3, 1.0}) {
       const auto value =
-          decodedGaussian(mapOf(mean, deviation, LICHEN_ENCODING_LOG2), {0.5f, 0.5f, 0.5f}, 1.0f);
+          decodedGaussian(mapOf(mean, deviation, LICHEN_ENCODING_LOG2), {0.5f, 0.5f, 0.5f}, {1.0f});
       INFO("mean " << mean << ", deviation " << deviation);
       // The midpoint rule's error at the corner, a step of 0.004 deviations wide.
       CHECK(double(value[0]) ==
@@ -80,14 +80,14 @@ TEST_CASE("where nothing is missing the value is the decoded one, and of slopes 
           "what is missing") {
   for (const shader::uint encoding : {kSrgb, kLinear, shader::uint(LICHEN_ENCODING_LOG2)})
     for (const double mean : {0.0, 0.03, 0.4, 1.0}) {
-      const auto value = decodedGaussian(mapOf(mean, 0.1, encoding), {0.5f, 0.5f, 0.5f}, 0.0f);
+      const auto value = decodedGaussian(mapOf(mean, 0.1, encoding), {0.5f, 0.5f, 0.5f}, {});
       // A deviation of 1e-6 stands for none.
       CHECK(double(value[0]) == Approx(decoded(mean, encoding)).margin(2e-6));
     }
   shader::LichenMap slopes = mapOf(0.2, 0.1, LICHEN_ENCODING_SLOPE);
   slopes.row1 = {0.0f, 1.8f, 0.0f, -0.3f};
-  const auto value = decodedGaussian(slopes, {0.5f, 0.5f, 0.5f}, 0.5f);
+  const auto value = decodedGaussian(slopes, {0.5f, 0.5f, 0.5f}, {0.5f, 0.25f, 1.0f});
   CHECK(value[0] == Approx(0.2));
   CHECK(value[1] == Approx(-0.3));
-  CHECK(value[2] == Approx(0.5 * (0.01 + 0.09) / 2.0));
+  CHECK(value[2] == Approx((0.5 * 0.01 + 0.25 * 0.09) / 2.0));
 }

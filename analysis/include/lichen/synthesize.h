@@ -19,7 +19,9 @@ inline constexpr NumberRange kTexelsPerTileRange{0x1p-10, 0x1p24};
 inline constexpr NumberRange kOriginRange{-0x1p40, 0x1p40};
 
 struct SynthesisOptions {
-  std::size_t noise = 0;
+  /// Its noise, seed, blending, contrast and impacts. Where the noise lies on a mesh, and where it
+  /// has the weight of its mix from, is not looked at.
+  MaterialNoise material;
   MapTarget map = MapTarget::baseColor;
   int width = 0;  ///< pixels, [1, 16384]
   int height = 0; ///< pixels, [1, 16384]
@@ -32,22 +34,13 @@ struct SynthesisOptions {
   /// Of a larger image every `stride`-th pixel along each axis, beginning with the first: the
   /// footprint stays that of one of its pixels. >= 1; 1 for a tileable image.
   int stride = 1;
-  std::uint32_t seed = 1;
-  bool tileable = false;       ///< opposite borders continue each other; at least half a tile
-  double blendSharpness = 1.0; ///< in kBlendSharpnessRange
-  double contrast = 1.0;       ///< in kContrastRange
+  bool tileable = false; ///< opposite borders continue each other; at least half a tile
   BlendOperator blend = BlendOperator::histogramPreserving; ///< of tiling
-  double impacts = 30.0;                                    ///< of textons, in kImpactsRange
-  PointProcess pointProcess = PointProcess::stratified;     ///< of textons
   /// Of a mix, the weight at the left and the right border, linear between; in kMixWeightRange,
   /// the same where the image is tileable.
   std::array<double, 2> mix{0.0, 0.0};
   Progress progress; ///< empty: nobody watches
 };
-
-/// The pattern of a material: its noise, seed, blending, contrast and impacts. Where its noise lies
-/// on a surface is none of it.
-[[nodiscard]] SynthesisOptions patternOf(const MaterialNoise& material);
 
 /// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
 /// footprint of one pixel. The result holds decoded values: light for colour; as many channels as

@@ -45,21 +45,33 @@ public:
                                const MixPlace& mix = {}) const;
 
   /// Before decoding: Gaussian values of mean 1/2 and, where nothing is lost, deviation 1/6; the
-  /// fourth is the share of their variance that filtering loses.
+  /// fourth is 1.
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const TileFootprint& at,
                                const MixPlace& mix = {}) const;
 
-  /// Both on a surface, with the parameters of a material of the mapping surface. Of slopes, the
-  /// value is in the tangent space that normal and tangent span but for the material's rotation.
+  /// The share of each channel's variance that filtering loses; 1 of channels that the map has not
+  /// or that do not vary.
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
+                                                  const shader::LichenTexton& texton,
+                                                  const TileFootprint& at,
+                                                  const MixPlace& mix = {}) const;
+
+  /// All three on a surface, with the parameters of a material of the mapping surface. Of slopes,
+  /// the value is in the tangent space that normal and tangent span but for the material's
+  /// rotation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
                                const MixPlace& mix = {}) const;
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
                                const MixPlace& mix = {}) const;
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
+                                                  const shader::LichenTexton& texton,
+                                                  const SurfaceFootprint& at,
+                                                  const MixPlace& mix = {}) const;
 
-  /// Both in three planes, with the parameters of a material of the mapping triplanar; the mix's
+  /// All three in three planes, with the parameters of a material of the mapping triplanar; the mix's
   /// gradient is 0. Of slopes, the value is their gradient in space, and the fourth the variance.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
@@ -67,6 +79,10 @@ public:
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
                                const MixPlace& mix = {}) const;
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
+                                                  const shader::LichenTexton& texton,
+                                                  const TriplanarFootprint& at,
+                                                  const MixPlace& mix = {}) const;
 
   /// The stored value of the map's first channel, not clamped, and its derivatives along x and y,
   /// per tile.
@@ -78,7 +94,7 @@ public:
 private:
   struct Map;
   static Value decoded(const Map& map, const shader::LichenNoise& noise, const Value& gaussian,
-                       const MixPlace& mix);
+                       std::array<float, 3> lostVariance, const MixPlace& mix);
   explicit TextonEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
 
   std::shared_ptr<const std::vector<Map>> maps_;

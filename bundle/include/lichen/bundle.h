@@ -154,17 +154,22 @@ struct NoiseMap {
   /// Of a texton noise: a factor >= 0 for each channel, six times its deviation, of a mix its
   /// greatest. Empty otherwise.
   std::vector<double> scale;
-  /// Share of the variance that each mip level of the image has lost; in [0, 1], not decreasing.
-  /// One value per mip level; of a texton also for the box averages beyond the last mip, up to
-  /// kMaxTextonLosses.
+  /// Share of the variance that each mip level of the image has lost; in [0, 1], from 0, not
+  /// decreasing. Of a Gaussian image the mean over its channels, one value a mip level. Of a texton
+  /// n rows, a row a channel, of a value a mip level and up to kMaxTextonLosses: the others are of
+  /// the box averages beyond the last mip.
   std::vector<double> mipLoss;
   /// Of a mix, whose first step mean, covariance and mipLoss are of, the others in order:
   /// TextonShape::steps - 1. Empty otherwise.
   std::vector<MapStatistics> laterSteps;
 };
 
-/// Levels of averaging for which a texton's losses are known.
+/// Levels of averaging for which the losses of a texton's channel are known.
 inline constexpr std::size_t kMaxTextonLosses = 16;
+
+/// One of the rows of a mipLoss; `row` below `rows`, of which it has a whole number.
+[[nodiscard]] std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
+                                              std::size_t rows);
 
 /// How a map's Gaussian values become its own: one table over all dimensions, one for each, or the
 /// affine map of its mean and covariance.

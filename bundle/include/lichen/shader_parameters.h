@@ -21,11 +21,12 @@ namespace lichen {
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
 /// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
-/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value of which `lostVariance`, at least 0 and
-/// above 1 where contrast is, is missing: its mean over what is missing, for sRGB within 0.0005.
+/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value. Of the variance of each stored channel
+/// `lostVariance`, at least 0 and above 1 where contrast is, is missing: the mean over what is
+/// missing, for sRGB within 0.0005.
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
-                                                   float lostVariance);
+                                                   const std::array<float, 3>& lostVariance);
 /// The twin of lichenDecodeRows, clamped as lichenDecodeSeparable does: what the tables of a map
 /// with LICHEN_DECODING_SEPARABLE give -> the decoded value.
 [[nodiscard]] std::array<float, 4> decodedSeparable(const shader::LichenMap& map,

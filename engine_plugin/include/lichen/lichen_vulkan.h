@@ -122,7 +122,7 @@ typedef struct LichenVulkanInfo {
   /* Copied. NULL: the plugin allocates one block for a bundle's images and one for its staging
    * buffer, of at least 1 MiB each; more of them where the images take more than 1 GiB. */
   const LichenDeviceAllocator* deviceAllocator;
-  /* [0, 64] of the Gaussian images' sampler. 0 and 1: trilinear. Above 1 only when the
+  /* [0, 64] of the images' sampler. 0 and 1: trilinear. Above 1 only when the
    * samplerAnisotropy feature is enabled, at most the device's limit, and with the same value in
    * LichenUniformInfo, which says what else follows. */
   float maxAnisotropy;
@@ -187,7 +187,7 @@ LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint3
                                                 VkDescriptorSet* set, LichenDiagnostic* diagnostic);
 
 /* For hosts that write descriptors themselves: the noise's combinedImageSamplerCount combined image
- * samplers, each map's Gaussian image and then its table, written to imageInfos[0 ... that count).
+ * samplers, each map's image and then its table, written to imageInfos[0 ... that count).
  * They live as long as the assets. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetImageInfos(LichenVulkanAssets assets, uint32_t noise,
                                                   VkDescriptorImageInfo* imageInfos);

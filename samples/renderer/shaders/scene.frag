@@ -93,11 +93,12 @@ vec3 textonDebug(LichenImpacts impacts) {
     return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
-  LichenMap map = lichenMixedMap(baseColorTable, impacts,
-                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
-                                 noiseData.texton);
-  return shownGaussian(
-      lichenTextonGaussian(baseColorImage, impacts, noiseData.noise, map, noiseData.texton), map);
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
+  LichenKept kept = lichenTextonKept(baseColorTable, impacts, map, noiseData.texton);
+  return shownGaussian(lichenTextonGaussian(baseColorImage, impacts, kept, noiseData.noise, here,
+                                            noiseData.texton),
+                       map);
 }
 
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
@@ -108,18 +109,18 @@ vec3 surfaceDebug(LichenPlace place) {
                 (kSurfaceImpacts * kMostImpacts));
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return textonDebug(place.impacts);
-  LichenMap map = lichenMixedMap(baseColorTable, place.impacts,
-                                 noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]],
-                                 noiseData.texton);
+  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
+  LichenMap here = lichenMixedMap(baseColorTable, place.impacts, map, noiseData.texton);
+  LichenKept kept = lichenTextonKept(baseColorTable, place.impacts, map, noiseData.texton);
   return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, place.impacts, place.surface,
-                                                   noiseData.noise, map, noiseData.texton),
+                                                   kept, noiseData.noise, here, noiseData.texton),
                        map);
 }
 #endif
 
 #ifndef LICHEN_OMIT_TRIPLANAR
 /// The views that triplanar noises have.
-vec3 triplanarDebug(LichenTriplanar triplanar) {
+vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {
   if (kDebugView == DEBUG_WEIGHTS) {
     vec3 weights = lichenPlaneWeights(triplanar.normal, noiseData.noise);
     return weights * weights;
@@ -127,9 +128,12 @@ vec3 triplanarDebug(LichenTriplanar triplanar) {
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  float lost;
-  return shownGaussian(lichenTriplanarGaussian(baseColorImage, triplanar, noiseData.noise, map,
-                                               noiseData.texton, lost),
+  lichenSetTriplanarMix(triplanar, mixWeight);
+  LichenMap here =
+      lichenTriplanarMap(baseColorTable, triplanar, noiseData.noise, map, noiseData.texton);
+  vec3 lost;
+  return shownGaussian(lichenTriplanarGaussian(baseColorImage, baseColorTable, triplanar,
+                                               noiseData.noise, map, here, noiseData.texton, lost),
                        map);
 }
 #endif
@@ -140,7 +144,7 @@ vec3 noiseDebug(Footprint footprint) {
   LichenPlace place = noisePlace(footprint);
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(noiseData.noise))
-    return triplanarDebug(place.triplanar);
+    return triplanarDebug(place.triplanar, place.impacts.mixWeight);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))

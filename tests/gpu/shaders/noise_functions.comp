@@ -1,13 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// The parts of the tiling, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
+// The parts of tiling and textons, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
 #include "lichen.glsl"
 
 const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset of 64 x 75, seed and pcg
 const int kTriangle = 1;    // (position as float bits, cell) -> i, j, weights as float bits
 const int kCdf = 2;         // float bits -> float bits
 const int kFloorDivide = 3; // (value, period) -> quotient
+const int kCellNumber = 4;  // (float bits, period) -> numbers of cells of a texton's grid
 layout(constant_id = 0) const int kFunction = kHash;
 
 layout(local_size_x = 64) in;
@@ -39,8 +40,14 @@ void main() {
     third.xyz = floatBitsToUint(triangle.weights);
   } else if (kFunction == kCdf) {
     first.xyz = floatBitsToUint(lichenGaussianCdf(uintBitsToFloat(question.xyz)));
-  } else {
+  } else if (kFunction == kFloorDivide) {
     first.xyz = uvec3(lichenFloorDivide(ivec3(question.xyz), int(question.w)));
+  } else {
+    int period = int(question.w);
+    vec3 cells = uintBitsToFloat(question.xyz);
+    first.xyz = uvec3(lichenWrapped(lichenCellNumber(cells.x, period), period),
+                      lichenWrapped(lichenCellNumber(cells.y, period), period),
+                      lichenWrapped(lichenCellNumber(cells.z, period), period));
   }
   answers[3u * index] = first;
   answers[3u * index + 1u] = second;

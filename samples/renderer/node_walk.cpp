@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// Nodes -> instances, cameras and lights in the world [glTF 2.0, sections 3.5.3 and 3.10], and
+// KHR_lights_punctual.
+#include "node_walk.h"
+
+#include "accessor.h"
+#include "geometry.h"
+#include "orthonormal_frame.h"
+#include "printable.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr std::size_t kMatrix = 16; // numbers in one
+
+glm::mat4 localMatrix(const tinygltf::Node& node) {
+  if (node.matrix.size() == kMatrix) {
+    glm::mat4 matrix(1.0f);
+    for (int i = 0; i < int(kMatrix); ++i)
+      matrix[i / 4][i % 4] = float(node.matrix[std::size_t(i)]);
+    return matrix;
+  }
+  const auto vec3 = [](const std::vector<double>& v, glm::vec3 absent) {
+    return v.size() == 3 ? glm::vec3(v[0], v[1], v[2]) : absent;
+  };
+  const glm::vec3 scale = vec3(node.scale, glm::vec3(1.0f));
+  glm::mat4 matrix(1.0f);
+  if (node.rotation.size() == 4) {
+    const glm::quat q{float(node.rotation[3]), float(node.rotation[0]), float(node.rotation[1]),
+                      float(node.rotation[2])};
+    if (glm::length(q) > 0.0f)
+      matrix = glm::mat4_cast(glm::normalize(q));
+  }
+  for (int i = 0; i < 3; ++i)
+    matrix[i] *= scale[i];
+  matrix[3] = glm::vec4(vec3(node.translation, glm::vec3(0.0f)), 1.0f);
+  return matrix;
+}
+
+/// Position and rotation of a node, without its scale: cameras and lights ignore that.
+glm::mat4 rigid(const glm::mat4& m) {
+  const glm::vec3 back = glm::vec3(m[2]);
+  const glm::vec3 z = glm::length(back) > 0.0f ? glm::normalize(back) : glm::vec3(0, 0, 1);
+  const glm::vec3 up = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
+  const glm::vec3 y = glm::length(up) > 0.0f ? glm::normalize(up) : frameAlong(z)[1];
+  return glm::mat4(glm::vec4(glm::cross(y, z), 0), glm::vec4(y, 0), glm::vec4(z, 0), m[3]);
+}
+
+Camera readCamera(const tinygltf::Camera& source, const glm::mat4& world) {
+  Camera camera;
+  camera.name = source.name;
+  camera.worldFromCamera = rigid(world);
+  camera.perspective = source.type == "perspective";
+  if (camera.perspective) {
+    camera.verticalFieldOfView = float(source.perspective.yfov);
+    camera.aspectRatio = float(source.perspective.aspectRatio);
+    camera.near = float(source.perspective.znear);
+    camera.far = float(source.perspective.zfar);
+  } else {
+    camera.halfHeight = float(source.orthographic.ymag);
+    camera.aspectRatio = float(source.orthographic.xmag / source.orthographic.ymag);
+    camera.near = float(source.orthographic.znear);
+    camera.far = float(source.orthographic.zfar);
+  }
+  return camera;
+}
+
+Light readLight(const tinygltf::Light& source, const glm::mat4& world) {
+  Light light;
+  const glm::mat4 frame = rigid(world);
+  if (source.type == "point")
+    light.kind = LightKind::point;
+  else if (source.type == "spot")
+    light.kind = LightKind::spot;
+  if (source.color.size() == 3)
+    light.color = glm::vec3(source.color[0], source.color[1], source.color[2]);
+  light.intensity = float(source.intensity);
+  light.range = float(source.range);
+  light.position = glm::vec3(frame[3]);
+  light.direction = -glm::vec3(frame[2]);
+  light.innerConeCosine = float(std::cos(source.spot.innerConeAngle));
+  light.outerConeCosine = float(std::cos(source.spot.outerConeAngle));
+  return light;
+}
+
+/// Walks the default scene's forest with a stack of its own, so that depth costs no call stack.
+class NodeWalk {
+public:
+  NodeWalk(const tinygltf::Model& model, Scene& scene)
+      : model_(model), scene_(scene), primitivesOfMesh_(model.meshes.size()),
+        worldOfNode_(model.nodes.size()), jointsOfSkin_(model.skins.size()) {}
+
+  Result<void> run() {
+    if (model_.scenes.empty())
+      return Error{ErrorKind::badInput, "has no scene; a scene with a mesh is accepted"};
+    const int chosen = model_.defaultScene >= 0 ? model_.defaultScene : 0;
+    push(model_.scenes[std::size_t(chosen)].nodes, glm::mat4(1.0f));
+    while (!pending_.empty()) {
+      const auto [index, parent] = pending_.back();
+      pending_.pop_back();
+      if (Result<void> visited = visit(std::size_t(index), parent); !visited)
+        return visited;
+    }
+    for (const std::size_t node : skinnedNodes_) // now that all joints have their place
+      if (Result<void> added = addSkinned(model_.nodes[node]); !added)
+        return added;
+    if (scene_.instances.empty())
+      return Error{ErrorKind::badInput,
+                   "its scene has no triangles, lines or points; at least one is accepted"};
+    return {};
+  }
+
+private:
+  Result<void> visit(std::size_t index, const glm::mat4& parent) {
+    const tinygltf::Node& node = model_.nodes[index];
+    const glm::mat4 world = parent * localMatrix(node);
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 4; ++row)
+        if (!std::isfinite(world[column][row]))
+          return Error{ErrorKind::badInput, "/nodes: the transform of node \"" +
+                                                printable(node.name) + "\" is not finite"};
+    if (node.camera >= 0)
+      addCamera(node, world);
+    if (const auto light = node.extensions.find("KHR_lights_punctual");
+        light != node.extensions.end() && light->second.Has("light"))
+      scene_.lights.push_back(readLight(
+          model_.lights[std::size_t(light->second.Get("light").GetNumberAsInt())], world));
+    worldOfNode_[index] = world;
+    if (node.mesh >= 0 && node.skin >= 0)
+      skinnedNodes_.push_back(index);
+    else if (node.mesh >= 0)
+      if (Result<void> added = addMesh(node, world, restPose(node)); !added)
+        return added;
+    push(node.children, world);
+    return {};
+  }
+
+  /// Without a skin.
+  [[nodiscard]] RestPose restPose(const tinygltf::Node& node) const {
+    const std::vector<double>& ofMesh = model_.meshes[std::size_t(node.mesh)].weights;
+    return {node.weights.empty() ? std::span(ofMesh) : std::span(node.weights), {}};
+  }
+
+  /// The first is visited next.
+  void push(const std::vector<int>& nodes, const glm::mat4& parent) {
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+      pending_.push_back({*node, parent});
+  }
+
+  void addCamera(const tinygltf::Node& node, const glm::mat4& world) {
+    Camera camera = readCamera(model_.cameras[std::size_t(node.camera)], world);
+    camera.nodeName = node.name;
+    scene_.cameras.push_back(std::move(camera));
+  }
+
+  /// A skin's joints place a mesh in the world, whatever the place of its own node.
+  Result<void> addSkinned(const tinygltf::Node& node) {
+    const auto skin = std::size_t(node.skin);
+    if (!jointsOfSkin_[skin]) {
+      Result<std::vector<glm::mat4>> joints = loadJoints(skin);
+      if (!joints)
+        return joints.error();
+      jointsOfSkin_[skin] = std::move(joints).value();
+    }
+    RestPose pose = restPose(node);
+    pose.worldFromBindPose = *jointsOfSkin_[skin];
+    return addMesh(node, glm::mat4(1.0f), pose);
+  }
+
+  Result<std::vector<glm::mat4>> loadJoints(std::size_t index) const {
+    const tinygltf::Skin& skin = model_.skins[index];
+    std::vector<float> inverseBind;
+    if (skin.inverseBindMatrices >= 0) {
+      Result<std::vector<float>> values = readAccessor(model_, skin.inverseBindMatrices);
+      if (!values)
+        return values.error();
+      inverseBind = std::move(values).value();
+    }
+    std::vector<glm::mat4> joints;
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const std::optional<glm::mat4>& joint = worldOfNode_[std::size_t(skin.joints[j])];
+      if (!joint)
+        return Error{ErrorKind::badInput,
+                     "/skins/" + std::to_string(index) + "/joints/" + std::to_string(j) +
+                         ": node " + std::to_string(skin.joints[j]) +
+                         " is not in the scene that is drawn; joints in the scene of their mesh "
+                         "are accepted"};
+      const glm::mat4 bind =
+          inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBind[kMatrix * j]);
+      joints.push_back(*joint * bind);
+    }
+    return joints;
+  }
+
+  /// Nodes share a mesh's primitives, but for those that its pose makes other ones.
+  Result<void> addMesh(const tinygltf::Node& node, const glm::mat4& world, const RestPose& pose) {
+    const auto mesh = std::size_t(node.mesh);
+    if (deforms(pose)) {
+      Result<std::vector<std::size_t>> own = loadMesh(mesh, pose);
+      return own ? addInstances(own.value(), world) : own.error();
+    }
+    if (!primitivesOfMesh_[mesh]) {
+      Result<std::vector<std::size_t>> shared = loadMesh(mesh, pose);
+      if (!shared)
+        return shared.error();
+      primitivesOfMesh_[mesh] = std::move(shared).value();
+    }
+    return addInstances(*primitivesOfMesh_[mesh], world);
+  }
+
+  static Error tooManyInstances() {
+    return Error{ErrorKind::resources, "/nodes: the scene draws more than " +
+                                           std::to_string(kMaxSceneInstances) + " primitives, or " +
+                                           std::to_string(kMaxDrawnVertices) +
+                                           " vertices and indices; a smaller scene is accepted"};
+  }
+
+  Result<void> addInstances(const std::vector<std::size_t>& primitives, const glm::mat4& world) {
+    for (const std::size_t primitive : primitives) {
+      const Primitive& p = scene_.primitives[primitive];
+      drawn_ += p.vertices.size() + p.indices.size();
+      if (scene_.instances.size() == kMaxSceneInstances || drawn_ > kMaxDrawnVertices)
+        return tooManyInstances();
+      scene_.instances.push_back({primitive, world});
+    }
+    return {};
+  }
+
+  /// Indices of a mesh's primitives, which are appended to the scene's.
+  Result<std::vector<std::size_t>> loadMesh(std::size_t mesh, const RestPose& pose) {
+    std::vector<std::size_t> primitives;
+    for (const tinygltf::Primitive& source : model_.meshes[mesh].primitives) {
+      if (++loaded_ > kMaxSceneInstances)
+        return tooManyInstances();
+      Result<std::optional<Primitive>> primitive = loadPrimitive(source, pose);
+      if (!primitive)
+        return primitive.error();
+      if (!primitive.value()) {
+        scene_.notes.push_back("a primitive of mesh " + std::to_string(mesh) +
+                               " without triangles is ignored");
+        continue;
+      }
+      noteMissingTangents(mesh, source, scene_.materials[primitive.value()->material]);
+      primitives.push_back(scene_.primitives.size());
+      scene_.primitives.push_back(std::move(*primitive.value()));
+    }
+    return primitives;
+  }
+
+  void noteMissingTangents(std::size_t mesh, const tinygltf::Primitive& source,
+                           const Material& material) {
+    const TextureSlot& normals = material.normalTexture; // from which tangents are made
+    const bool makesTangents =
+        normals.image && source.attributes.contains("TEXCOORD_" + std::to_string(normals.texCoord));
+    if (material.noiseNeedsTangents && !makesTangents && !source.attributes.contains("TANGENT"))
+      scene_.notes.push_back(
+          "/meshes/" + std::to_string(mesh) + " \"" + printable(model_.meshes[mesh].name) +
+          "\" has no TANGENT, along which the noise of its material \"" + printable(material.name) +
+          "\" lies; any direction is taken, lichen apply finds good ones");
+  }
+
+  Result<std::optional<Primitive>> loadPrimitive(const tinygltf::Primitive& source,
+                                                 const RestPose& pose) {
+    const std::size_t material =
+        source.material >= 0 ? std::size_t(source.material) : scene_.materials.size() - 1;
+    vertices_ += expandedSize(model_, source, scene_.materials[material], pose);
+    if (vertices_ > kMaxSceneVertices)
+      return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
+                                             " vertices and indices; a smaller scene is accepted"};
+    Result<std::optional<Primitive>> primitive =
+        readPrimitive(model_, source, scene_.materials[material], pose);
+    if (primitive && primitive.value())
+      primitive.value()->material = material;
+    return primitive;
+  }
+
+  struct Pending {
+    int node;
+    glm::mat4 parent;
+  };
+  const tinygltf::Model& model_;
+  Scene& scene_;
+  std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_; ///< as stored
+  std::vector<std::optional<glm::mat4>> worldOfNode_;                     ///< of those in the scene
+  std::vector<std::size_t> skinnedNodes_;
+  std::vector<std::optional<std::vector<glm::mat4>>> jointsOfSkin_; ///< to the world, at rest
+  std::size_t loaded_ = 0; ///< primitives; one for each node that deforms it
+  std::vector<Pending> pending_;
+  std::size_t vertices_ = 0; ///< and indices, of the primitives loaded so far
+  std::size_t drawn_ = 0;    ///< the same, of the instances
+};
+
+} // namespace
+
+Result<void> walkNodes(const tinygltf::Model& model, Scene& scene) {
+  return NodeWalk(model, scene).run();
+}
+
+} // namespace lichen::renderer

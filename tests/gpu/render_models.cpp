@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// The glTF files of Debian's assimp-testmodels, good ones and broken ones, none of them ours: each
+// is read with what it holds, or refused with the sentence that says why. Those that are read are
+// drawn in one picture, side by side.
+#include "rendered.h"
+#include "thin_solids.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+using namespace lichen;
+using namespace lichen::test;
+using renderer::Scene;
+
+namespace {
+
+const std::filesystem::path kModels = "/usr/share/assimp/models";
+
+/// The end of the program, as without a device, where the package is not installed.
+void requireModels() {
+  if (std::filesystem::is_directory(kModels))
+    return;
+  std::fprintf(stderr, "%s is not there; Debian's package assimp-testmodels has it\n",
+               kModels.c_str());
+  std::exit(kSkipped);
+}
+
+struct Model {
+  std::size_t instances = 0; ///< of primitives
+  std::size_t triangles = 0; ///< in all instances
+  glm::vec3 color{0.0f};     ///< mean of the base colour in a cell of the sheet
+  std::string note = "";     ///< the beginning of the only one, or none
+};
+
+// Instances and triangles were counted from the files' JSON by a script of a few lines. Colours are
+// those of the materials times the share of its cell that a model covers, whose longest side is
+// kFill of it; where nothing is, cells are black. Colours that are plain numbers were measured, and
+// the pictures looked at.
+constexpr float kFill = 0.9f;
+constexpr float kSquare = kFill * kFill;
+constexpr float kTilted = kSquare * 0.7071f; // by 45 degrees
+// A rod stands for a line, an octahedron for a point; thin_solids.cpp has how thick they are. What
+// the outline of a square covers as four rods, and as 1024 overlapping points.
+constexpr std::size_t kSolid = renderer::kThinSolidIndices / 3;
+constexpr float kRadius = 0.004f * 1.4142f; // of a square of side 1
+constexpr float kOutline = kSquare * 4 * 2 * kRadius;
+constexpr float kDots = kOutline * (1.0f - 4.0f / 1024 / 4 / kRadius);
+const std::string kGenerated = "glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_";
+const char* const kNotPlayed = "animations are not played";
+
+/// Mean linear colour of CesiumLogoFlat.png, which fills the front of a cube.
+constexpr glm::vec3 kLogo{0.404f, 0.524f, 0.564f};
+constexpr glm::vec3 kWhite{1.0f};
+
+glm::vec3 over(float share, glm::vec3 color = kWhite) { return share * color; }
+
+const std::map<std::string, Model> kGood{
+    {"glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+     {115, 121496, {0.124f, 0.147f, 0.161f}}},
+    {"glTF2/BoxBadNormals-glTF-Binary/BoxBadNormals.glb", {1, 12, over(kSquare, {0.8f, 0, 0})}},
+    {"glTF2/BoxTexcoords-glTF/boxTexcoords.gltf", {1, 12, {0.513f, 0.684f, 0.512f}}},
+    {"glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", {1, 12, over(kSquare, kLogo)}},
+    {"glTF2/BoxTextured-glTF-Embedded/BoxTextured.gltf", {1, 12, over(kSquare, kLogo)}},
+    {"glTF2/BoxTextured-glTF-pbrSpecularGlossiness/BoxTextured.gltf",
+     {1, 12, over(kSquare, kLogo), "the extension KHR_materials_pbrSpecularGlossiness is ignored"}},
+    {"glTF2/BoxTextured-glTF/BoxTextured.gltf", {1, 12, over(kSquare, kLogo)}},
+    {"glTF2/ClearCoat-glTF/ClearCoatTest.gltf",
+     {27, 37116, {0.021f, 0.005f, 0.021f}, "the extension KHR_materials_clearcoat is ignored"}},
+    {"glTF2/cameras/Cameras.gltf", {1, 2, over(kTilted)}},
+    {kGenerated + "00.gltf", {1, 1024 * kSolid, over(kDots)}},
+    {kGenerated + "01.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "02.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "03.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "04.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "05.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "06.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "07.gltf", {1, 1024 * kSolid, over(kDots)}},
+    {kGenerated + "08.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "09.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "10.gltf", {1, 4 * kSolid, over(kOutline)}},
+    {kGenerated + "11.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "12.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "13.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "14.gltf", {1, 2, over(kSquare)}},
+    {kGenerated + "15.gltf", {1, 2, over(kSquare)}},
+    {"glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf",
+     {1, 12, over(kSquare, {0.6038f, 0.6038f, 0.6038f}), kNotPlayed}},
+    {"glTF2/issue_3269/texcoord_crash.gltf", {5, 10, {0.252f, 0.279f, 0.139f}}},
+    {"glTF2/simple_skin/simple_skin.gltf", {1, 8, over(kSquare / 2), kNotPlayed}},
+    {"glTF2/textureTransform/TextureTransformTest.gltf", {12, 24, {0.219f, 0.293f, 0.291f}}},
+    {"glTF2/wrongTypes/badString.gltf", {1, 12, over(kSquare, kLogo)}}, // a scene's name, not used
+};
+
+const std::string kSupported =
+    "is not supported; export without it (supported: KHR_lights_punctual, "
+    "KHR_materials_emissive_strength, KHR_mesh_quantization, KHR_texture_transform, "
+    "LICHEN_materials_exemplar_noise)";
+const std::string kFirstVersion = "/asset/version: absent or not 2.x; \"2.0\" is accepted";
+
+/// The refusal without the path that it begins with.
+const std::map<std::string, std::string> kBroken{
+    {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "GLB version 1; 2 is accepted"},
+    {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", kFirstVersion},
+    {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf", kFirstVersion},
+    {"glTF/BoxTextured-glTF/BoxTextured.gltf", kFirstVersion},
+    {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", kFirstVersion},
+    {"glTF/IncorrectVertexArrays/Cube_v1.gltf", kFirstVersion},
+    {"glTF/TwoBoxes/TwoBoxes.gltf", kFirstVersion},
+    {"glTF2/BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf",
+     "/extensionsRequired/0: the required extension KHR_technique_webgl " + kSupported},
+    {"glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb",
+     "/accessors/2: holds NaN or infinite values; finite ones are accepted"},
+    {"glTF2/IncorrectVertexArrays/Cube.gltf",
+     "/bufferViews/2: bytes 504 to 936 lie outside their buffer of 514"},
+    {"glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf",
+     "/accessors/0: index 65535 is not accepted, 0 to 23 is"},
+    {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf",
+     "/accessors/0: index 255 is not accepted, 0 to 23 is"},
+    {"glTF2/MissingBin/BoxTextured.gltf",
+     "names the file \"BoxTextured0.bin\", which is not in the scene's folder"},
+    {"glTF2/RecursiveNodes/RecursiveNodes.gltf",
+     "/nodes: node 0 is its own ancestor; a forest is accepted"},
+    {"glTF2/SchemaFailures/sceneWrongType.gltf",
+     "/scene: \"hello\" is not accepted, an index from 0 to 0 is"},
+    {"glTF2/TestNoRootNode/NoScene.gltf",
+     "/scene: 0 is not accepted, there is nothing to refer to"},
+    {"glTF2/TestNoRootNode/SceneWithoutNodes.gltf",
+     "its scene has no triangles, lines or points; at least one is accepted"},
+    {"glTF2/draco/2CylinderEngine.gltf",
+     "/extensionsRequired/0: the required extension KHR_draco_mesh_compression " + kSupported},
+    {"glTF2/wrongTypes/badArray.gltf",
+     "/meshes/0/primitives: an object is not accepted, a non-empty array is"},
+    {"glTF2/wrongTypes/badExtension.gltf",
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform: "
+     "\"Not an object\" is not accepted, an object is"},
+    {"glTF2/wrongTypes/badNumber.gltf",
+     "/materials/0/normalTexture: the required member \"index\" is absent"},
+    {"glTF2/wrongTypes/badObject.gltf",
+     "/materials/0/pbrMetallicRoughness: an array is not accepted, an object is"},
+    {"glTF2/wrongTypes/badUint.gltf",
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/index: -1 is not accepted, an index from "
+     "0 to 0 is"},
+};
+
+Scene load(const std::string& name) {
+  auto scene = renderer::readScene(kModels / name);
+  if (!scene)
+    FAIL(scene.error().message);
+  return std::move(scene).value();
+}
+
+std::size_t triangleCount(const Scene& scene) {
+  std::size_t indices = 0;
+  for (const renderer::Instance& instance : scene.instances)
+    indices += scene.primitives[instance.primitive].indices.size();
+  return indices / 3;
+}
+
+/// From the world of a scene, whose box it centres, into a cell around (x, y, 0) of side 1.
+glm::mat4 cellFromWorld(const Scene& scene, glm::vec2 cell) {
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high = -low;
+  for (const renderer::Instance& instance : scene.instances)
+    for (const renderer::Vertex& v : scene.primitives[instance.primitive].vertices) {
+      const glm::vec3 place(instance.worldFromObject * glm::vec4(v.position, 1.0f));
+      low = glm::min(low, place);
+      high = glm::max(high, place);
+    }
+  const glm::vec3 size = high - low;
+  const float scale = kFill / std::max(size.x, std::max(size.y, size.z));
+  glm::mat4 matrix(scale);
+  matrix[3] = glm::vec4(glm::vec3(cell, 0.0f) - scale * 0.5f * (low + high), 1.0f);
+  return matrix;
+}
+
+void append(Scene& sheet, const Scene& scene, const glm::mat4& placed) {
+  const std::size_t images = sheet.images.size();
+  const std::size_t materials = sheet.materials.size();
+  const std::size_t primitives = sheet.primitives.size();
+  sheet.images.insert(sheet.images.end(), scene.images.begin(), scene.images.end());
+  for (renderer::Material material : scene.materials) {
+    for (renderer::TextureSlot* slot :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissiveTexture})
+      if (slot->image)
+        *slot->image += images;
+    sheet.materials.push_back(material);
+  }
+  for (renderer::Primitive primitive : scene.primitives) {
+    primitive.material += materials;
+    sheet.primitives.push_back(std::move(primitive));
+  }
+  for (const renderer::Instance& instance : scene.instances)
+    sheet.instances.push_back({primitives + instance.primitive, placed * instance.worldFromObject});
+}
+
+constexpr int kColumns = 6;
+constexpr int kCellPixels = 40;
+
+/// The base colours of all good models, a cell each in the order of their names.
+LinearImage sheetOf(int rows) {
+  Scene sheet;
+  int index = 0;
+  for (const auto& [name, model] : kGood) {
+    const Scene scene = load(name);
+    const glm::vec2 cell(float(index % kColumns) + 0.5f, float(rows - index / kColumns) - 0.5f);
+    append(sheet, scene, cellFromWorld(scene, cell));
+    ++index;
+  }
+  renderer::Camera camera;
+  camera.perspective = false;
+  camera.halfHeight = float(rows) / 2;
+  camera.aspectRatio = float(kColumns) / float(rows);
+  camera.worldFromCamera[3] = glm::vec4(float(kColumns) / 2, float(rows) / 2, 2, 1);
+  camera.far = 4.0f;
+  sheet.cameras.push_back(camera);
+  renderer::RenderSettings settings =
+      settingsOf(kColumns * kCellPixels, std::uint32_t(rows * kCellPixels), 4);
+  settings.debugView = "base-color";
+  testDevice().messages().clear();
+  auto picture = renderer::renderScene(testDevice(), sheet, settings);
+  if (!picture)
+    FAIL(picture.error().message);
+  for (const std::string& text : testDevice().messages().texts())
+    FAIL_CHECK(text);
+  return std::move(picture.value().pixels);
+}
+
+glm::vec3 meanOfCell(const LinearImage& sheet, int index) {
+  glm::vec3 sum(0.0f);
+  for (int y = 0; y < kCellPixels; ++y)
+    for (int x = 0; x < kCellPixels; ++x) {
+      const std::size_t row = std::size_t(index / kColumns * kCellPixels + y);
+      const std::size_t column = std::size_t(index % kColumns * kCellPixels + x);
+      const float* pixel = &sheet.values[3 * (row * std::size_t(sheet.width) + column)];
+      sum += glm::vec3(pixel[0], pixel[1], pixel[2]);
+    }
+  return sum / float(kCellPixels * kCellPixels);
+}
+
+} // namespace
+
+TEST_CASE("each file of the package has what is expected of it said here") {
+  requireModels();
+  std::set<std::string> found;
+  for (const char* folder : {"glTF", "glTF2"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels / folder))
+      if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
+        found.insert(std::filesystem::relative(entry.path(), kModels).string());
+  for (const std::string& name : found) {
+    INFO(name);
+    CHECK(kGood.count(name) + kBroken.count(name) == 1);
+  }
+  CHECK(found.size() == kGood.size() + kBroken.size());
+}
+
+TEST_CASE("each good file is read with all that it draws, and a note of what it does not") {
+  requireModels();
+  for (const auto& [name, model] : kGood) {
+    INFO(name);
+    const Scene scene = load(name);
+    CHECK(scene.instances.size() == model.instances);
+    CHECK(triangleCount(scene) == model.triangles);
+    CHECK(scene.notes.size() == (model.note.empty() ? 0 : 1));
+    if (!scene.notes.empty())
+      CHECK(scene.notes[0].starts_with(model.note));
+  }
+}
+
+TEST_CASE("each broken file is refused with one sentence that says why") {
+  requireModels();
+  for (const auto& [name, refusal] : kBroken) {
+    INFO(name);
+    const auto scene = renderer::readScene(kModels / name);
+    REQUIRE_FALSE(scene.ok());
+    CHECK(scene.error().kind == ErrorKind::badInput);
+    CHECK(scene.error().message == (kModels / name).string() + ": " + refusal);
+  }
+}
+
+TEST_CASE("the good files, drawn side by side, have the colours that they should") {
+  requireModels();
+  const int rows = (int(kGood.size()) + kColumns - 1) / kColumns;
+  const LinearImage sheet = sheetOf(rows);
+  // A model's edge lies somewhere in a pixel of 36, which four frames find to within a quarter.
+  constexpr float kTolerance = 0.01f;
+  int index = 0;
+  for (const auto& [name, model] : kGood) {
+    INFO(name);
+    const glm::vec3 mean = meanOfCell(sheet, index++);
+    for (int c = 0; c < 3; ++c)
+      CHECK(mean[c] == Approx(model.color[c]).margin(kTolerance));
+  }
+}

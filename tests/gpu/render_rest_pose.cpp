@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Skins and morph targets stand as the file's nodes and weights have them: corners worked out by
+// hand.
+#include "render_gltf.h"
+#include "scene.h"
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+using renderer::Scene;
+
+namespace {
+
+Scene load(const GltfScene& scene) {
+  const TemporaryFolder folder;
+  auto loaded = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
+  if (!loaded)
+    FAIL(loaded.error().message);
+  return std::move(loaded).value();
+}
+
+/// Of the first triangle of an instance, in the world.
+std::array<glm::vec3, 3> corners(const Scene& scene, std::size_t instance = 0) {
+  const renderer::Instance& placed = scene.instances.at(instance);
+  const renderer::Primitive& primitive = scene.primitives[placed.primitive];
+  std::array<glm::vec3, 3> result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = glm::vec3(placed.worldFromObject *
+                          glm::vec4(primitive.vertices[primitive.indices[k]].position, 1.0f));
+  return result;
+}
+
+void checkNear(glm::vec3 found, glm::vec3 expected) {
+  for (int c = 0; c < 3; ++c)
+    CHECK(found[c] == Approx(expected[c]).margin(1e-5));
+}
+
+std::size_t addAccessor(GltfScene& scene, std::span<const std::byte> bytes, int component,
+                        const char* type, std::size_t count) {
+  scene.json["accessors"].push_back({{"bufferView", scene.addView(bytes)},
+                                     {"componentType", component},
+                                     {"type", type},
+                                     {"count", count}});
+  return scene.json["accessors"].size() - 1;
+}
+
+json& attributesOf(GltfScene& scene) {
+  return scene.json["meshes"][0]["primitives"][0]["attributes"];
+}
+
+/// The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0): its corners are held by joint 0, by joint 1, and
+/// by both alike. Its own node stands far off. Matrices of 16 floats each.
+GltfScene skinnedTriangle(json joint0, json joint1, const std::vector<float>& inverseBind) {
+  GltfScene scene = triangleScene();
+  scene.json["nodes"][0]["translation"] = {100, 200, 300};
+  scene.json["nodes"][0]["skin"] = 0;
+  scene.json["nodes"].push_back(std::move(joint0));
+  scene.json["nodes"].push_back(std::move(joint1));
+  scene.json["scenes"][0]["nodes"] = {0, 1, 2};
+  const std::vector<std::uint8_t> joints{0, 9, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}; // 9 has no weight
+  const std::vector<std::uint16_t> weights{65535, 0, 0, 0, 65535, 0, 0, 0, 65535, 65535, 0, 0};
+  attributesOf(scene)["JOINTS_0"] =
+      addAccessor(scene, std::as_bytes(std::span(joints)), 5121, "VEC4", 3);
+  attributesOf(scene)["WEIGHTS_0"] =
+      addAccessor(scene, std::as_bytes(std::span(weights)), 5123, "VEC4", 3);
+  scene.json["accessors"].back()["normalized"] = true;
+  scene.json["skins"] = {
+      {{"joints", {1, 2}},
+       {"inverseBindMatrices",
+        addAccessor(scene, std::as_bytes(std::span(inverseBind)), 5126, "MAT4", 2)}}};
+  return scene;
+}
+
+const std::vector<float> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+std::vector<float> bothMatrices(const std::vector<float>& a, const std::vector<float>& b) {
+  std::vector<float> both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  return both;
+}
+
+/// A triangle whose one morph target moves the corner (1, 0, 0) by (0, 0, 4).
+GltfScene morphedTriangle() {
+  GltfScene scene = triangleScene();
+  scene.json["meshes"][0]["primitives"][0]["targets"] = {
+      {{"POSITION", scene.addFloats({0, 0, 0, 0, 0, 4, 0, 0, 0}, 3)}}};
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("a skinned mesh stands where its joints are, and not where its node is") {
+  const float half = std::sqrt(0.5f);
+  std::vector<float> fromBind = kIdentity; // moves by (-1, 0, 0)
+  fromBind[12] = -1.0f;
+  const Scene scene = load(skinnedTriangle(
+      {{"translation", {0, 2, 0}}}, {{"rotation", {0, 0, half, half}}, {"translation", {5, 0, 0}}},
+      bothMatrices(kIdentity, fromBind)));
+  const auto triangle = corners(scene);
+  checkNear(triangle[0], {0, 2, 0});
+  // To (0, 0, 0) by the matrix, which the rotation leaves, and out by 5.
+  checkNear(triangle[1], {5, 0, 0});
+  // (0, 3, 0) by joint 0; by joint 1 (-1, 1, 0), turned from x to y (-1, -1, 0), (4, -1, 0).
+  checkNear(triangle[2], {2, 1, 0});
+}
+
+TEST_CASE("what joints mirror keeps its front outside") {
+  GltfScene file = skinnedTriangle({{"scale", {-1, 1, 1}}}, {{"scale", {-1, 1, 1}}},
+                                   bothMatrices(kIdentity, kIdentity));
+  attributesOf(file)["NORMAL"] = file.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+  const Scene scene = load(file);
+  for (const glm::vec3 normal : {scene.primitives[0].vertices[0].normal, [&] {
+                                   const auto [a, b, c] = corners(scene);
+                                   return glm::normalize(glm::cross(b - a, c - a));
+                                 }()})
+    checkNear(normal, {0, 0, 1});
+}
+
+TEST_CASE("a skin without matrices takes the joints as they are") {
+  GltfScene file = skinnedTriangle({{"translation", {0, 2, 0}}}, {{"translation", {0, 4, 0}}},
+                                   bothMatrices(kIdentity, kIdentity));
+  file.json["skins"][0].erase("inverseBindMatrices");
+  const auto triangle = corners(load(file));
+  checkNear(triangle[0], {0, 2, 0});
+  checkNear(triangle[1], {1, 4, 0});
+  checkNear(triangle[2], {0, 4, 0});
+}
+
+TEST_CASE("morph targets count by the weights of the node, or else of the mesh, or not at all") {
+  GltfScene file = morphedTriangle();
+  checkNear(corners(load(file))[1], {1, 0, 0});
+  file.json["meshes"][0]["weights"] = {0.5};
+  checkNear(corners(load(file))[1], {1, 0, 2});
+  // A second node of the mesh with a weight of its own.
+  file.json["nodes"].push_back({{"mesh", 0}, {"weights", {-1}}, {"translation", {0, 0, 10}}});
+  file.json["scenes"][0]["nodes"] = {0, file.json["nodes"].size() - 1};
+  const Scene scene = load(file);
+  checkNear(corners(scene, 0)[1], {1, 0, 2});
+  checkNear(corners(scene, 1)[1], {1, 0, 6});
+}
+
+TEST_CASE("flat normals are those of the morphed triangle") {
+  GltfScene file = morphedTriangle();
+  file.json["meshes"][0]["weights"] = {0.25};
+  checkNear(load(file).primitives[0].vertices[0].normal, glm::normalize(glm::vec3(-1, 0, 1)));
+}
+
+TEST_CASE("a file with animations says that they are not played") {
+  GltfScene file = morphedTriangle();
+  CHECK(load(file).notes.empty());
+  file.json["animations"] = {
+      {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+       {"samplers", {{{"input", 0}, {"output", 0}}}}}};
+  REQUIRE(load(file).notes.size() == 1);
+  CHECK(load(file).notes[0].starts_with("animations are not played"));
+}

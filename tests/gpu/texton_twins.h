@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A texton noise twice: on a device, through the plugin and one of the passes, and its CPU twin.
+#pragma once
+
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <string>
+
+namespace lichen::test {
+
+/// At its end no message of the device must have come.
+struct TextonTwins {
+  /// `pass` is a file of shaders_glsl/passes.
+  TextonTwins(const std::string& pass, std::span<const std::byte> glb)
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb),
+        twin(TextonEvaluator::create(bundle, 0).value()), committed(committedShader(pass)) {}
+  TextonTwins(const std::string& pass, const SyntheticTexton& texton)
+      : TextonTwins(pass, syntheticTextonGlb(texton)) {}
+  ~TextonTwins() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+  TextonTwins(const TextonTwins&) = delete;
+  TextonTwins& operator=(const TextonTwins&) = delete;
+
+  /// What the pass has at these points; `quantity` as it numbers them.
+  template <class AnyPoint>
+  [[nodiscard]] std::vector<std::array<float, 4>>
+  shader(int quantity, const LichenUniformInfo& info, const std::vector<AnyPoint>& points) {
+    return host.evaluate(committed, quantity, info, points);
+  }
+
+  const std::unique_ptr<HeadlessDevice> device = requireDevice();
+  const Bundle bundle;
+  PluginHost host; ///< and the uniforms of the last shader()
+  const TextonEvaluator twin;
+  const std::vector<std::uint32_t> committed; ///< the pass
+};
+
+} // namespace lichen::test

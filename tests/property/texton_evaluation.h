@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A texton noise made for the tests with its parameters and its CPU twin.
+#pragma once
+
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+
+#include <array>
+
+namespace lichen::test {
+
+[[nodiscard]] inline MaterialNoise materialOf(PointProcess process, double impacts,
+                                              std::uint32_t seed) {
+  MaterialNoise material;
+  material.pointProcess = process;
+  material.impacts = impacts;
+  material.seed = seed;
+  return material;
+}
+
+struct TextonEvaluation {
+  TextonEvaluation(const SyntheticTexton& source, const MaterialNoise& material,
+                   const Placement& placement = {})
+      : bundle(syntheticTextonBundle(source).bundle),
+        twin(TextonEvaluator::create(bundle, 0).value()),
+        noise(shaderNoise(bundle, material, placement)),
+        texton(shaderTexton(bundle, material, placement)) {}
+
+  /// Stored values less their mean at a place in the plane or on a surface.
+  template <class Footprint>
+  [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {
+    const TextonEvaluator::Value gaussian = twin.gaussian(0, noise, texton, place);
+    const std::vector<double>& scale = bundle.noises[0].maps[0].scale;
+    std::array<double, 3> stored{};
+    for (std::size_t c = 0; c < scale.size(); ++c)
+      stored[c] = (double(gaussian[c]) - 0.5) * scale[c];
+    return stored;
+  }
+
+  Bundle bundle;
+  TextonEvaluator twin;
+  shader::LichenNoise noise;
+  shader::LichenTexton texton;
+};
+
+} // namespace lichen::test
