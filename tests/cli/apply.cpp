@@ -272,6 +272,16 @@ TEST_CASE("the same noise on a scene twice is stored once, under its name") {
   CHECK_THAT(ended.errors, Catch::Contains("'wool-2'"));
 }
 
+TEST_CASE("how sharply planes give way is the option's") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const json document =
+      applied(workplace, scene, wool, "0", {"--mapping", "triplanar", "--plane-sharpness", "4"});
+  CHECK(document["materials"][0]["extensions"][kExtension]["planeSharpness"] == 4.0);
+  CHECK(readBundle(workplace.path("out.glb")).value().materials[0]->planeSharpness == 4.0);
+}
+
 TEST_CASE("the same call gives the same bytes") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
@@ -310,5 +320,8 @@ TEST_CASE("scenes, noises and outputs that cannot be used are refused, and no fi
   checkRefusal({"apply", scene, "--noise", wool, "-o", output}, usage, {"--material is required"});
   checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--scale", "0", "-o", output},
                usage, {"--scale 0"});
+  checkRefusal(
+      {"apply", scene, "--noise", wool, "--material", "0", "--plane-sharpness", "65", "-o", output},
+      usage, {"--plane-sharpness 65", "1", "64"});
   CHECK(!std::filesystem::exists(output));
 }

@@ -208,6 +208,19 @@ TEST_CASE("a bundle's period with a fraction needs the tile origin 0") {
   CHECK(fill(bundle.handle, info).result == LICHEN_ERROR_USAGE);
 }
 
+TEST_CASE("a period is refused for noise in three planes") {
+  const OwnedBundle bundle(example::smallest());
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_MAPPING;
+  info.mapping = LICHEN_MAPPING_TRIPLANAR;
+  CHECK(fill(bundle.handle, info).result == LICHEN_SUCCESS);
+  info.periodTiles[0] = info.periodTiles[1] = 2.0;
+  const Filled filled = fill(bundle.handle, info);
+  CHECK(filled.result == LICHEN_ERROR_USAGE);
+  CHECK(filled.message ==
+        "periodTiles 2: noise of the mapping triplanar does not repeat; 0 is accepted");
+}
+
 TEST_CASE("a file without noises is an empty bundle") {
   const std::string gltf = R"({"asset": {"version": "2.0"}, "materials": [{}]})";
   LichenParseInfo info;

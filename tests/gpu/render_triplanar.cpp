@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Noise in three planes, drawn: each pixel against the CPU twin at the place in the world that it
+// sees, for normals along all axes and askew, on meshes that stand in the scene in different ways.
+#include "rendered.h"
+#include "synthetic_noise.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <array>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+using Vec3 = std::array<float, 3>;
+
+constexpr int kCell = 16, kColumns = 4, kRows = 2;
+constexpr int kWidth = kColumns * kCell, kHeight = kRows * kCell;
+constexpr float kDistance = 3.0f, kFieldOfView = 0.3f;
+constexpr float kUnit = 1.0f / 3.0f;
+constexpr float kDiagonal = 0.70710678f;
+
+/// Of the cells, row by row.
+constexpr std::array<Vec3, kColumns * kRows> kNormals{{{1, 0, 0},
+                                                       {-1, 0, 0},
+                                                       {0, 1, 0},
+                                                       {0, -1, 0},
+                                                       {0, 0, 1},
+                                                       {0, 0, -1},
+                                                       {kDiagonal, 0, -kDiagonal},
+                                                       {-2 * kUnit, 2 * kUnit, kUnit}}};
+
+/// Half the picture's height and a pixel's side where the squares lie, in metres.
+float halfHeight() { return kDistance * std::tan(kFieldOfView / 2); }
+float pixelSide() { return 2.0f * halfHeight() / kHeight; }
+
+/// Squares that face the camera side by side, with normals that point anywhere. The rows are
+/// meshes of their own, of which the second is moved and scaled back to where the first leaves off.
+LinearImage picture(BundleFile file, const char* view) {
+  MaterialNoise& use = *file.bundle.materials[0];
+  use.mapping = Mapping::triplanar;
+  GltfScene scene(encodeGlb(file).value());
+  constexpr float kScale = 0.5f;
+  constexpr Vec3 kMove{0.3f, -0.2f, 0.1f};
+  const float side = float(kCell) * pixelSide();
+  for (int row = 0; row < kRows; ++row) {
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+    for (int column = 0; column < kColumns; ++column) {
+      const auto first = std::uint32_t(4 * column);
+      for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+        indices.push_back(first + corner);
+      for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        Vec3 place{float(column + right - kColumns / 2) * side,
+                   float(kRows / 2 - row - 1 + up) * side, 0.0f};
+        for (std::size_t k = 0; k < 3; ++k)
+          positions.push_back(row == 0 ? place[k] : (place[k] - kMove[k]) / kScale);
+        const Vec3& normal = kNormals[std::size_t(row * kColumns + column)];
+        normals.insert(normals.end(), normal.begin(), normal.end());
+      }
+    }
+    const std::size_t at = scene.addFloats(positions, 3), along = scene.addFloats(normals, 3);
+    nlohmann::json node = nlohmann::json::object();
+    if (row == 1)
+      node = {{"translation", kMove}, {"scale", {kScale, kScale, kScale}}};
+    scene.addMesh({{"POSITION", at}, {"NORMAL", along}}, scene.addIndices(indices, 2), 0, node);
+  }
+  scene.addCamera(kDistance, kFieldOfView);
+  renderer::RenderSettings settings = settingsOf(kWidth, kHeight, 1);
+  settings.debugView = view;
+  return render(scene.glb(), settings);
+}
+
+/// Where a pixel sees its square, in the world.
+TriplanarFootprint footprint(int x, int y) {
+  const float pixel = pixelSide();
+  TriplanarFootprint at;
+  at.position = {(float(x) + 0.5f - kWidth / 2) * pixel, (kHeight / 2 - float(y) - 0.5f) * pixel,
+                 0.0f};
+  at.dx = {pixel, 0.0f, 0.0f};
+  at.dy = {0.0f, -pixel, 0.0f};
+  at.normal = kNormals[std::size_t(y / kCell * kColumns + x / kCell)];
+  return at;
+}
+
+/// A material that uses every parameter of the mapping.
+void setParameters(BundleFile& file) {
+  MaterialNoise& use = *file.bundle.materials[0];
+  use.mapping = Mapping::triplanar;
+  use.rotation = 0.4;
+  use.scale = 0.6;
+  use.seed = 3;
+  use.planeSharpness = 3.0;
+}
+
+} // namespace
+
+TEST_CASE("colours in three planes are those of the place in the world, whatever the mesh") {
+  const SyntheticMap map{3, 64, 48};
+  BundleFile file = syntheticBundle(std::span(&map, 1));
+  setParameters(file);
+  const LinearImage drawn = picture(file, "base-color");
+  const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
+  const shader::LichenNoise noise = shaderNoise(file.bundle, *file.bundle.materials[0], {});
+  double spread = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto expected = twin.evaluate(0, noise, footprint(x, y));
+      INFO("pixel " << x << ", " << y);
+      for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
+        REQUIRE(drawn.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
+      spread += std::pow(double(expected[0]) - 0.5, 2) / (kWidth * kHeight);
+    }
+  CHECK(spread > 1e-3); // there is something to see
+}
+
+TEST_CASE("slopes in three planes tilt the normals of all six faces outwards, and askew ones") {
+  BundleFile file = syntheticTextonBundle({.channels = 2, .wholeFloats = true});
+  setParameters(file);
+  const LinearImage drawn = picture(file, "normals");
+  const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
+  const MaterialNoise& use = *file.bundle.materials[0];
+  const shader::LichenNoise noise = shaderNoise(file.bundle, use, {});
+  const shader::LichenTexton texton = shaderTexton(file.bundle, use, {});
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const TriplanarFootprint at = footprint(x, y);
+      const auto gradient = twin.evaluate(0, noise, texton, at);
+      // Of a height over the surface: its gradient along it, taken from the normal.
+      double outward = 0.0, squares = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+        outward += double(gradient[k]) * double(at.normal[k]);
+      std::array<double, 3> normal{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        normal[k] = double(at.normal[k]) - (double(gradient[k]) - outward * double(at.normal[k]));
+        squares += normal[k] * normal[k];
+      }
+      INFO("pixel " << x << ", " << y);
+      for (std::size_t k = 0; k < 3; ++k)
+        REQUIRE(double(drawn.pixel(x, y)[k]) ==
+                Approx(0.5 + 0.5 * normal[k] / std::sqrt(squares)).margin(1.0 / 255.0));
+    }
+}
