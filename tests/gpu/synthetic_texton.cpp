@@ -205,7 +205,7 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
   map.scale.assign(n, 0.0);
   for (int k = 0; k < texton.steps; ++k) {
     const Plane step = planeOf(texton, k);
-    MapStatistics statistics{std::vector<double>(n, map.mean[0] - 0.1 * k),
+    MapStatistics statistics{std::vector<double>(n, map.mean[0] - 0.1 * std::min(k, 4)),
                              quadraticForm(step, texton.order, 0, 0),
                              mipLosses(step, texton.order)};
     for (std::size_t c = 0; c < n; ++c)
