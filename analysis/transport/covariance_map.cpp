@@ -15,7 +15,7 @@ constexpr double kNoProduct = 1e-15;
 
 template <class Matrix>
 Matrix powerAbove(const Matrix& symmetric, double exponent, double share) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric);
+  const auto solver = principalAxes(symmetric);
   auto values = solver.eigenvalues();
   const double floor = share * std::max(values.maxCoeff(), 0.0);
   for (Eigen::Index k = 0; k < values.size(); ++k)
@@ -42,16 +42,22 @@ int rank(const SmallMatrix& symmetric) {
 }
 
 template <class Matrix>
+Matrix rootOfProduct(const Matrix& root, const Matrix& covariance) {
+  return powerAbove(Matrix(root * covariance * root), 0.5, kNoProduct);
+}
+
+template <class Matrix>
 Matrix covarianceMap(const Matrix& from, const Matrix& to) {
   const Matrix root = power(from, 0.5);
   const Matrix inverseRoot = power(from, -0.5);
-  return inverseRoot * powerAbove(Matrix(root * to * root), 0.5, kNoProduct) * inverseRoot;
+  return inverseRoot * rootOfProduct(root, to) * inverseRoot;
 }
 
 template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
 template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principalAxes(const Eigen::MatrixXd&);
 template SmallMatrix power(const SmallMatrix&, double);
 template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
+template Eigen::MatrixXd rootOfProduct(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);
 template Eigen::MatrixXd covarianceMap(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 
