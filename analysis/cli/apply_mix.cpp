@@ -72,8 +72,8 @@ Result<void> checkDirection(const GltfScene& scene, std::span<const std::size_t>
   return checkAttribute(scene, materials, fmt::format("TEXCOORD_{}", use.texCoord), whose);
 }
 
-/// The scene's texture that was named by its index, or a new one of a file.
-Result<std::size_t> textureOf(const std::string& wanted, GltfScene& scene) {
+/// The scene's texture that was named by its index, or a new one of a file, which has the channel.
+Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene& scene) {
   std::size_t index = 0;
   const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (code == std::errc{} && end == wanted.data() + wanted.size()) {
@@ -89,9 +89,14 @@ Result<std::size_t> textureOf(const std::string& wanted, GltfScene& scene) {
   const Result<ImageFile> image = decodeImage(file.value(), wanted);
   if (!image)
     return image.error();
-  if (!std::holds_alternative<SrgbImage>(image.value().pixels))
+  const auto* mask = std::get_if<SrgbImage>(&image.value().pixels);
+  if (mask == nullptr)
     return Error{ErrorKind::badInput,
                  wanted + ": an EXR, which glTF has not; a PNG or JPEG is accepted"};
+  constexpr int kAlpha = 3;
+  if (channel == kAlpha && mask->channels % 2 != 0)
+    return Error{ErrorKind::badInput, wanted + ": has no alpha, which --mix-channel asks for; red, "
+                                               "green or blue is accepted"};
   constexpr std::byte kFirstOfPng{0x89};
   return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
                       [&]() -> Result<std::size_t> {
@@ -128,7 +133,7 @@ Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
     return there.error();
   if (mix.source != MixSource::texture)
     return mix;
-  const Result<std::size_t> texture = textureOf(options.texture, scene);
+  const Result<std::size_t> texture = textureOf(options.texture, mix.channel, scene);
   if (!texture)
     return texture.error();
   mix.texture = texture.value();

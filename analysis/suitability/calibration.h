@@ -23,7 +23,7 @@ inline constexpr Calibration kClippedShare{0.02, 0.15};
 
 // Of texton noise: docs/decisions/017-texton-risks.md.
 inline constexpr Calibration kTextonHistogram{0.17, 0.21};
-inline constexpr Calibration kTextonOutlines{0.7, 1.4};
+inline constexpr Calibration kTextonOutlines{0.4, 1.3};
 inline constexpr Calibration kTextonSlow{0.25, 0.5};
 
 /// Above it, slow variation is an object with an outline, which --flatten auto leaves: the

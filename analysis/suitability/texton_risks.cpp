@@ -23,6 +23,7 @@ namespace {
 using namespace suitability;
 
 constexpr int kOctaves = 4; // from 2 pixels a half wave on: details that an eye takes for outlines
+constexpr int kOrientations = 4;
 
 // Of the progress, by processor time.
 constexpr double kHistogramOfProgress = 0.2;
@@ -51,9 +52,9 @@ struct Texels {
   int support = 0;
 };
 
-/// The plane's waves an octave to either side of `frequency`, sampled on as many points as they
-/// need.
-std::vector<float> octave(const HalfSpectrum& spectrum, double frequency) {
+/// The plane's waves an octave and an eighth of a turn to either side of `frequency` and
+/// `orientation` [radians], sampled on as many points as they need.
+std::vector<float> oriented(const HalfSpectrum& spectrum, double frequency, double orientation) {
   const auto samples = [&](int side) { return std::min(side, int(4.0 * frequency * side) + 2); };
   HalfSpectrum band{samples(spectrum.width), samples(spectrum.height), {}};
   band.values.resize(std::size_t(band.columns()) * std::size_t(band.height));
@@ -63,8 +64,11 @@ std::vector<float> octave(const HalfSpectrum& spectrum, double frequency) {
       const int row = signedV >= 0 ? signedV : signedV + spectrum.height;
       const double octaves = std::log2(
           std::max(radius(spectrum, u, row, spectrum.width, spectrum.height), 1e-9) / frequency);
-      if (std::abs(octaves) < 1.0)
-        band.at(u, v) = spectrum.at(u, row) * float(std::cos(0.5 * std::numbers::pi * octaves));
+      const double angle =
+          std::atan2(double(signedV) / spectrum.height, double(u) / spectrum.width) - orientation;
+      const double window = std::cos(0.5 * std::numbers::pi * octaves) * std::cos(2.0 * angle);
+      if (std::abs(octaves) < 1.0 && window > 0.0)
+        band.at(u, v) = spectrum.at(u, row) * float(window);
     }
   return inverseFft(band);
 }
@@ -80,10 +84,19 @@ double excessKurtosis(const std::vector<float>& plane) {
   return second > 0.0 ? double(plane.size()) * fourth / (second * second) - 3.0 : 0.0;
 }
 
+/// Excess kurtosis, mean of the orientations: a crack or an edge stands out from the waves of its
+/// own, and is lost among those of all together.
+double outlinesAt(const HalfSpectrum& spectrum, double frequency) {
+  double sum = 0.0;
+  for (int k = 0; k < kOrientations; ++k)
+    sum += excessKurtosis(oriented(spectrum, frequency, std::numbers::pi * k / kOrientations));
+  return sum / kOrientations;
+}
+
 constexpr std::size_t kSupports = 5; // the support, twice as large, and so on
 
 struct Waves {
-  double outlines = 0.0; ///< mean excess kurtosis of the finest octaves
+  double outlines = 0.0; ///< mean of the finest octaves' outlinesAt()
   /// Share of the variance in waves longer than 2^k supports.
   std::array<double, kSupports> slow{};
 };
@@ -113,7 +126,7 @@ Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progres
       const double frequency = std::exp2(-2 - k);
       if (frequency * std::min(map.width, map.height) < kFewestWaves)
         break;
-      kurtosis += excessKurtosis(octave(spectrum, frequency));
+      kurtosis += outlinesAt(spectrum, frequency);
       ++octaves;
     }
     sum.outlines += octaves > 0 ? power * kurtosis / octaves : 0.0;

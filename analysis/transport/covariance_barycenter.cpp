@@ -32,7 +32,7 @@ MatrixXd covarianceBarycenter(std::span<const MatrixXd> covariances,
     const MatrixXd inverseRoot = power(result, -0.5);
     MatrixXd mean = MatrixXd::Zero(result.rows(), result.cols());
     for (std::size_t k = 0; k < covariances.size(); ++k)
-      mean += weights[k] * power(MatrixXd(root * covariances[k] * root), 0.5);
+      mean += weights[k] * rootOfProduct(root, covariances[k]);
     const MatrixXd next = inverseRoot * mean * mean * inverseRoot;
     const double change = (next - result).norm();
     result = next;

@@ -10,6 +10,18 @@ namespace {
 
 /// (2^-20)^2: float coordinates carry 24 bits, of which sums of many keep about 20.
 constexpr double kNoVariance = 1e-12;
+/// Of products of two such, what the solver's own rounding leaves of the largest.
+constexpr double kNoProduct = 1e-15;
+
+template <class Matrix>
+Matrix powerAbove(const Matrix& symmetric, double exponent, double share) {
+  const auto solver = principalAxes(symmetric);
+  auto values = solver.eigenvalues();
+  const double floor = share * std::max(values.maxCoeff(), 0.0);
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+    values[k] = values[k] > floor ? std::pow(values[k], exponent) : 0.0;
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+}
 
 } // namespace
 
@@ -20,12 +32,7 @@ Eigen::SelfAdjointEigenSolver<Matrix> principalAxes(const Matrix& symmetric) {
 
 template <class Matrix>
 Matrix power(const Matrix& symmetric, double exponent) {
-  const auto solver = principalAxes(symmetric);
-  auto values = solver.eigenvalues();
-  const double floor = kNoVariance * std::max(values.maxCoeff(), 0.0);
-  for (Eigen::Index k = 0; k < values.size(); ++k)
-    values[k] = values[k] > floor ? std::pow(values[k], exponent) : 0.0;
-  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+  return powerAbove(symmetric, exponent, kNoVariance);
 }
 
 int rank(const SmallMatrix& symmetric) {
@@ -35,16 +42,22 @@ int rank(const SmallMatrix& symmetric) {
 }
 
 template <class Matrix>
+Matrix rootOfProduct(const Matrix& root, const Matrix& covariance) {
+  return powerAbove(Matrix(root * covariance * root), 0.5, kNoProduct);
+}
+
+template <class Matrix>
 Matrix covarianceMap(const Matrix& from, const Matrix& to) {
   const Matrix root = power(from, 0.5);
   const Matrix inverseRoot = power(from, -0.5);
-  return inverseRoot * power(Matrix(root * to * root), 0.5) * inverseRoot;
+  return inverseRoot * rootOfProduct(root, to) * inverseRoot;
 }
 
 template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
 template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principalAxes(const Eigen::MatrixXd&);
 template SmallMatrix power(const SmallMatrix&, double);
 template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
+template Eigen::MatrixXd rootOfProduct(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);
 template Eigen::MatrixXd covarianceMap(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 

@@ -25,6 +25,11 @@ template <class Matrix>
 /// How many eigenvalues do not count as zero.
 [[nodiscard]] int rank(const SmallMatrix& symmetric);
 
+/// (R B R)^(1/2) for `root` R, the power 1/2 of a covariance, and `covariance` B. Its eigenvalues
+/// are roots of products, which count as zero below 1e-15 of the largest only: rounding of doubles.
+template <class Matrix>
+[[nodiscard]] Matrix rootOfProduct(const Matrix& root, const Matrix& covariance);
+
 /// The symmetric optimal-transport map between centred Gaussians,
 /// A^(-1/2) (A^(1/2) B A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19 eq. 2.40].
 template <class Matrix>
@@ -35,6 +40,7 @@ extern template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
 principalAxes(const Eigen::MatrixXd&);
 extern template SmallMatrix power(const SmallMatrix&, double);
 extern template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
+extern template Eigen::MatrixXd rootOfProduct(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 extern template SmallMatrix covarianceMap(const SmallMatrix&, const SmallMatrix&);
 extern template Eigen::MatrixXd covarianceMap(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
 

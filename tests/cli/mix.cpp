@@ -307,6 +307,8 @@ TEST_CASE("apply gives a mix its weight from every source") {
   refuses({"--mix-direction", "0,0,0,1e-200"}, kUsage, {"two places 0.000001 or more apart"});
   refuses({"--mix-direction", "0,0,1"}, kUsage, {"--mix-direction 0,0,1:"});
   refuses({"--mix-vertex-color", "2"}, kBadInput, {"has no COLOR_2, which --mix-vertex-color"});
+  refuses({"--mix-texture", m.grey, "--mix-channel", "alpha"}, kBadInput,
+          {"has no alpha, which --mix-channel asks for"});
   refuses({"--mix-texture", "3"}, kUsage, {"--mix-texture 3:", "has 0 textures"});
   refuses({"--mix-texture", workplace.path("absent.png")}, kBadInput, {"absent.png"});
   refuses({"--mix-texture", workplace.write("no.png", std::string("no image"))}, kBadInput,

@@ -113,6 +113,30 @@ TEST_CASE("a small map of a set is judged by the texels that the set's texton ha
   CHECK_THAT(slow(2 * kSide).remedy, Catch::Contains("--support 80"));
 }
 
+TEST_CASE("Outlines that a texton loses are told whatever their direction, and random phases have "
+          "none") {
+  // The joints of paving fill the waves of all directions together as Gaussian noise does.
+  for (auto* generate : {exemplars::paving, exemplars::terrazzo}) {
+    const MapExemplar map = baseColor(generate(256));
+    const std::vector<Risk> risksOfMap = assessTextonSuitability(map, 64).value();
+    CHECK(named(risksOfMap, "outlines").level == Risk::Level::severe);
+    MapExemplar gaussian = map;
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<float> plane;
+      for (std::size_t i = c; i < map.values.size(); i += 3)
+        plane.push_back(map.values[i]);
+      const std::vector<float> random =
+          phaseRandomizedPlane(forwardFft(plane, map.width, map.height), 1);
+      for (std::size_t i = 0; i < random.size(); ++i) // of less contrast, to stay in range
+        gaussian.values[3 * i + c] = std::clamp(0.4f + 0.1f * random[i], 0.0f, 1.0f);
+    }
+    // The coarsest of four octaves, of the least weight on the scatter but most of it, has some 400
+    // independent values: sqrt(24 / 400) / 4 of its mean is 0.06, and five of these below mild.
+    const std::vector<Risk> risks = assessTextonSuitability(gaussian, 64).value();
+    CHECK(named(risks, "outlines").level == Risk::Level::none);
+  }
+}
+
 TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
     for (const Risk& risk : risksOf(baseColor(material.generate(256)))) {

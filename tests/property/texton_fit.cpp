@@ -165,6 +165,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemplar") {
+  // As of scanned letters: what is not grey has 1e-7 of the one's variance and 2e-6 of the other's,
+  // and their product is below what counts as no variance.
+  const GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
+  TextonCoefficients texton = fitCoefficients(model, support(23), FitMethod::transportDistance);
+  const std::size_t texels = texton.values.size() / 3;
+  for (std::size_t i = 0; i < texels; ++i)
+    for (std::size_t c = 1; c < 3; ++c)
+      texton.values[c * texels + i] = texton.values[i] + 1e-2f * texton.values[c * texels + i];
+  const double variance = noiseCovariance(texton, 1)(0, 0);
+  Eigen::MatrixXd wanted = Eigen::MatrixXd::Constant(3, 3, variance);
+  wanted.diagonal().array() += 2e-6 * variance;
+  REQUIRE(correctCovariance(texton, 1, wanted));
+  CHECK((noiseCovariance(texton, 1) - wanted).cwiseAbs().maxCoeff() <= 1.01e-6 * variance);
+}
+
 TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the papers' algorithm "
           "finds, whatever its support") {
   const GaussianModel model = modelOf(threeMaterials(256, 256, 7, 6));
