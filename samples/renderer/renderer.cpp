@@ -35,7 +35,7 @@ constexpr std::array kDebugViews{
     DebugView{"normals", DEBUG_NORMALS},     DebugView{"base-color", DEBUG_BASE_COLOR},
     DebugView{"weights", DEBUG_WEIGHTS},     DebugView{"lattice", DEBUG_LATTICE},
     DebugView{"mip-level", DEBUG_MIP_LEVEL}, DebugView{"gaussian", DEBUG_GAUSSIAN},
-    DebugView{"impacts", DEBUG_IMPACTS}};
+    DebugView{"impacts", DEBUG_IMPACTS},     DebugView{"planes", DEBUG_PLANES}};
 
 using Clock = std::chrono::steady_clock;
 

@@ -110,7 +110,7 @@ double furnaceError(double metallic, double roughness) {
   return worst;
 }
 
-/// A ball with the first material, on a ground with the same.
+/// A ball with the first material, on a ground with the same or on none.
 std::vector<std::byte> ballOf(const std::vector<std::byte>& bundle, bool withGround) {
   GltfScene scene(bundle);
   scene.addBall(0);
@@ -134,6 +134,13 @@ std::vector<std::byte> textonBall(bool withGround = true) {
   SyntheticTexton texton;
   texton.smoothings = 1; // grain that a pixel of the ball can show
   return ballOf(syntheticTextonGlb(texton), withGround);
+}
+
+/// One with a noise mapped onto three planes.
+std::vector<std::byte> triplanarBall(BundleFile file, bool withGround = true) {
+  file.bundle.materials[0]->mapping = Mapping::triplanar;
+  file.bundle.materials[0]->planeSharpness = 4.0;
+  return ballOf(encodeGlb(file).value(), withGround);
 }
 
 } // namespace
@@ -166,6 +173,14 @@ TEST_CASE("textons on surfaces without texture coordinates are as they were") {
   checkGolden("texton_surface", render(scene.glb(), settingsOf(256, 144, 4)));
 }
 
+TEST_CASE("a noise in three planes is as it was, by tiling and by textons") {
+  const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
+  checkGolden("triplanar_tiling",
+              render(triplanarBall(syntheticBundle(maps)), settingsOf(256, 144, 4)));
+  checkGolden("triplanar_texton", render(triplanarBall(syntheticTextonBundle({.smoothings = 1})),
+                                         settingsOf(256, 144, 4)));
+}
+
 TEST_CASE("a mix of textons over a ball and its ground is as it was") {
   BundleFile file = syntheticTextonBundle({.steps = 5, .smoothings = 1});
   file.bundle.materials[0]->mix = {
@@ -178,6 +193,16 @@ TEST_CASE("the impacts of textons are as they were") {
   RenderSettings settings = settingsOf(128, 72, 1);
   settings.debugView = "impacts";
   checkGolden("view_texton-impacts", render(textonBall(false), settings));
+}
+
+TEST_CASE("the debug views of three planes are as they were") {
+  const SyntheticMap map{3, 64, 64, true, 4};
+  for (const char* view : {"planes", "weights", "lattice", "mip-level", "gaussian"}) {
+    RenderSettings settings = settingsOf(128, 72, 1);
+    settings.debugView = view;
+    checkGolden("view_triplanar-" + std::string(view),
+                render(triplanarBall(syntheticBundle(std::span(&map, 1)), false), settings));
+  }
 }
 
 TEST_CASE("each debug view of a noise is as it was") {

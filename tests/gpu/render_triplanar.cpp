@@ -145,3 +145,26 @@ TEST_CASE("slopes in three planes tilt the normals of all six faces outwards, an
                 Approx(0.5 + 0.5 * normal[k] / std::sqrt(squares)).margin(1.0 / 255.0));
     }
 }
+
+TEST_CASE("the view of the planes shows how much of the variance is each one's") {
+  const SyntheticMap map{1, 16, 16};
+  BundleFile file = syntheticBundle(std::span(&map, 1));
+  setParameters(file);
+  const LinearImage drawn = picture(file, "planes");
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const Vec3 normal = kNormals[std::size_t(y / kCell * kColumns + x / kCell)];
+      const float greatest =
+          std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
+      Vec3 squares{};
+      float sum = 0.0f;
+      for (std::size_t k = 0; k < 3; ++k) { // decision 021, with the sharpness of setParameters
+        const float weight = std::pow(std::abs(normal[k]) / greatest, 3.0f) - 1.0f / 64.0f;
+        squares[k] = std::pow(std::max(weight, 0.0f), 2.0f);
+        sum += squares[k];
+      }
+      INFO("pixel " << x << ", " << y);
+      for (std::size_t k = 0; k < 3; ++k)
+        REQUIRE(drawn.pixel(x, y)[k] == Approx(squares[k] / sum).margin(1.0 / 255.0));
+    }
+}

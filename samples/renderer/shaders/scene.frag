@@ -4,17 +4,9 @@
 // A surface's radiance toward the camera, or one quantity of it (debug views).
 #include "scene_interface.h"
 #include "surface.glsl"
+#include "debug_views.glsl"
 #include "shading.glsl"
 
-layout(constant_id = 2) const int kDebugView = DEBUG_NONE;
-// Of the debug views, chosen to be told apart.
-const vec3 kNothingToShow = vec3(0.5);
-const vec3 kLineColor = vec3(0.9, 0.35, 0.1);
-const float kLineWeight = 0.03; // the least weight that is no longer on a line of the lattice
-const float kCellDarkest = 0.15;
-const float kCellContrast = 0.5;
-const float kMostImpacts = 60.0; // of a pixel, twice the usual mean
-const float kSurfaceImpacts = 2.0; // times as many on a surface
 const float kLeastNDotV = 1e-3; // keeps the visibility term finite
 
 layout(location = 0) in vec3 worldPosition;
@@ -70,108 +62,6 @@ vec3 lit(Shading s, Surface surface) {
     light += direct;
   }
   return light;
-}
-
-/// Blue, cyan, green, yellow, red for 0, 1/4, 1/2, 3/4, 1, linear between.
-vec3 ramp(float x) {
-  return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
-}
-
-/// A Gaussian value of a map's dimensions.
-vec3 shownGaussian(vec3 gaussian, LichenMap map) {
-  if (map.dimensions == 1u)
-    return gaussian.xxx;
-  return vec3(gaussian.xy, map.dimensions == 2u ? kNothingToShow.z : gaussian.z);
-}
-
-/// The views that texton noises have.
-vec3 textonDebug(LichenImpacts impacts) {
-  if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenImpactCount(impacts, noiseData.noise, noiseData.texton)) /
-                kMostImpacts);
-  if (kDebugView == DEBUG_MIP_LEVEL)
-    return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
-    return kNothingToShow;
-  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
-  LichenKept kept = lichenTextonKept(baseColorTable, impacts, map, noiseData.texton);
-  return shownGaussian(lichenTextonGaussian(baseColorImage, impacts, kept, noiseData.noise, here,
-                                            noiseData.texton),
-                       map);
-}
-
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-/// Of those, what is otherwise on a surface.
-vec3 surfaceDebug(LichenPlace place) {
-  if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenSurfaceImpactCount(place.surface, noiseData.noise, noiseData.texton)) /
-                (kSurfaceImpacts * kMostImpacts));
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
-    return textonDebug(place.impacts);
-  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  LichenMap here = lichenMixedMap(baseColorTable, place.impacts, map, noiseData.texton);
-  LichenKept kept = lichenTextonKept(baseColorTable, place.impacts, map, noiseData.texton);
-  return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, place.impacts, place.surface,
-                                                   kept, noiseData.noise, here, noiseData.texton),
-                       map);
-}
-#endif
-
-#ifndef LICHEN_OMIT_TRIPLANAR
-/// The views that triplanar noises have.
-vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {
-  if (kDebugView == DEBUG_WEIGHTS) {
-    vec3 weights = lichenPlaneWeights(triplanar.normal, noiseData.noise);
-    return weights * weights;
-  }
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
-    return kNothingToShow;
-  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  lichenSetTriplanarMix(triplanar, mixWeight);
-  LichenMap here =
-      lichenTriplanarMap(baseColorTable, triplanar, noiseData.noise, map, noiseData.texton);
-  vec3 lost;
-  return shownGaussian(lichenTriplanarGaussian(baseColorImage, baseColorTable, triplanar,
-                                               noiseData.noise, map, here, noiseData.texton, lost),
-                       map);
-}
-#endif
-
-vec3 noiseDebug(Footprint footprint) {
-  if (!kHasNoise)
-    return kNothingToShow;
-  LichenPlace place = noisePlace(footprint);
-#ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(noiseData.noise))
-    return triplanarDebug(place.triplanar, place.impacts.mixWeight);
-#endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))
-    return surfaceDebug(place);
-#endif
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noiseData.noise))
-    return textonDebug(place.impacts);
-#endif
-  LichenTaps taps = place.taps;
-  if (kDebugView == DEBUG_IMPACTS)
-    return kNothingToShow;
-  if (kDebugView == DEBUG_WEIGHTS)
-    return taps.weights;
-  if (kDebugView == DEBUG_LATTICE) {
-    float least = min(taps.weights.x, min(taps.weights.y, taps.weights.z));
-    float inside = smoothstep(0.0, kLineWeight, least);
-    return mix(kLineColor, kCellDarkest + kCellContrast * taps.weights, inside);
-  }
-  // The others are of the base colour.
-  if (!noiseHas(NOISE_BASE_COLOR))
-    return kNothingToShow;
-  LichenMap map = noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]];
-  float level = lichenTilingLevel(taps, noiseData.noise, map);
-  if (kDebugView == DEBUG_MIP_LEVEL)
-    return ramp(level / max(float(map.mipCount) - 1.0, 1.0));
-  return shownGaussian(lichenTilingGaussian(baseColorImage, taps, level), map);
 }
 
 void main() {

@@ -61,6 +61,7 @@
 #define DEBUG_MIP_LEVEL 5
 #define DEBUG_GAUSSIAN 6
 #define DEBUG_IMPACTS 7
+#define DEBUG_PLANES 8
 
 #ifdef __cplusplus
 #include <glm/glm.hpp>
