@@ -2,6 +2,8 @@
 // Point and footprint -> the window of cells around it.
 #include "impacts.h"
 
+#include "sampling/footprint_level.h"
+
 #include <algorithm>
 
 namespace lichen::texton {
@@ -13,18 +15,6 @@ std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
     return std::uint32_t(cell);
   const std::int64_t rest = cell % period;
   return std::uint32_t(rest < 0 ? rest + period : rest);
-}
-
-/// lichenSetFootprint, where the sampler is trilinear.
-float footprintLevel(const TileFootprint& at, const Vec2& texelsPerTile) {
-  const Vec2 x{at.dx[0] * texelsPerTile[0], at.dx[1] * texelsPerTile[1]};
-  const Vec2 y{at.dy[0] * texelsPerTile[0], at.dy[1] * texelsPerTile[1]};
-  constexpr float kMostSlant = 16.0f;
-  const float squared = std::max({1.0f, x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]});
-  const float area = std::abs(x[0] * y[1] - x[1] * y[0]);
-  const float slant = std::min(squared / std::max(area, std::sqrt(squared)), kMostSlant);
-  const float lambda = std::max(0.0f, 0.5f * std::log2(squared) - 0.25f * std::log2(slant));
-  return std::max(0.5f * lambda, lambda - 0.5f); // lichenSharpLevel
 }
 
 } // namespace
@@ -46,7 +36,7 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
   const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
   const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
   Impacts impacts;
-  impacts.footprintLevel = footprintLevel(at, texelsPerTile);
+  impacts.footprintLevel = std::max(0.0f, footprintLevel(at, texelsPerTile[0], texelsPerTile[1]));
   impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
   const Reach reach = mipReach(impacts.level, texton);
   for (std::size_t k = 0; k < 2; ++k) {

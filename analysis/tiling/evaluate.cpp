@@ -2,6 +2,7 @@
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
 // the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl, with a
 // trilinear sampler.
+#include "sampling/footprint_level.h"
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
@@ -37,16 +38,9 @@ float uniformFromGaussian(float value) {
   return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
 }
 
-/// The level of detail of the footprint: log2 of its longer side in texels, negative if magnified.
+/// lichenTilingLevel, where the sampler is trilinear, not beyond the last mip.
 float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
-  const auto squaredTexels = [&](const std::array<float, 2>& d) {
-    const float x = d[0] * map.widthTexels;
-    const float y = d[1] * map.heightTexels;
-    return x * x + y * y;
-  };
-  constexpr float kLeast = 1e-20f; // texels^2; keeps log2 defined at a point
-  const float squared = std::max({kLeast, squaredTexels(at.dx), squaredTexels(at.dy)});
-  return std::min(0.5f * std::log2(squared), float(map.mipCount - 1));
+  return std::min(footprintLevel(at, map.widthTexels, map.heightTexels), float(map.mipCount - 1));
 }
 
 /// The variance that a bilinear fetch of one mip keeps.

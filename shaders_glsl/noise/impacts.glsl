@@ -9,6 +9,7 @@
 #define LICHEN_IMPACTS_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "footprint_level.glsl"
 #include "hash.glsl"
 
 // 1 when the images' sampler is anisotropic: the textons are then fetched with gradients.
@@ -91,13 +92,6 @@ void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high)
   high = (ceil(coefficients / side) + 0.5) * side;
 }
 
-/// The level at which a footprint of 2^lambda texels, lambda >= 0, is fetched.
-float lichenSharpLevel(float lambda) {
-  // A trilinear fetch averages more than its level says, by what it interpolates: half a level
-  // lower it has the variance of a pixel's average (docs/decisions/018-texton-filtering.md).
-  return max(0.5 * lambda, lambda - 0.5);
-}
-
 #if LICHEN_ANISOTROPIC
 /// The level of a footprint whose axes have these lengths [texels]: of a square of the same area.
 float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
@@ -137,14 +131,7 @@ void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
   impacts.majorAxis = major * direction;
   impacts.minorAxis = minor * vec2(-direction.y, direction.x);
 #else
-  // Of a slanted pixel a quarter of the way from the longer side to the shorter, which is at least
-  // a texel: the least difference from its average (docs/decisions/018-texton-filtering.md).
-  const float kMostSlant = 16.0;
-  float squared = max(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));
-  float area = abs(texelsX.x * texelsY.y - texelsX.y * texelsY.x);
-  float slant = min(squared / max(area, sqrt(squared)), kMostSlant);
-  impacts.footprintLevel =
-      lichenSharpLevel(max(0.0, 0.5 * log2(squared) - 0.25 * log2(slant)));
+  impacts.footprintLevel = max(0.0, lichenFootprintLevel(texelsX, texelsY));
   impacts.level = min(impacts.footprintLevel, lastLevel);
 #endif
 }

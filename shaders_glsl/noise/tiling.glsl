@@ -7,14 +7,15 @@
 #define LICHEN_TILING_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "footprint_level.glsl"
 #include "hash.glsl"
 #include "mip_variance.glsl"
 #include "simplex_lattice.glsl"
 #include "tiling_decode.glsl"
 
 // 1 when the images' sampler is anisotropic. Otherwise the level of detail is computed once per map
-// instead of once per tap: the same result, cheaper, and more exact where a driver approximates the
-// level that it takes from gradients.
+// instead of once per tap: cheaper, more exact where a driver approximates the level that it takes
+// from gradients, and as sharp as a pixel's average.
 #ifndef LICHEN_ANISOTROPIC
 #define LICHEN_ANISOTROPIC 0
 #endif
@@ -69,21 +70,23 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   return taps;
 }
 
-/// The level of detail of the footprint in a map: log2 of the side of the square of texels that
-/// loses the same variance. Negative when magnified.
+/// The level of detail at which a map's image is fetched for the footprint, not clamped to its
+/// mips; negative when magnified.
 float lichenTilingLevel(LichenTaps taps, LichenNoise noise, LichenMap map) {
   vec2 size = vec2(map.widthTexels, map.heightTexels);
   vec2 texelsX = taps.gradientX * size;
   vec2 texelsY = taps.gradientY * size;
+#if LICHEN_ANISOTROPIC
+  // That of the sampler: log2 of the side of the square of texels that loses the same variance.
   vec2 squared = vec2(dot(texelsX, texelsX), dot(texelsY, texelsY));
   const float kLeast = 1.0e-20; // texels^2; keeps log2 and the ratio defined where nothing changes
   float major = max(max(squared.x, squared.y), kLeast);
-  float level = 0.5 * log2(major);
-#if LICHEN_ANISOTROPIC
   float minor = max(min(squared.x, squared.y), kLeast);
-  level -= 0.25 * log2(clamp(major / minor, 1.0, noise.maxAnisotropy * noise.maxAnisotropy));
+  float most = noise.maxAnisotropy * noise.maxAnisotropy;
+  return 0.5 * log2(major) - 0.25 * log2(clamp(major / minor, 1.0, most));
+#else
+  return lichenFootprintLevel(texelsX, texelsY);
 #endif
-  return level;
 }
 
 /// One tap of the Gaussian image.

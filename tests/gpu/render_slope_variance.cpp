@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Bumps that a pixel hides: the highlight of a plane with a normal noise, seen from afar.
+// Bumps that a pixel hides: the highlight of a plane with a normal noise, and the light of coloured
+// bumps, seen from afar.
 #include "rendered.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/lattice.h>
+#include <lichen/texton.h>
 #include <lichen/tiling.h>
 
 #include <algorithm>
@@ -49,11 +51,8 @@ MapExemplar bumps() {
   return map;
 }
 
-BundleFile bumpyBundle(const MapExemplar& map) {
-  TilingOptions options;
-  options.periodic = Periodic::yes;
-  options.gaussian = GaussianOnly::no; // they nearly are, and this is about the table
-  Result<TilingBake> bake = bakeTiling("bumps", {&map, 1}, options);
+template <class Bake>
+BundleFile bundleFileOf(Result<Bake> bake) {
   REQUIRE(bake);
   BundleFile file;
   file.bundle.tables = std::move(bake.value().tables);
@@ -63,6 +62,27 @@ BundleFile bumpyBundle(const MapExemplar& map) {
   file.shape = PreviewShape::none;
   file.generator = "lichen tests";
   return file;
+}
+
+BundleFile bumpyBundle(const MapExemplar& map) {
+  TilingOptions options;
+  options.periodic = Periodic::yes;
+  options.gaussian = GaussianOnly::no; // they nearly are, and this is about the table
+  return bundleFileOf(bakeTiling("bumps", {&map, 1}, options));
+}
+
+/// Dark and light grains of the bumps: the higher slopes to the right are, the lighter.
+std::vector<MapExemplar> colouredBumps() {
+  MapExemplar colours;
+  colours.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
+  const MapExemplar map = bumps();
+  colours.width = map.width;
+  colours.height = map.height;
+  for (std::size_t i = 0; i < map.values.size(); i += 2) {
+    const float light = std::clamp(0.5f + 1.5f * map.values[i], 0.05f, 0.95f);
+    colours.values.insert(colours.values.end(), {light, 0.8f * light, 0.5f});
+  }
+  return {colours, map};
 }
 
 /// Takes the slopes' variance out of a bundle's table.
@@ -75,7 +95,21 @@ void forgetVariance(Bundle& bundle) {
   appendTexels(table.texels, table.format, texels);
 }
 
-/// A metallic plane that faces an orthographic camera, lit from `lightAngle` above the view.
+/// An orthographic camera on the z axis that sees this far to each side, and a light from
+/// `lightAngle` above it.
+void facedBy(GltfScene& scene, float halfWidth, float halfHeight, double lightAngle) {
+  nlohmann::json& json = scene.json;
+  json["cameras"].push_back(
+      {{"type", "orthographic"},
+       {"orthographic",
+        {{"xmag", halfWidth}, {"ymag", halfHeight}, {"znear", 0.1}, {"zfar", 10}}}});
+  json["nodes"].push_back({{"camera", json["cameras"].size() - 1}, {"translation", {0, 0, 5}}});
+  json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+  scene.addSun(1.0f);
+  json["nodes"].back()["rotation"] = {-std::sin(lightAngle / 2), 0, 0, std::cos(lightAngle / 2)};
+}
+
+/// A metallic plane that faces the camera.
 GltfScene planeUnder(const BundleFile& file, double lightAngle) {
   GltfScene scene(encodeGlb(file).value());
   scene.json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 1},
@@ -86,14 +120,7 @@ GltfScene planeUnder(const BundleFile& file, double lightAngle) {
                  {"TANGENT", scene.addFloats({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, 4)},
                  {"TEXCOORD_0", scene.addFloats({0, 0, 0, kTiles, kTiles, kTiles, kTiles, 0}, 2)}},
                 scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0);
-  nlohmann::json& json = scene.json;
-  json["cameras"].push_back(
-      {{"type", "orthographic"},
-       {"orthographic", {{"xmag", h}, {"ymag", h}, {"znear", 0.1}, {"zfar", 10}}}});
-  json["nodes"].push_back({{"camera", json["cameras"].size() - 1}, {"translation", {0, 0, 5}}});
-  json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
-  scene.addSun(1.0f);
-  json["nodes"].back()["rotation"] = {-std::sin(lightAngle / 2), 0, 0, std::cos(lightAngle / 2)};
+  facedBy(scene, h, h, lightAngle);
   return scene;
 }
 
@@ -130,6 +157,101 @@ TEST_CASE("a bumpy plane seen from afar reflects as much as one whose bumps are 
     CHECK(std::abs(hidden / drawn - 1.0) < 0.35);
     CHECK(std::abs(hidden / drawn - 1.0) < 0.4 * std::abs(forgotten / drawn - 1.0));
   }
+}
+
+namespace {
+
+/// Squares that face an orthographic camera, a pixel of which is 1 / kTexels wide: a column for
+/// each of these scales of the noise, one row of rough stone and one of worn metal. `sides` are
+/// those of the squares, in pixels; the first is the largest.
+LinearImage squares(BundleFile file, Mapping mapping, std::span<const double> texelsAPixel,
+                    std::span<const std::uint32_t> sides) {
+  // A file has one material for each noise.
+  const Noise noise = file.bundle.noises[0];
+  MaterialNoise use = *file.bundle.materials[0];
+  use.mapping = mapping;
+  file.bundle.noises.clear();
+  file.bundle.materials.clear();
+  for (int row = 0; row < 2; ++row)
+    for (const double texels : texelsAPixel) {
+      use.scale = 1.0 / texels;
+      use.noise = file.bundle.noises.size();
+      file.bundle.materials.emplace_back(use);
+      file.bundle.noises.push_back(noise);
+      file.bundle.noises.back().name += std::to_string(use.noise);
+    }
+  file.previews.resize(file.bundle.materials.size());
+  GltfScene scene(encodeGlb(file).value());
+  const std::uint32_t height = 2 * sides[0];
+  const std::uint32_t width = std::accumulate(sides.begin(), sides.end(), 0u);
+  for (std::size_t row = 0; row < 2; ++row) {
+    float left = -0.5f * float(width) / kTexels;
+    for (std::size_t column = 0; column < sides.size(); ++column) {
+      const std::size_t material = row * sides.size() + column;
+      scene.json["materials"][material]["pbrMetallicRoughness"] = {
+          {"metallicFactor", row}, {"roughnessFactor", row == 0 ? 0.9 : 0.5}};
+      const float side = float(sides[column]) / kTexels, right = left + side;
+      const float top = row == 0 ? float(sides[0]) / kTexels : 0.0f, bottom = top - side;
+      scene.addMesh(
+          {{"POSITION",
+            scene.addFloats({left, top, 0, left, bottom, 0, right, bottom, 0, right, top, 0}, 3)},
+           {"NORMAL", scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3)},
+           {"TANGENT", scene.addFloats({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, 4)},
+           {"TEXCOORD_0",
+            scene.addFloats({left, -top, left, -bottom, right, -bottom, right, -top}, 2)}},
+          scene.addIndices({0, 1, 2, 0, 2, 3}, 1), material);
+      left = right;
+    }
+  }
+  facedBy(scene, 0.5f * float(width) / kTexels, 0.5f * float(height) / kTexels, 0.1);
+  RenderSettings settings = lightOnly(height);
+  settings.width = width;
+  return render(scene.glb(), settings);
+}
+
+/// Mean radiance of the square of pixels from this column and row on.
+double meanRadiance(const LinearImage& image, std::uint32_t left, std::uint32_t top,
+                    std::uint32_t side) {
+  double sum = 0.0;
+  for (std::uint32_t y = top; y < top + side; ++y)
+    for (std::uint32_t x = left; x < left + side; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += double(image.pixel(int(x), int(y))[c]);
+  return sum / (3.0 * side * side);
+}
+
+} // namespace
+
+TEST_CASE("lit, coloured bumps are as bright at every distance, in either mapping") {
+  const std::vector<MapExemplar> maps = colouredBumps();
+  TilingOptions tiling;
+  tiling.periodic = Periodic::yes;
+  TextonOptions texton;
+  texton.support = 32;
+  constexpr std::array<double, 5> kTexelsAPixel{1.0, 2.0, 8.0, 40.0, 100.0 * kTexels};
+  // The drawn one shows 16 tiles.
+  constexpr std::array<std::uint32_t, 5> kSides{4 * kTexels, 2 * kTexels, 32, 16, 16};
+  // Of stone, light's cosine on bumps, off by 0.12^2 / 2 along each axis, and the spread of 16
+  // tiles. Of metal, in the middle of the highlight: GGX of alpha 0.25 averaged over slopes of
+  // deviation 0.12 has 0.576 of its peak, that of alpha^2 + 2 0.12^2 has 0.685, 1.19 times as much;
+  // with no variance it would be 1.7 times.
+  constexpr std::array<double, 2> kBounds{0.03, 0.25};
+  for (const BundleFile& file : {bundleFileOf(bakeTiling("bumps", maps, tiling)),
+                                 bundleFileOf(bakeTexton("bumps", maps, texton))})
+    for (const Mapping mapping : {Mapping::uv, Mapping::triplanar}) {
+      const LinearImage image = squares(file, mapping, kTexelsAPixel, kSides);
+      for (std::uint32_t row = 0; row < 2; ++row) {
+        const double drawn = meanRadiance(image, 0, row * kSides[0], kSides[0]);
+        std::uint32_t left = kSides[0];
+        for (std::size_t k = 1; k < kSides.size(); left += kSides[k], ++k) {
+          const double seen = meanRadiance(image, left, row * kSides[0], kSides[k]);
+          INFO((row == 0 ? "stone, " : "metal, ")
+               << nameOf(file.bundle.noises[0].method) << ", " << nameOf(mapping) << ", "
+               << kTexelsAPixel[k] << " texels a pixel: drawn " << drawn << ", seen " << seen);
+          CHECK(std::abs(seen / drawn - 1.0) < kBounds[row]);
+        }
+      }
+    }
 }
 
 TEST_CASE("rotating a noise turns its slopes with it, and not their variance") {

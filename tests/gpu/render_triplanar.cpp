@@ -97,6 +97,92 @@ void setParameters(BundleFile& file) {
   use.planeSharpness = 3.0;
 }
 
+/// How a mesh stands in the scene: turned about an axis through opposite corners of a cube, then
+/// scaled along the axes of its own, then moved.
+struct Stand {
+  float turn = 0.0f;
+  Vec3 scale{1.0f, 1.0f, 1.0f};
+  std::array<double, 3> move{};
+
+  /// Row by row, of the linear part.
+  [[nodiscard]] std::array<std::array<double, 3>, 3> linear() const {
+    const double c = std::cos(double(turn)), s = std::sin(double(turn)) / std::sqrt(3.0);
+    const double rest = (1.0 - c) / 3.0;
+    std::array<std::array<double, 3>, 3> m{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        m[i][j] = double(scale[j]) * (i == j ? c + rest : rest + ((j + 3 - i) % 3 == 1 ? -s : s));
+    return m;
+  }
+};
+
+/// Solves m x = v by Cramer's rule.
+Vec3 solved(const std::array<std::array<double, 3>, 3>& m, const std::array<double, 3>& v) {
+  const auto determinant = [](const auto& a) {
+    return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+           a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+           a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+  };
+  Vec3 x{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto replaced = m;
+    for (std::size_t i = 0; i < 3; ++i)
+      replaced[i][k] = v[i];
+    x[k] = float(determinant(replaced) / determinant(m));
+  }
+  return x;
+}
+
+/// A picture of a plane that the camera at `origin` faces, whose left and right halves are meshes
+/// that stand in these ways and meet in the middle.
+LinearImage halves(const BundleFile& file, const std::array<Stand, 2>& stands,
+                   const std::array<double, 3>& origin) {
+  constexpr Vec3 kNormal{6.0f / 11.0f, 6.0f / 11.0f, 7.0f / 11.0f}; // all three planes count
+  GltfScene scene(encodeGlb(file).value());
+  const double half = 2.0 * double(halfHeight());
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto m = stands[side].linear();
+    std::vector<float> positions, normals;
+    for (const auto& [right, up] : {std::pair{0, -1}, {1, -1}, {1, 1}, {0, 1}}) {
+      const std::array<double, 3> place{(double(side) - 1.0 + right) * half, 0.5 * up * half, 0.0};
+      std::array<double, 3> moved{};
+      for (std::size_t k = 0; k < 3; ++k)
+        moved[k] = origin[k] + place[k] - stands[side].move[k];
+      const Vec3 own = solved(m, moved);
+      positions.insert(positions.end(), own.begin(), own.end());
+      // Normals go to the world by the inverse transpose.
+      for (std::size_t k = 0; k < 3; ++k) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 3; ++i)
+          sum += m[i][k] * double(kNormal[i]);
+        normals.push_back(float(sum));
+      }
+      double squares = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+        squares += std::pow(double(normals[normals.size() - 3 + k]), 2);
+      for (std::size_t k = 0; k < 3; ++k)
+        normals[normals.size() - 3 + k] /= float(std::sqrt(squares));
+    }
+    nlohmann::json matrix = nlohmann::json::array();
+    for (std::size_t column = 0; column < 3; ++column) {
+      for (std::size_t row = 0; row < 3; ++row)
+        matrix.push_back(m[row][column]);
+      matrix.push_back(0.0);
+    }
+    for (const double along : stands[side].move)
+      matrix.push_back(along);
+    matrix.push_back(1.0);
+    const std::size_t at = scene.addFloats(positions, 3), along = scene.addFloats(normals, 3);
+    scene.addMesh({{"POSITION", at}, {"NORMAL", along}}, scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0,
+                  {{"matrix", matrix}});
+  }
+  scene.addCamera(kDistance, kFieldOfView);
+  scene.json["nodes"].back()["translation"] = {origin[0], origin[1], origin[2] + double(kDistance)};
+  renderer::RenderSettings settings = settingsOf(kWidth, kHeight, 1);
+  settings.debugView = "base-color";
+  return render(scene.glb(), settings);
+}
+
 } // namespace
 
 TEST_CASE("colours in three planes are those of the place in the world, whatever the mesh") {
@@ -167,4 +253,31 @@ TEST_CASE("the view of the planes shows how much of the variance is each one's")
       for (std::size_t k = 0; k < 3; ++k)
         REQUIRE(drawn.pixel(x, y)[k] == Approx(squares[k] / sum).margin(1.0 / 255.0));
     }
+}
+
+TEST_CASE(
+    "two meshes that meet show one pattern without a seam, however each stands in the world") {
+  const SyntheticMap map{3, 64, 48};
+  BundleFile file = syntheticBundle(std::span(&map, 1));
+  setParameters(file);
+  for (const double far : {0.0, 1000.0}) {
+    INFO(far << " m away");
+    const std::array<double, 3> origin{far, -0.5 * far, 0.25 * far};
+    const LinearImage whole = halves(file, {}, origin);
+    const Stand turned{1.1f, {0.5f, 0.5f, 0.5f}, {origin[0] - 2.0, origin[1] + 1.0, origin[2]}};
+    const Stand stretched{-0.6f, {3.0f, 0.7f, 1.4f}, {origin[0], origin[1], origin[2] + 5.0}};
+    const LinearImage parts = halves(file, {turned, stretched}, origin);
+    double spread = 0.0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        INFO("pixel " << x << ", " << y);
+        for (std::size_t c = 0; c < 3; ++c)
+          // Positions of 1000 m are rounded to 6e-5 m, a 150th of a texel of 0.6 / 64 m, once or
+          // twice; a texel's step is up to 1.
+          REQUIRE(parts.pixel(x, y)[c] ==
+                  Approx(whole.pixel(x, y)[c]).margin(far == 0.0 ? 1.0 / 255.0 : 0.03));
+        spread += std::pow(double(whole.pixel(x, y)[0]) - 0.5, 2) / (kWidth * kHeight);
+      }
+    CHECK(spread > 1e-3); // there is something to see
+  }
 }

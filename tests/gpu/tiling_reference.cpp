@@ -126,6 +126,17 @@ double meanOver(const Decode& decode, double x, double deviation) {
   return sum / weights;
 }
 
+/// Step 4: the level of a footprint with these sides in texels.
+double levelOf(Vec2 x, Vec2 y, FetchedBy fetchedBy) {
+  const double major = std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1]));
+  if (major <= 1.0 || fetchedBy == FetchedBy::gradients)
+    return std::log2(major);
+  const double area = std::abs(x[0] * y[1] - x[1] * y[0]);
+  const double slant = std::min(major * major / std::max(area, major), 16.0);
+  const double side = std::log2(major) - std::log2(slant) / 4.0;
+  return side < 1.0 ? side / 2.0 : side - 0.5;
+}
+
 /// Step 5: s, and what of it the mips lose at the centres of their texels.
 std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept0.x, m.mipKept0.y, m.mipKept0.z, m.mipKept0.w};
@@ -157,8 +168,8 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMa
 
 } // namespace
 
-TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map)
-    : slabs_(map.levels.size()), map_(map) {
+TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy)
+    : slabs_(map.levels.size()), map_(map), fetchedBy_(fetchedBy) {
   const Table& gaussian = bundle.tables[map.image];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
     levels_.push_back({int(std::max(1u, gaussian.width >> level)),
@@ -266,15 +277,12 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   p = {p[0] + double(n.offsetX), p[1] + double(n.offsetY)};
   const auto texels = [&](std::array<float, 2> v) {
     const Vec2 tiles = toTile(v);
-    return std::hypot(tiles[0] * double(m.widthTexels), tiles[1] * double(m.heightTexels));
+    return Vec2{tiles[0] * double(m.widthTexels), tiles[1] * double(m.heightTexels)};
   };
-  const double along = texels(point.gradientX), across = texels(point.gradientY);
-  const double major = std::max(along, across), minor = std::min(along, across);
-  const double ratio = major == 0.0 ? 1.0 : std::clamp(major / minor, 1.0, double(n.maxAnisotropy));
-  const double lambda = std::log2(major) - 0.5 * std::log2(ratio);
+  const double lambda = levelOf(texels(point.gradientX), texels(point.gradientY), fetchedBy_);
 
-  // Step 4. The sampler is trilinear: its level is that of the major axis.
-  const double lod = std::clamp(std::log2(major), 0.0, double(levels_.size() - 1));
+  // Step 4.
+  const double lod = std::clamp(lambda, 0.0, double(levels_.size() - 1));
   const auto lower = std::size_t(lod);
   const std::size_t upper = std::min(lower + 1, levels_.size() - 1);
   Sample sample;

@@ -27,10 +27,17 @@ struct Volume {
   std::vector<float> values;
 };
 
+/// How the Gaussian image is fetched.
+enum class FetchedBy {
+  level,     ///< at the level of step 4, trilinearly
+  gradients, ///< of the footprint, by a sampler of anisotropy 1
+};
+
 /// One map of a noise, decoded.
 class TilingReference {
 public:
-  TilingReference(const Bundle& bundle, const NoiseMap& map);
+  TilingReference(const Bundle& bundle, const NoiseMap& map,
+                  FetchedBy fetchedBy = FetchedBy::level);
 
   /// The map's value, and the blended Gaussian value with the lost variance in its last component.
   struct Sample {
@@ -50,6 +57,7 @@ private:
   Volume table_;
   std::size_t slabs_;
   const NoiseMap map_;
+  const FetchedBy fetchedBy_;
 };
 
 } // namespace lichen::test
