@@ -85,12 +85,26 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
   return std::move(*covariance);
 }
 
+/// Whether values can be one row of losses but not `rows` of them, each of which begins with 0: of
+/// textons, versions before the first release stated the mean over the channels.
+bool isOneRowForAll(const std::vector<double>& losses, std::size_t rows) {
+  return rows > 1 && losses.size() > 1 && losses.front() == 0.0 && losses.back() > 0.0 &&
+         std::is_sorted(losses.begin(), losses.end());
+}
+
 /// Shares of lost variance, a row of levels a channel or one of all. Rows that are no rows are for
 /// the caller to refuse, who knows how many levels there are.
 std::vector<double> readLosses(ObjectReader& reader, std::size_t rows) {
   std::optional<std::vector<double>> losses = reader.numbers("mipLoss", {0.0, 1.0});
   if (!losses)
     return {};
+  if (isOneRowForAll(*losses, rows)) {
+    reader.error("map-mip-loss", "mipLoss",
+                 std::to_string(losses->size()) + " values in one row, as an older version baked " +
+                     "them; a row for each of " + std::to_string(rows) +
+                     " channels is accepted: bake the exemplar again");
+    return {};
+  }
   for (std::size_t r = 0; r < rows && losses->size() % rows == 0; ++r) {
     const std::span<const double> row = lossRow(*losses, r, rows);
     if (!row.empty() && row.front() != 0.0)

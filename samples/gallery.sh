@@ -4,29 +4,20 @@
 #   samples/gallery.sh OUTPUT_FOLDER EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT_FOLDER EXEMPLAR.png...' 2 99 "$@"
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-lichen=${LICHEN:-$here/build/release/bin/lichen}
 panel=480
 distances="256 64 16" # pixels across one exemplar
-
-if [ $# -lt 2 ]; then
-  echo "usage: samples/gallery.sh OUTPUT_FOLDER EXEMPLAR.png..." >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "gallery: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-[ -x "$lichen" ] || { echo "gallery: $lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
 
 output=$1
 shift
 mkdir -p "$output"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 for exemplar in "$@"; do
   name=$(basename "${exemplar%.*}")
   [ "$name" = base_color ] && name=$(basename "$(dirname "$exemplar")")
-  "$lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --preview none
+  "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --preview none
   panels=()
   for texels in $distances; do
     # Light is averaged, not its code: -colorspace RGB around the resize.
@@ -36,7 +27,7 @@ for exemplar in "$@"; do
     panels+=("$work/repeated-$texels.png")
   done
   for texels in $distances; do
-    "$lichen" synth "$work/$name.glb" -o "$work/noise-$texels.png" --size "${panel}x${panel}" \
+    "$bin/lichen" synth "$work/$name.glb" -o "$work/noise-$texels.png" --size "${panel}x${panel}" \
       --texels-per-tile "$texels" --quiet
     panels+=("$work/noise-$texels.png")
   done

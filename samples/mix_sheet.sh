@@ -5,20 +5,10 @@
 #   samples/mix_sheet.sh OUTPUT.jpg EXEMPLAR.png EXEMPLAR.png
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
-
-here=$(cd "$(dirname "$0")/.." && pwd)
-bin=${LICHEN_BIN:-$here/build/release/bin}
-
-if [ $# -ne 3 ]; then
-  echo "usage: samples/mix_sheet.sh OUTPUT.jpg EXEMPLAR.png EXEMPLAR.png" >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "mix_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-[ -x "$bin/lichen" ] || { echo "mix_sheet: $bin/lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png EXEMPLAR.png' 3 3 "$@"
 
 output=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 "$bin/lichen-exemplars" "$work" terrain >/dev/null
 "$bin/lichen" mix "$2" "$3" -o "$work/mix.glb" --preview none --quiet
 # An exemplar on a twelfth of the ground: a metre.

@@ -5,27 +5,15 @@
 #   samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build, a Vulkan device and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-lichen=${LICHEN:-$here/build/release/bin/lichen}
-render=${LICHEN_RENDER:-$here/build/release/bin/lichen-render}
 width=480
 height=300
 points=8 # a pixel, along each axis
 
-if [ $# -lt 2 ]; then
-  echo "usage: samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "perspective_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-for program in "$lichen" "$render"; do
-  [ -x "$program" ] || { echo "perspective_sheet: $program is missing: build it with samples/quickstart.sh" >&2; exit 4; }
-done
-
 output=$1
 shift
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 # A floor of 80 x 80 with one exemplar a unit, seen from 0.35 above it, a little below the horizon.
 positions='\x00\x00\x20\xc2\x00\x00\x00\x00\x00\x00\x80\x3f'  # -40 0 1
@@ -57,9 +45,9 @@ SCENE
 panels=()
 for exemplar in "$@"; do
   name=$(basename "${exemplar%.*}")
-  "$lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --method texton --preview none --quiet
-  "$lichen" apply "$work/floor.gltf" --noise "$work/$name.glb" --material all -o "$work/scene.glb" --quiet
-  shot=("$render" "$work/scene.glb" --debug-view base-color --frames 1 --quiet)
+  "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --method texton --preview none --quiet
+  "$bin/lichen" apply "$work/floor.gltf" --noise "$work/$name.glb" --material all -o "$work/scene.glb" --quiet
+  shot=("$bin/lichen-render" "$work/scene.glb" --debug-view base-color --frames 1 --quiet)
   "${shot[@]}" --size "${width}x${height}" -o "$work/$name-filtered.png"
   "${shot[@]}" --size "$((width * points))x$((height * points))" -o "$work/$name-fine.png"
   convert "$work/$name-fine.png" -sample "${width}x${height}!" "$work/$name-unfiltered.png"

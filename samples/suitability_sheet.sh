@@ -5,28 +5,19 @@
 #   samples/suitability_sheet.sh OUTPUT.jpg
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg' 1 1 "$@"
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-programs=${LICHEN_BIN:-$here/build/release/bin}
 names="granite bricks paving text sloping_light carpet one_stone"
 panel=256
 
-if [ $# -ne 1 ]; then
-  echo "usage: samples/suitability_sheet.sh OUTPUT.jpg" >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "suitability_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-[ -x "$programs/lichen" ] || { echo "suitability_sheet: $programs/lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
-
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 # shellcheck disable=SC2086
-"$programs/lichen-exemplars" "$work" --size "$panel" $names >"$work/list"
+"$bin/lichen-exemplars" "$work" --size "$panel" $names >"$work/list"
 
 for name in $names; do
   for flatten in none auto; do
-    "$programs/lichen" bake "$work/$name.png" -o "$work/noise.glb" --preview none --quiet --flatten "$flatten"
-    "$programs/lichen" synth "$work/noise.glb" -o "$work/$name-$flatten.png" --size "$((2 * panel))" --quiet
+    "$bin/lichen" bake "$work/$name.png" -o "$work/noise.glb" --preview none --quiet --flatten "$flatten"
+    "$bin/lichen" synth "$work/noise.glb" -o "$work/$name-$flatten.png" --size "$((2 * panel))" --quiet
   done
 done
 panels=()

@@ -6,29 +6,20 @@
 #   samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-lichen=${LICHEN:-$here/build/release/bin/lichen}
 panel=192
-
-if [ $# -lt 2 ]; then
-  echo "usage: samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "table_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-[ -x "$lichen" ] || { echo "table_sheet: $lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
 
 output=$1
 shift
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 convert "$1" -colorspace Gray "PNG24:$work/grey.png"
 convert "$1" -colorspace Gray -threshold 45% -colorspace sRGB -type TrueColor +level-colors "#40342a","#c8b48a" "PNG24:$work/two.png"
 
 noise() { # exemplar, panel, options of bake
-  "$lichen" bake "$1" -o "$work/noise.glb" --name noise --preview none --quiet "${@:3}" &&
-    "$lichen" synth "$work/noise.glb" -o "$2" --size "${panel}x${panel}" --quiet
+  "$bin/lichen" bake "$1" -o "$work/noise.glb" --name noise --preview none --quiet "${@:3}" &&
+    "$bin/lichen" synth "$work/noise.glb" -o "$2" --size "${panel}x${panel}" --quiet
 }
 
 panels=()

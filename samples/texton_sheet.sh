@@ -5,22 +5,13 @@
 #   samples/texton_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-bin=${LICHEN_BIN:-$here/build/release/bin}
 panel=320 # pixels of a picture's side that are shown
-
-if [ $# -lt 2 ]; then
-  echo "usage: samples/texton_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
-  exit 2
-fi
-command -v montage >/dev/null || { echo "texton_sheet: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
-[ -x "$bin/lichen" ] || { echo "texton_sheet: $bin/lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
 
 output=$1
 shift
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 panels=()
 for exemplar in "$@"; do

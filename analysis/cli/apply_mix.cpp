@@ -34,16 +34,29 @@ Accepted<std::array<double, 4>> twoPlaces() {
       }};
 }
 
+/// The sources of the weight that were given, by their options.
+std::vector<std::string> sourcesOf(const MixOptions& options) {
+  std::vector<std::string> sources;
+  const auto add = [&](bool isGiven, const char* option) {
+    if (isGiven)
+      sources.emplace_back(option);
+  };
+  add(options.weight.has_value(), "--mix");
+  add(options.direction.has_value(), "--mix-direction");
+  add(!options.texture.empty(), "--mix-texture");
+  add(options.colorSet.has_value(), "--mix-vertex-color");
+  return sources;
+}
+
 /// Whether options go together, and with the noise.
 Result<void> check(const MixOptions& options, const Noise& noise) {
+  const std::vector<std::string> sources = sourcesOf(options);
   if (noise.texton.steps == 1)
-    return usage(fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
-                             noise.name));
-  const int sources = int(options.weight.has_value()) + int(options.direction.has_value()) +
-                      int(!options.texture.empty()) + int(options.colorSet.has_value());
-  if (sources > 1)
-    return usage("--mix: several sources of the weight; one of --mix, --mix-direction, "
-                 "--mix-texture or --mix-vertex-color is accepted");
+    return usage(fmt::format("{}: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                             sources.empty() ? "--mix-channel" : sources.front(), noise.name));
+  if (sources.size() > 1)
+    return usage(fmt::format("{}: {} sources of the weight; one of them is accepted",
+                             fmt::join(sources, ", "), sources.size()));
   if (options.channel && options.texture.empty() && !options.colorSet)
     return usage("--mix-channel: no texture and no vertex colours; --mix-texture or "
                  "--mix-vertex-color is accepted with it");
@@ -86,23 +99,26 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   const Result<std::vector<std::byte>> file = readFile(wanted);
   if (!file)
     return file.error();
+  constexpr std::byte kFirstOfPng{0x89}, kFirstOfJpeg{0xff};
+  const std::byte first = file.value().empty() ? std::byte{} : file.value().front();
+  if (first != kFirstOfPng && first != kFirstOfJpeg)
+    return Error{
+        ErrorKind::badInput,
+        fmt::format("{}: no PNG or JPEG, which a mask of glTF is; one of them, or the index "
+                    "of a texture of the scene, is accepted",
+                    wanted)};
   const Result<ImageFile> image = decodeImage(file.value(), wanted);
   if (!image)
     return image.error();
-  const auto* mask = std::get_if<SrgbImage>(&image.value().pixels);
-  if (mask == nullptr)
-    return Error{ErrorKind::badInput,
-                 wanted + ": an EXR, which glTF has not; a PNG or JPEG is accepted"};
+  const auto& mask = std::get<SrgbImage>(image.value().pixels);
   constexpr int kAlpha = 3;
-  if (channel == kAlpha && mask->channels % 2 != 0)
+  if (channel == kAlpha && mask.channels % 2 != 0)
     return Error{ErrorKind::badInput, wanted + ": has no alpha, which --mix-channel asks for; red, "
                                                "green or blue is accepted"};
-  constexpr std::byte kFirstOfPng{0x89};
   return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
                       [&]() -> Result<std::size_t> {
-                        return scene.addTexture(file.value(), file.value().front() == kFirstOfPng
-                                                                  ? "image/png"
-                                                                  : "image/jpeg");
+                        return scene.addTexture(file.value(),
+                                                first == kFirstOfPng ? "image/png" : "image/jpeg");
                       });
 }
 

@@ -81,20 +81,6 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
   return notes;
 }
 
-std::string qualityNote(const TextonQuality& quality) {
-  // Of a texton with the very spectrum, beside one picture: sqrt(2 - sqrt(pi)), since the moduli of
-  // a picture's spectrum scatter as those of complex normal numbers.
-  return fmt::format(
-      "the texton's relative model error is {:.3f} (another picture of the same grain has about "
-      "0.48){}; flatness {:.2f}",
-      quality.modelError,
-      quality.heldOutError
-          ? fmt::format(", and {:.3f} for a half of the exemplar fitted to the other",
-                        *quality.heldOutError)
-          : "",
-      quality.flatness);
-}
-
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
   const Noise& noise = outcome.bundle.noises.front();
   const NoiseMap& first = noise.maps.front();

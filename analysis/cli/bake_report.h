@@ -33,9 +33,6 @@ struct BakeOutcome {
 /// A line for each map whose transport is certified, with the worst of its bounds.
 [[nodiscard]] std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds);
 
-/// How near a texton is to the exemplar's Gaussian texture.
-[[nodiscard]] std::string qualityNote(const TextonQuality& quality);
-
 /// One line, or with --json one object, on standard output.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);
 

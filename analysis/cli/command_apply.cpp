@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: a noise on the materials of an existing scene.
+#include "apply_frames.h"
 #include "apply_mix.h"
 #include "command.h"
 #include "noise_choice.h"
 #include "options.h"
-#include "progress_line.h"
-
-#include <lichen/surface_frames.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,6 +27,7 @@ struct Arguments {
   Mapping mapping{};
   std::optional<double> scale;
   std::optional<double> planeSharpness;
+  std::optional<Vector3> grain;
   MixOptions mix;
   std::string output;
 };
@@ -195,45 +194,13 @@ void noteName(const std::string& scene, const std::string& name, const AppliedNo
       applied.isNew ? "given a name that no other has," : "there already, as", applied.name));
 }
 
-void noteFrames(const Outcome& outcome, const GltfScene& scene, std::vector<std::string>& notes) {
-  for (const MeshFrames& frames : outcome.frames) {
-    const std::string title = scene.path().string() + ": " + frames.mesh;
-    if (frames.hasNewNormals)
-      notes.push_back(title + ": had no normals and is given smooth ones");
-    if (!frames.singularities.empty())
-      notes.push_back(fmt::format("{}: the frame has {} singular {}, around which the noise turns",
-                                  title, frames.singularities.size(),
-                                  frames.singularities.size() == 1 ? "triangle" : "triangles"));
-  }
-}
-
-nlohmann::ordered_json describe(const MeshFrames& frames) {
-  nlohmann::ordered_json singularities = nlohmann::ordered_json::array();
-  for (const FrameSingularity& singularity : frames.singularities)
-    singularities.push_back({{"position", singularity.position}, {"index", singularity.index}});
-  nlohmann::ordered_json components = nlohmann::ordered_json::array();
-  for (const FieldComponent& component : frames.components)
-    components.push_back({{"triangles", component.triangles},
-                          {"closed", component.isClosed},
-                          {"eulerCharacteristic", component.eulerCharacteristic},
-                          {"singularities", component.singularities}});
-  return {{"mesh", frames.mesh},
-          {"triangles", frames.triangles},
-          {"newNormals", frames.hasNewNormals},
-          {"components", components},
-          {"singularities", singularities}};
-}
-
 void report(const Arguments& arguments, const Outcome& outcome, double seconds) {
   if (arguments.shared.json) {
-    nlohmann::ordered_json frames = nlohmann::ordered_json::array();
-    for (const MeshFrames& each : outcome.frames)
-      frames.push_back(describe(each));
     const nlohmann::ordered_json json{{"output", arguments.output},
                                       {"noise", outcome.noise.name},
                                       {"newTables", outcome.noise.newTables},
                                       {"materials", outcome.materials},
-                                      {"frames", frames},
+                                      {"frames", asJson(outcome.frames)},
                                       {"notes", outcome.notes},
                                       {"seconds", seconds}};
     printLine(toText(json));
@@ -273,14 +240,11 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (use.mapping == Mapping::uv)
     if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
       return there.error();
-  if (use.mapping == Mapping::surface) {
-    ProgressLine progress("apply", arguments.shared);
-    Result<std::vector<MeshFrames>> frames =
-        addSurfaceFrames(scene, materials.value(), progress.asProgress());
-    if (!frames)
-      return frames.error();
-    outcome.frames = std::move(frames).value();
-  }
+  Result<AddedFrames> frames =
+      addFrames(scene, materials.value(), noise, use.mapping, arguments.grain, arguments.shared);
+  if (!frames)
+    return frames.error();
+  outcome.frames = std::move(frames.value().meshes);
   Result<AppliedNoise> applied =
       scene.applyNoise(bundle.value(), index.value(), use, materials.value());
   if (!applied)
@@ -293,7 +257,8 @@ Result<Outcome> apply(const Arguments& arguments) {
     outcome.materials.push_back(scene.materialTitle(material));
     noteMaterial(scene, material, noise, outcome.notes);
   }
-  noteFrames(outcome, scene, outcome.notes);
+  outcome.notes.insert(outcome.notes.end(), frames.value().notes.begin(),
+                       frames.value().notes.end());
   return outcome;
 }
 
@@ -332,6 +297,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
            "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
+  addFrameOptions(verb, arguments->grain);
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

@@ -10,6 +10,7 @@
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
+#include "texton_notes.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/precision_loss.h>
@@ -103,8 +104,12 @@ Result<MethodBake> bake(const Arguments& arguments, const Judged& exemplar, Note
     return baked;
   for (std::string& line : certificateNotes(baked.value().transportBounds))
     notes.add(std::move(line));
-  if (baked.value().texton)
-    notes.add(qualityNote(*baked.value().texton));
+  if (const std::optional<TextonQuality>& quality = baked.value().texton) {
+    const TextonShape& shape = baked.value().noise.texton;
+    if (std::optional<std::string> line = supportNote(arguments.method.texton.support, shape))
+      notes.add(std::move(*line));
+    notes.add(qualityNote(*quality, shape, arguments.method.material.impacts));
+  }
   if (!baked.value().exemplarWasPeriodic && arguments.exemplar.set.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
+#include "texton_notes.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/texton_mix.h>
@@ -137,19 +138,6 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
   return file;
 }
 
-std::string qualityNote(const TextonMixQuality& quality) {
-  const auto [least, most] =
-      std::minmax_element(quality.modelErrors.begin(), quality.modelErrors.end());
-  if (quality.modelErrors.size() == 1)
-    return fmt::format("the texton's relative model error is {:.3f}; {:.3f} of the deviation is "
-                       "what one texton lacks",
-                       *least, quality.rankError);
-  return fmt::format(
-      "the textons' relative model errors are {:.3f} to {:.3f}; neighbours differ by "
-      "{:.3f} of their deviation at most",
-      *least, *most, quality.largestStep);
-}
-
 void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQuality& quality,
             const std::vector<std::string>& notes, double seconds) {
   const Noise& noise = bundle.noises.front();
@@ -198,7 +186,10 @@ Result<int> run(Arguments& arguments) {
   if (!baked)
     return baked.error();
   const TextonMixQuality quality = std::move(baked.value().quality);
-  notes.push_back(qualityNote(quality));
+  const TextonShape& shape = baked.value().noise.texton;
+  if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
+    notes.push_back(std::move(*line));
+  notes.push_back(qualityNote(quality, shape));
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();

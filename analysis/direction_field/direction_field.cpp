@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh -> surface -> smoothest directions -> a tangent for each vertex, and where they are
+// Mesh -> surface -> smooth directions -> a tangent for each vertex, and where they are
 // singular. Source: [K13].
 #include "smoothest.h"
 
@@ -19,13 +19,15 @@ Vector3d asVector(const Vector3& v) { return {v[0], v[1], v[2]}; }
 Vector3 asArray(const Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
 Result<void> checkMesh(std::span<const Vector3> positions, std::span<const std::uint32_t> triangles,
-                       std::span<const Vector3> normals) {
+                       std::span<const Vector3> normals, const std::optional<Vector3>& axis) {
   if (triangles.size() / 3 > kMostFieldTriangles || positions.size() > 3 * kMostFieldTriangles)
     return Error{ErrorKind::resources, std::to_string(triangles.size() / 3) + " triangles of " +
                                            std::to_string(positions.size()) +
                                            " vertices; at most " +
                                            std::to_string(kMostFieldTriangles) +
                                            " with three vertices each are accepted"};
+  if (axis && !(asVector(*axis).norm() > 0.0 && asVector(*axis).allFinite()))
+    return Error{ErrorKind::usage, "an axis without length; a finite one of some is accepted"};
   if (!normals.empty() && normals.size() != positions.size())
     return Error{ErrorKind::badInput, std::to_string(normals.size()) + " normals for " +
                                           std::to_string(positions.size()) + " vertices"};
@@ -144,14 +146,17 @@ std::vector<FieldComponent> countComponents(const Surface& surface) {
 
 Result<DirectionField> computeField(std::span<const Vector3> positions,
                                     std::span<const std::uint32_t> triangles,
-                                    std::span<const Vector3> normals, const Progress& progress) {
+                                    std::span<const Vector3> normals, const Progress& progress,
+                                    const std::optional<Vector3>& axis) {
   constexpr double kSurfaceShare = 0.05; // of the time, on a million triangles
-  if (Result<void> checked = checkMesh(positions, triangles, normals); !checked)
+  if (Result<void> checked = checkMesh(positions, triangles, normals, axis); !checked)
     return checked.error();
   const Surface surface = makeSurface(positions, triangles);
   const Connection connection = makeConnection(surface);
+  const ProgressPart solving = ProgressPart(progress).part(kSurfaceShare, 1.0);
   const Result<std::vector<Complex>> directions =
-      smoothestField(surface, connection, ProgressPart(progress).part(kSurfaceShare, 1.0));
+      axis ? alignedField(surface, connection, asVector(*axis), solving)
+           : smoothestField(surface, connection, solving);
   if (!directions)
     return directions.error();
   DirectionField field;
@@ -175,11 +180,12 @@ Result<DirectionField> computeField(std::span<const Vector3> positions,
 
 Result<DirectionField> directionField(std::span<const Vector3> positions,
                                       std::span<const std::uint32_t> triangles,
-                                      std::span<const Vector3> normals, const Progress& progress) {
+                                      std::span<const Vector3> normals, const Progress& progress,
+                                      const std::optional<Vector3>& axis) {
   return withinMemory([] { return "not enough memory for the directions on a mesh"; },
                       [&] {
                         return unlessInterrupted("direction field", [&] {
-                          return computeField(positions, triangles, normals, progress);
+                          return computeField(positions, triangles, normals, progress, axis);
                         });
                       });
 }

@@ -10,12 +10,15 @@ namespace lichen {
 namespace {
 
 /// The first texture or effect of a material that reads tangents, or nothing.
-std::optional<std::string> tangentReader(const nlohmann::json& material) {
+std::optional<std::string> tangentReader(const nlohmann::json& material, bool hasOtherNormals) {
   using nlohmann::json;
-  for (const char* place : {"/normalTexture", "/extensions/KHR_materials_anisotropy",
-                            "/extensions/KHR_materials_clearcoat/clearcoatNormalTexture"})
-    if (material.contains(json::json_pointer(place)))
-      return json::json_pointer(place).back();
+  constexpr std::string_view kNormals = "/normalTexture";
+  for (const std::string_view place :
+       {kNormals, std::string_view("/extensions/KHR_materials_anisotropy"),
+        std::string_view("/extensions/KHR_materials_clearcoat/clearcoatNormalTexture")})
+    if (const json::json_pointer pointer{std::string(place)};
+        material.contains(pointer) && !(hasOtherNormals && place == kNormals))
+      return pointer.back();
   return std::nullopt;
 }
 
@@ -25,13 +28,14 @@ bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
 
 /// The primitives of each mesh that are without a frame.
 Result<std::map<std::size_t, std::vector<PrimitivePlace>>>
-placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> materials) {
+placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> materials,
+                   bool bringsNormals) {
   std::map<std::size_t, std::vector<PrimitivePlace>> places;
   for (const std::size_t material : materials)
     for (const PrimitivePlace place : scene.primitivesOf(material)) {
       if (hasFrame(scene, place))
         continue;
-      if (const auto reader = tangentReader(scene.document()["materials"][material]))
+      if (const auto reader = tangentReader(scene.document()["materials"][material], bringsNormals))
         return Error{ErrorKind::badInput,
                      scene.path().string() + ": " + scene.primitiveTitle(place) +
                          ": has no TANGENT, and " + scene.materialTitle(material) + " has " +
@@ -149,14 +153,15 @@ std::vector<FrameSingularity> singularitiesOf(const JoinedMesh& mesh, const Dire
 }
 
 Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>& places,
-                             Budget& budget, const Progress& progress) {
+                             Budget& budget, const std::optional<Vector3>& grain,
+                             const Progress& progress) {
   const std::string title = scene.meshTitle(places.front().mesh);
   const Result<JoinedMesh> joined = join(scene, places, budget);
   if (!joined)
     return joined.error();
   const JoinedMesh& mesh = joined.value();
   const Result<DirectionField> field =
-      directionField(mesh.positions, mesh.triangles, mesh.normals, progress);
+      directionField(mesh.positions, mesh.triangles, mesh.normals, progress, grain);
   if (!field)
     return Error{field.error().kind,
                  scene.path().string() + ": " + title + ": " + field.error().message};
@@ -172,9 +177,10 @@ Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>
 
 Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
                                                  std::span<const std::size_t> materials,
+                                                 const FrameOptions& options,
                                                  const Progress& progress) {
   const auto add = [&]() -> Result<std::vector<MeshFrames>> {
-    const auto places = placesWithoutFrame(scene, materials);
+    const auto places = placesWithoutFrame(scene, materials, options.bringsNormals);
     if (!places)
       return places.error();
     std::vector<MeshFrames> all;
@@ -182,8 +188,8 @@ Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
     const auto meshes = double(places.value().size());
     for (const auto& [mesh, ofMesh] : places.value()) {
       const auto done = double(all.size());
-      Result<MeshFrames> added =
-          addToMesh(scene, ofMesh, budget, partOf(progress, done / meshes, (done + 1.0) / meshes));
+      Result<MeshFrames> added = addToMesh(scene, ofMesh, budget, options.grain,
+                                           partOf(progress, done / meshes, (done + 1.0) / meshes));
       if (!added)
         return added.error();
       all.push_back(std::move(added).value());

@@ -120,6 +120,11 @@ Error tooFewColors(const NamedImage& image, const char* what) {
 
 } // namespace
 
+bool hasColors(const NamedImage& image) {
+  const Pixels pixels = pixelsOf(image.file);
+  return pixels.colors() == 3 && !isGrey(pixels, codeStep(image.file));
+}
+
 MapExemplar colorMap(const NamedImage& image, MapTarget target, std::vector<std::string>& notes) {
   constexpr MapChannel kChannels[] = {MapChannel::red, MapChannel::green, MapChannel::blue};
   const Pixels pixels = pixelsOf(image.file);
@@ -161,7 +166,7 @@ Result<MapExemplar> dataMap(const NamedImage& image, MapTarget target,
   for (std::size_t i = 0; i < pixels.count(); ++i)
     for (const int source : sources)
       map.values.push_back(pixels[i][source]);
-  if (!isPacked && pixels.colors() == 3 && !isGrey(pixels, map.quantum))
+  if (!isPacked && hasColors(image))
     notes.push_back(image.name + " has colours; its red channel is used");
   if (target == MapTarget::height && exceedsOne(map)) {
     clampAbove(map, kHalfMax, image.name, "height", notes);

@@ -19,6 +19,9 @@ struct NamedImage {
   std::string path;
 };
 
+/// Whether red, green and blue differ somewhere by more than a rounding.
+[[nodiscard]] bool hasColors(const NamedImage& image);
+
 /// The red, green and blue of `target`, baseColor or emissive; grey becomes RGB. Codes of PNG and
 /// JPEG stay, EXR light is encoded as sRGB, or as log2(1 + light) where it exceeds 1, clamped to
 /// kHalfMax. `notes` gets a sentence for what the user should know.

@@ -10,7 +10,7 @@
 
 #include <lichen/material_set.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,8 +111,28 @@ Result<MapExemplar> mapOf(const NamedImage& image, const SetFile& file,
   }
 }
 
+/// What an image without others beside it is: what its name says, unless its colours gainsay that,
+/// since a photograph may be called "rusty metal".
+FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::string>& notes) {
+  if (named == FileRole::baseColor)
+    return named;
+  const bool isPacked = slotsOf(named).size() > 1;
+  const bool isNormal = named == FileRole::normalGl || named == FileRole::normalDx;
+  const bool fits = named == FileRole::emissive || hasColors(image) == (isPacked || isNormal);
+  const std::string file = std::filesystem::path(image.path).filename().string();
+  const std::string slots = fmt::format("{}", fmt::join(slotsOf(named), ", "));
+  notes.push_back(fits
+                      ? fmt::format("{} is baked as {}, as its name says; under a name that ends "
+                                    "otherwise it is the base colour",
+                                    file, slots)
+                      : fmt::format("{} has {}colours, and is baked as the base colour, not as the "
+                                    "{} that its name says",
+                                    file, isPacked || isNormal ? "no " : "", slots));
+  return fits ? named : FileRole::baseColor;
+}
+
 /// Appends the map of one file, and its alpha as a map where that is wanted.
-Result<void> appendMaps(const SetFile& source, const SetFiles& files, AlphaUse alphaUse,
+Result<void> appendMaps(SetFile source, const SetFiles& files, AlphaUse alphaUse,
                         std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
   Result<ImageFile> file = readImage(source.path);
   if (!file)
@@ -121,6 +141,8 @@ Result<void> appendMaps(const SetFile& source, const SetFiles& files, AlphaUse a
   const NamedImage image{std::move(file).value(), name, source.path.string()};
   for (const std::string& note : image.file.notes)
     notes.push_back(files.isSingleImage ? note : name + ": " + note);
+  if (files.isSingleImage)
+    source.role = loneRole(image, source.role, notes);
   Result<MapExemplar> map = mapOf(image, source, notes);
   if (!map)
     return map.error();

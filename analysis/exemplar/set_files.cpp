@@ -9,33 +9,7 @@
 #include <cctype>
 
 namespace lichen::exemplar {
-namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* kWordsAccepted =
-    "names with a word such as diff, nor_gl, rough, metal, ao, arm, disp, emissive or opacity are "
-    "accepted";
-
-bool hasImageExtension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".exr"};
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
-/// The images of a folder whose names do not begin with a dot, as hidden files' do.
-Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
-  Result<std::vector<fs::path>> images = listFolder(folder);
-  if (images)
-    std::erase_if(images.value(), [](const fs::path& path) {
-      return !hasImageExtension(path) || path.filename().string().starts_with('.');
-    });
-  return images;
-}
-
-/// The glTF channels that a role fills, by their names in messages.
 std::vector<std::string_view> slotsOf(FileRole role) {
   switch (role) {
   case FileRole::baseColor:
@@ -62,6 +36,32 @@ std::vector<std::string_view> slotsOf(FileRole role) {
     break;
   }
   return {"opacity"};
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWordsAccepted =
+    "names with a word such as diff, nor_gl, rough, metal, ao, arm, disp, emissive or opacity are "
+    "accepted";
+
+bool hasImageExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".exr"};
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+/// The images of a folder whose names do not begin with a dot, as hidden files' do.
+Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
+  Result<std::vector<fs::path>> images = listFolder(folder);
+  if (images)
+    std::erase_if(images.value(), [](const fs::path& path) {
+      return !hasImageExtension(path) || path.filename().string().starts_with('.');
+    });
+  return images;
 }
 
 /// Drops DirectX normals where there are OpenGL ones: downloads often have both.
@@ -263,7 +263,8 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
   set.notes = listed.value().notes;
   if (inputs.size() == 1 && files.size() == 1 && !listed.value().fromFolder.front()) {
     set.name = files.front().stem().string();
-    set.files = {{files.front(), FileRole::baseColor, {}}};
+    const FileRole role = fileRole(set.name).value_or(FileRole::baseColor);
+    set.files = {{files.front(), role == FileRole::normal ? plainNormal : role, {}}};
     set.isSingleImage = true;
     return set;
   }

@@ -18,13 +18,6 @@ std::size_t wrapped(int k, int side) {
 
 } // namespace
 
-Value mix(const Value& a, const Value& b, float t) {
-  Value result;
-  for (std::size_t c = 0; c < 4; ++c)
-    result[c] = a[c] + t * (b[c] - a[c]);
-  return result;
-}
-
 std::vector<Value> texelsOf(const Table& table, std::uint32_t level) {
   const std::vector<float> values = decodeLevel(table, level);
   const auto channels = std::size_t(channelCount(table.format));

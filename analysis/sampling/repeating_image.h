@@ -12,9 +12,15 @@ namespace lichen {
 /// Texels of a table, red, green and blue with 0 where it has fewer channels, and 1.
 [[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level);
 
-/// a + t (b - a).
-[[nodiscard]] std::array<float, 4> mix(const std::array<float, 4>& a, const std::array<float, 4>& b,
-                                       float t);
+/// a + t (b - a). Inline: it is called ten times and more for every fetch of a synthesis, of which
+/// a call would be a fifth of the time.
+[[nodiscard]] inline std::array<float, 4> mix(const std::array<float, 4>& a,
+                                              const std::array<float, 4>& b, float t) {
+  std::array<float, 4> result{};
+  for (std::size_t c = 0; c < result.size(); ++c)
+    result[c] = a[c] + t * (b[c] - a[c]);
+  return result;
+}
 
 /// Immutable: any number of threads may fetch from it.
 class RepeatingImage {

@@ -12,6 +12,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <iomanip>
+#include <sstream>
 #include <tiny_scene.h>
 
 using namespace lichen;
@@ -226,6 +228,58 @@ TEST_CASE("tangents that a mesh has are its frame") {
   CHECK(document["meshes"] == json(scene.json["meshes"]));
 }
 
+TEST_CASE("noise with normals of its own needs no tangents of a normal texture") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("bumps"));
+  workplace.write("bumps/base_color.png", smooth(16));
+  workplace.write("bumps/normal.png", smooth(16));
+  const std::string bumps =
+      bake(workplace, workplace.path("bumps"), "bumps.glb", {"--method", "texton"});
+  const std::string wool = writeTexton(workplace); // a height, no normals
+  example::TinyScene scene = example::tableScene();
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
+  const std::string path = writeScene(workplace, scene);
+  const Ended ended = apply(workplace, path, bumps, "wood", {"--mapping", "surface"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("material 'wood'") &&
+                               Catch::Contains("normalTexture along the noise's tangents"));
+  CHECK(vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT").size() == 4);
+  const Arguments surface{"--mapping", "surface"};
+  CHECK(apply(workplace, path, wool, "wood", surface).code == int(ErrorKind::badInput));
+  scene.json["materials"][0]["extensions"]["KHR_materials_anisotropy"] = json::object();
+  CHECK(apply(workplace, writeScene(workplace, scene), bumps, "wood", surface).code ==
+        int(ErrorKind::badInput));
+}
+
+TEST_CASE("the grain is an axis along which the noise lies where a mesh has no tangents") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  const std::string path = writeScene(workplace, scene);
+  (void)applied(workplace, path, wool, "wood", {"--mapping", "surface", "--grain", "3,-4,5"});
+  // The square is flat, its normal z: the axis' part in it is (0.6, -0.8, 0).
+  for (const auto& tangent : vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT"))
+    CHECK(dot(tangent, {0.6f, -0.8f, 0.0f}) == Approx(1.0));
+  const auto refused = [&](const Arguments& more, const std::vector<std::string>& words) {
+    Arguments arguments{"apply",      path, "--noise", wool,
+                        "--material", "0",  "-o",      workplace.path("x.glb")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    checkRefusal(arguments, int(ErrorKind::usage), words);
+  };
+  refused({"--mapping", "triplanar", "--grain", "0,1,0"}, {"--grain", "triplanar", "surface"});
+  refused({"--mapping", "surface", "--grain", "0,0,0"}, {"--grain 0,0,0", "X,Y,Z", "not all 0"});
+  refused({"--mapping", "surface", "--grain", "0,1"}, {"--grain 0,1", "X,Y,Z"});
+  auto& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TANGENT"] =
+      scene.addFloats({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, "VEC4", 4);
+  const Ended noted = apply(workplace, writeScene(workplace, scene), wool, "wood",
+                            {"--mapping", "surface", "--grain", "0,1,0"});
+  CHECK(noted.code == 0);
+  CHECK_THAT(noted.errors,
+             Catch::Contains("primitive 0 of mesh 'table'") && Catch::Contains("not --grain"));
+}
+
 TEST_CASE("the report tells frames, singularities and what multiplies the noise") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
@@ -248,6 +302,10 @@ TEST_CASE("the report tells frames, singularities and what multiplies the noise"
     sum += singularity["index"].get<int>();
   CHECK(sum == 2);
   CHECK(report["notes"].size() == 2);
+  std::ostringstream place; // three digits, as in the note
+  place << std::setprecision(3) << '(' << frames["singularities"][0]["position"][0].get<double>();
+  CHECK_THAT(apply(workplace, scene, wool, "glass", {"--mapping", "surface"}).errors,
+             Catch::Contains("singular triangle") && Catch::Contains(place.str()));
 
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const Ended noted = apply(workplace, scene, moss, "wood");

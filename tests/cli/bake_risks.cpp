@@ -172,3 +172,29 @@ TEST_CASE("--flatten takes none, auto or a period in range") {
     checkRefusal({"bake", "a.png", "-o", "a.glb", "--flatten", value}, 2,
                  {std::string("--flatten ") + value, "none, auto or a number from 4 to 16384"});
 }
+
+TEST_CASE("a bake of a texton says whether it is close, and what to raise where it is not") {
+  const Workplace workplace;
+  const std::string fine = workplace.write("fine.png", speckled(64, 64, 1));
+  const std::string slow = workplace.write("slow.png", smoothGrey(64));
+  const auto notesOf = [&](const std::string& input, const Arguments& more) {
+    Arguments arguments{"bake", input, "--method", "texton", "-o", workplace.path("t.glb")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = runLichen(arguments);
+    CHECK(ended.code == 0);
+    return ended.errors;
+  };
+  const auto close = Catch::Contains("the texton is close to");
+  const auto few = Catch::Contains("impacts few: --impacts");
+  const auto cut = Catch::Contains("the texton no more");
+  CHECK_THAT(notesOf(fine, {"--support", "16"}), close && !few && !cut);
+  CHECK_THAT(notesOf(fine, {"--support", "16", "--impacts", "5"}),
+             close && Catch::Contains("with 5 impacts few"));
+  // Blobs as wide as the support have most of their variation in slower waves.
+  CHECK_THAT(notesOf(slow, {"--support", "4"}),
+             Catch::Contains("the texton is not close to") &&
+                 Catch::Contains("a larger --support comes closer"));
+  CHECK_THAT(notesOf(fine, {"--support", "65"}), close && !cut);
+  CHECK_THAT(notesOf(fine, {"--support", "66"}),
+             close && cut && Catch::Contains("--support 66: the exemplar has 64 x 64 pixels"));
+}

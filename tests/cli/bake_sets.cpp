@@ -403,7 +403,7 @@ TEST_CASE("any part of a set is one, and images whose names say nothing are note
   }
 }
 
-TEST_CASE("several files are a set, one alone is the base colour whatever its name") {
+TEST_CASE("several files are a set") {
   const Workplace workplace;
   const std::string color = workplace.write("oak_bark_diff_1k.png", flat(kColor));
   const std::string rough = workplace.write("oak_bark_rough_1k.png", flat({code(102)}));
@@ -415,9 +415,37 @@ TEST_CASE("several files are a set, one alone is the base colour whatever its na
   const json stone = baked(workplace, {workplace.write("stone_diff.png", flat(kColor)),
                                        workplace.write("stone_disp.png", flat({code(102)}))});
   CHECK(stone.at("name") == "stone");
-  const json alone = baked(workplace, {rough});
-  CHECK(alone.at("name") == "oak_bark_rough_1k");
-  CHECK(mapsOf(alone).count("baseColor") == 1);
+}
+
+TEST_CASE("one image alone is what its name says, unless its colours gainsay that") {
+  const Workplace workplace;
+  const auto targetOf = [&](const std::string& name, const Pixel& value, const std::string& note) {
+    INFO(name);
+    const json report = baked(workplace, {workplace.write(name, flat(value))});
+    CHECK(report.at("name") == name.substr(0, name.find('.')));
+    CHECK(hasNote(report, note.empty() ? "the base colour" : note) == !note.empty());
+    const auto maps = mapsOf(report);
+    REQUIRE(maps.size() == 1);
+    return maps.begin()->first + " " + maps.begin()->second.front();
+  };
+  const std::string color = "baseColor red", orm = "occlusionRoughnessMetallic ";
+  const Pixel grey{code(102)};
+  CHECK(targetOf("oak_diff_1k.png", kColor, "") == color);
+  CHECK(targetOf("oak.png", grey, "") == color);
+  CHECK(targetOf("oak_rough_1k.png", grey, "is baked as roughness, as its name says") ==
+        orm + "roughness");
+  CHECK(targetOf("height.png", grey, "is baked as height") == "height height");
+  CHECK(targetOf("oak_ao.png", {grey[0], grey[0], grey[0]}, "is baked as occlusion") ==
+        orm + "occlusion");
+  CHECK(targetOf("oak_nor_dx.png", kNormalDown, "is baked as normals") == "normal slopeX");
+  checkValue(workplace, "normal", kNormal);
+  CHECK(targetOf("arm.png", kColor, "is baked as occlusion, roughness, metallic") ==
+        orm + "occlusion");
+  CHECK(targetOf("glow_emissive.png", kColor, "is baked as emissive light") == "emissive red");
+  CHECK(targetOf("rusty_metal.png", kColor, "has colours, and is baked as the base colour") ==
+        color);
+  CHECK(targetOf("quite_normal.png", grey, "has no colours, and is baked as the base colour") ==
+        color);
 }
 
 TEST_CASE("images of every kind and size work inside a set") {

@@ -301,7 +301,8 @@ TEST_CASE("apply gives a mix its weight from every source") {
     checkRefusal(arguments(more), code, words);
   };
   refuses({"--mix", "2"}, kUsage, {"--mix 2: a number from 0 to 1 is accepted"});
-  refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage, {"several sources"});
+  refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage,
+          {"--mix, --mix-vertex-color: 2 sources of the weight"});
   refuses({"--mix-channel", "red"}, kUsage, {"--mix-channel: no texture and no vertex colours"});
   refuses({"--mix-direction", "0,0,0,0"}, kUsage, {"two places 0.000001 or more apart"});
   refuses({"--mix-direction", "0,0,0,1e-200"}, kUsage, {"two places 0.000001 or more apart"});
@@ -311,12 +312,18 @@ TEST_CASE("apply gives a mix its weight from every source") {
           {"has no alpha, which --mix-channel asks for"});
   refuses({"--mix-texture", "3"}, kUsage, {"--mix-texture 3:", "has 0 textures"});
   refuses({"--mix-texture", workplace.path("absent.png")}, kBadInput, {"absent.png"});
-  refuses({"--mix-texture", workplace.write("no.png", std::string("no image"))}, kBadInput,
+  for (const char* text : {"no image", "", "\x76\x2f\x31\x01 an EXR"})
+    refuses({"--mix-texture", workplace.write("no.png", std::string(text))}, kBadInput,
+            {"no.png: no PNG or JPEG", "index of a texture"});
+  refuses({"--mix-texture", workplace.write("no.png", std::string("\x89PNG, but"))}, kBadInput,
           {"no.png"});
   const std::string plain = bake(workplace, workplace.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix", "0.5"},
                kUsage, {"--mix: noise 'stone' is no mix"});
+  checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
+                workplace.path("new.glb"), "--mix-texture", m.grey},
+               kUsage, {"--mix-texture: noise 'stone' is no mix"});
 }
 
 TEST_CASE("a direction needs texture coordinates on a surface too") {

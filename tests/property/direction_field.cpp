@@ -96,8 +96,9 @@ Mesh shaken(Mesh mesh, float amount, unsigned seed) {
   return mesh;
 }
 
-DirectionField fieldOf(const Mesh& mesh, const std::vector<Vector3>& normals = {}) {
-  Result<DirectionField> field = directionField(mesh.positions, mesh.triangles, normals);
+DirectionField fieldOf(const Mesh& mesh, const std::vector<Vector3>& normals = {},
+                       const std::optional<Vector3>& axis = {}) {
+  Result<DirectionField> field = directionField(mesh.positions, mesh.triangles, normals, {}, axis);
   REQUIRE(field.ok());
   REQUIRE(field.value().tangents.size() == mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -246,6 +247,93 @@ TEST_CASE("the field does not depend on the order of vertices and triangles") {
   for (std::size_t i = 0; i < order.size(); ++i)
     CHECK((at(field.tangents, i) - at(otherField.tangents, order[i])).norm() < 1e-4);
   CHECK(otherField.singularities.size() == field.singularities.size());
+}
+
+/// The largest angle between a tangent and the axis' part in its plane, where that is at least
+/// `shortest` of the axis.
+double largestDeviation(const DirectionField& field, const Vector3d& axis, double shortest) {
+  double largest = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < field.tangents.size(); ++i) {
+    const Vector3d normal = at(field.normals, i);
+    const Vector3d flat = axis.normalized() - normal * normal.dot(axis.normalized());
+    if (flat.norm() < shortest)
+      continue;
+    ++count;
+    const double cosine = flat.normalized().dot(at(field.tangents, i));
+    largest = std::max(largest, std::acos(std::clamp(cosine, -1.0, 1.0)));
+  }
+  REQUIRE(count > 0);
+  return largest;
+}
+
+Vector3 asArray(const Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+
+TEST_CASE("with an axis the field of a plane is its part in the plane") {
+  Mesh mesh = shaken(plane(12), 0.2f, 4);
+  for (Vector3& p : mesh.positions)
+    p[2] = 0.0f;
+  for (const Vector3d& axis : {Vector3d(1.0, 0.0, 0.0), Vector3d(-0.3, 0.8, 0.5)})
+    CHECK(largestDeviation(fieldOf(mesh, {}, asArray(axis)), axis, 0.0) < 1e-5);
+}
+
+TEST_CASE("where the axis is normal to a plane, the field is the smoothest one") {
+  const Mesh mesh = plane(6);
+  const DirectionField field = fieldOf(mesh, {}, Vector3{0.0f, 0.0f, 2.0f});
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    CHECK((at(field.tangents, i) - at(field.tangents, 0)).norm() < 1e-5);
+}
+
+TEST_CASE("with an axis the field of a ball follows it, and is singular at its ends") {
+  // Of a ball the axis' part in the tangent planes is an eigenvector of the smooth Laplacian: the
+  // solution is a multiple of it, which the smoothest field turns by a tenth of cos^2 over sin, and
+  // the mesh by less than that. 8 degrees, where sin is at least a half, are asin(0.1 * 0.75 /
+  // 0.5).
+  const Mesh mesh = ball(48, 24);
+  const Vector3d axis = Vector3d(0.4, 1.0, 0.3).normalized();
+  const DirectionField field = fieldOf(mesh, mesh.positions, asArray(axis));
+  CHECK(largestDeviation(field, axis, 0.5) < std::asin(0.15));
+  CHECK(largestDeviation(field, axis, 0.95) < std::asin(0.1 * 0.0975 / 0.95) + 0.01);
+  REQUIRE(field.singularities.size() == 2);
+  for (const FieldSingularity& singularity : field.singularities) {
+    Vector3d middle = Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      middle += at(mesh.positions, mesh.triangles[3 * singularity.triangle + k]) / 3.0;
+    // No nearer than the smoothest field moves it, asin(0.1), and a triangle, 2 pi / 48.
+    CHECK(std::abs(middle.normalized().dot(axis)) > std::cos(0.1 + 2.0 * pi / 48.0));
+  }
+}
+
+TEST_CASE("with an axis the field of a tube follows it along and around, and turns between") {
+  const Mesh tube = grid(48, 16, [](auto i, auto j) -> Vector3d {
+    const double around = 2.0 * pi * double(i % 48) / 48.0;
+    return {std::cos(around), std::sin(around), double(j) / 8.0};
+  });
+  std::vector<Vector3> normals = tube.positions;
+  for (Vector3& normal : normals)
+    normal[2] = 0.0f;
+  const DirectionField along = fieldOf(tube, normals, Vector3{0.0f, 0.0f, 1.0f});
+  CHECK(largestDeviation(along, Vector3d::UnitZ(), 0.0) < 1e-4);
+  CHECK(along.singularities.empty());
+  const Vector3d across = Vector3d::UnitX();
+  const DirectionField field = fieldOf(tube, normals, asArray(across));
+  CHECK(field.singularities.empty());
+  // As of the ball, with what smoothing takes of a wave around the tube: its length counts by
+  // 1 / (1 + area / 100), area 4 pi, that of the smoothest field does not shrink.
+  CHECK(largestDeviation(field, across, 0.5) < std::atan(0.15 * (1.0 + 4.0 * pi / 100.0)));
+  // The axis' part has opposite signs beside the lines where it vanishes: the field turns there,
+  // rather than to change from one column to the next.
+  CHECK(largestTurn(tube, field) < pi / 2.0);
+}
+
+TEST_CASE("an axis without length is refused") {
+  const Mesh mesh = plane(2);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Vector3 axis : {Vector3{}, Vector3{nan, 0.0f, 1.0f}}) {
+    const auto field = directionField(mesh.positions, mesh.triangles, {}, {}, axis);
+    REQUIRE(!field.ok());
+    CHECK(field.error().kind == ErrorKind::usage);
+  }
 }
 
 TEST_CASE("the same mesh gives the same bits") {

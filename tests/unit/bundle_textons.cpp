@@ -152,6 +152,12 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
         "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
+  // As versions baked that took the mean of the channels: as many rows, and not.
+  const std::string older =
+      " values in one row, as an older version baked them; a row for each of 3 "
+      "channels is accepted: bake the exemplar again";
+  CHECK(messageOf({0.0, 0.5, 0.6, 0.6, 0.7, 0.8}) == "6" + older);
+  CHECK(messageOf({0.0, 0.5, 0.6, 0.6}) == "4" + older);
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
         "0.4 at 8; no less than the mip level before, 0.5, is accepted");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==

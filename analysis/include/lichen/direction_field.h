@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,11 +50,19 @@ inline constexpr std::size_t kMostFieldTriangles = std::size_t(1) << 21;
 /// each other, without area or given twice, and vertices without a triangle are all accepted. The
 /// field does not depend on the order of vertices and triangles, but for rounding. Deterministic;
 /// one thread; time grows with the triangles to the power 3/2, memory a little faster than they.
+///
+/// With `axis`, which is finite and of any length but 0, the field turns little and keeps to the
+/// axis' part in the tangent plane: exactly where the axis lies in it, and the less the shorter
+/// that part is. Singularities are then where the axis is normal to the surface. Takes twice the
+/// time.
+///
 /// Errors: badInput for an index out of range, a position or normal that is not finite, or
-/// triangles that hang together as no surface does; resources for memory or too many triangles.
+/// triangles that hang together as no surface does; usage for such an axis; resources for memory or
+/// too many triangles.
 [[nodiscard]] Result<DirectionField> directionField(std::span<const Vector3> positions,
                                                     std::span<const std::uint32_t> triangles,
                                                     std::span<const Vector3> normals = {},
-                                                    const Progress& progress = {});
+                                                    const Progress& progress = {},
+                                                    const std::optional<Vector3>& axis = {});
 
 } // namespace lichen

@@ -59,13 +59,13 @@ struct MaterialSet {
   std::vector<std::string> notes; ///< what the user should know, one sentence each
 };
 
-/// Reads one image, which is the base colour whatever its name; or several, or those of one folder,
-/// whose names say what they are (docs/cli.md has the words). Occlusion, roughness and metallic
-/// become one map, as large as the largest of them. Grey becomes RGB where a colour is wanted, EXR
-/// light is encoded as sRGB, or as log2(1 + light) where it exceeds 1, and clamped to kHalfMax.
-/// Errors: badInput for images that cannot be read, a folder without a map, two files for one map,
-/// and a map with too few channels; usage for options out of range; resources for memory.
-/// Thread-safe; the same result for any number of threads.
+/// Reads one image; or several, or those of one folder. Their names say what they are (docs/cli.md
+/// has the words); of a single one, if its colours agree, else it is the base colour. Occlusion,
+/// roughness and metallic become one map, as large as the largest of them. Grey becomes RGB where a
+/// colour is wanted, EXR light is encoded as sRGB, or as log2(1 + light) where it exceeds 1, and
+/// clamped to kHalfMax. Errors: badInput for images that cannot be read, a folder without a map,
+/// two files for one map, and a map with too few channels; usage for options out of range;
+/// resources for memory. Thread-safe; the same result for any number of threads.
 [[nodiscard]] Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> inputs,
                                                   const MaterialSetOptions& options);
 

@@ -24,14 +24,21 @@ struct MeshFrames {
   std::vector<FrameSingularity> singularities;
 };
 
+struct FrameOptions {
+  /// The axis of directionField(), in each mesh's own space; nothing for the smoothest field.
+  std::optional<Vector3> grain;
+  /// What lies on the frames has normals of its own: no normalTexture of a material is read.
+  bool bringsNormals = false;
+};
+
 /// Adds TANGENT (w = 1) to the primitives of these materials that have none, and NORMAL averaged by
 /// area where that is absent too: tangents then count for nothing and are replaced. One field for
 /// all such primitives of a mesh.
 /// Errors, naming the primitive: badInput for what GltfScene::geometry() or directionField()
 /// refuses, and for a material that needs tangents of its texture coordinates, which would be lost;
-/// resources.
+/// usage for a grain that directionField() refuses; resources.
 [[nodiscard]] Result<std::vector<MeshFrames>>
 addSurfaceFrames(GltfScene& scene, std::span<const std::size_t> materials,
-                 const Progress& progress = {});
+                 const FrameOptions& options = {}, const Progress& progress = {});
 
 } // namespace lichen

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// A scene's meshes -> frames and notes; see apply_frames.h.
+#include "apply_frames.h"
+
+#include "options.h"
+#include "progress_line.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace lichen::cli {
+namespace {
+
+/// X,Y,Z that is no zero vector.
+Accepted<Vector3> axis() {
+  constexpr double kMost = 1e6; // of a direction, of which only ratios count
+  constexpr std::size_t kNumbers = 3;
+  const Accepted<std::vector<double>> list = numbers({-kMost, kMost}, kNumbers);
+  return {"X,Y,Z", fmt::format("X,Y,Z with numbers from {} to {}, not all 0", -kMost, kMost),
+          [read = list.read](const std::string& text) -> std::optional<Vector3> {
+            const std::optional<std::vector<double>> values = read(text);
+            if (!values || values->size() != kNumbers)
+              return std::nullopt;
+            const Vector3 axis{float((*values)[0]), float((*values)[1]), float((*values)[2])};
+            return axis == Vector3{} ? std::nullopt : std::optional(axis);
+          }};
+}
+
+/// Where the directions cannot be smooth, on one line.
+std::string placesOf(const std::vector<FrameSingularity>& singularities) {
+  constexpr std::size_t kMostNamed = 4; // all that most meshes have
+  std::vector<std::string> places;
+  for (const FrameSingularity& singularity : singularities) {
+    const auto [x, y, z] = singularity.position;
+    places.push_back(fmt::format("({:.3g}, {:.3g}, {:.3g})", x, y, z));
+    if (places.size() == kMostNamed)
+      break;
+  }
+  return fmt::format("{}{}", fmt::join(places, ", "),
+                     places.size() < singularities.size() ? " and more" : "");
+}
+
+std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes) {
+  std::vector<std::string> notes;
+  for (const MeshFrames& frames : meshes) {
+    const std::string title = scene.path().string() + ": " + frames.mesh;
+    if (frames.hasNewNormals)
+      notes.push_back(title + ": had no normals and is given smooth ones");
+    if (const std::size_t count = frames.singularities.size(); count > 0)
+      notes.push_back(fmt::format("{}: the frame has {} singular {}, around which the noise turns, "
+                                  "at {} of the mesh",
+                                  title, count, count == 1 ? "triangle" : "triangles",
+                                  placesOf(frames.singularities)));
+  }
+  return notes;
+}
+
+bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
+  return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
+}
+
+/// Whose normal texture will have other tangents than those of its texture coordinates.
+std::vector<std::string> notesOnNormals(const GltfScene& scene,
+                                        std::span<const std::size_t> materials) {
+  std::vector<std::string> notes;
+  for (const std::size_t material : materials) {
+    const std::vector<PrimitivePlace> places = scene.primitivesOf(material);
+    if (scene.document()["materials"][material].contains("normalTexture") &&
+        !std::all_of(places.begin(), places.end(),
+                     [&](PrimitivePlace place) { return hasFrame(scene, place); }))
+      notes.push_back(fmt::format(
+          "{}: {}: a viewer without the extension has its normalTexture along the noise's tangents",
+          scene.path().string(), scene.materialTitle(material)));
+  }
+  return notes;
+}
+
+/// What a grain does not steer.
+std::vector<std::string> notesOnGrain(const GltfScene& scene,
+                                      std::span<const std::size_t> materials) {
+  std::vector<std::string> notes;
+  for (const std::size_t material : materials)
+    for (const PrimitivePlace place : scene.primitivesOf(material))
+      if (hasFrame(scene, place))
+        notes.push_back(fmt::format("{}: {}: has tangents, along which the noise lies, not --grain",
+                                    scene.path().string(), scene.primitiveTitle(place)));
+  return notes;
+}
+
+void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+  notes.insert(notes.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+} // namespace
+
+void addFrameOptions(CLI::App& verb, std::optional<Vector3>& grain) {
+  addValue(verb, "--grain", grain, optional(axis()), "",
+           "Of surface: where the exemplar's rows point, in the space of each mesh [default: where "
+           "they turn least]");
+}
+
+Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> materials,
+                              const Noise& noise, Mapping mapping,
+                              const std::optional<Vector3>& grain, const SharedOptions& shared) {
+  if (mapping != Mapping::surface) {
+    if (grain)
+      return Error{ErrorKind::usage, fmt::format("--grain: --mapping {} has no frame; surface is "
+                                                 "accepted with it",
+                                                 nameOf(mapping))};
+    return AddedFrames{};
+  }
+  AddedFrames added;
+  const bool bringsNormals = findMap(noise, MapTarget::normal).has_value();
+  if (bringsNormals)
+    added.notes = notesOnNormals(scene, materials);
+  if (grain)
+    append(added.notes, notesOnGrain(scene, materials));
+  ProgressLine progress("apply", shared);
+  Result<std::vector<MeshFrames>> meshes =
+      addSurfaceFrames(scene, materials, {grain, bringsNormals}, progress.asProgress());
+  if (!meshes)
+    return meshes.error();
+  added.meshes = std::move(meshes).value();
+  append(added.notes, notesOn(scene, added.meshes));
+  return added;
+}
+
+nlohmann::ordered_json asJson(std::span<const MeshFrames> frames) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const MeshFrames& mesh : frames) {
+    Json singularities = Json::array();
+    for (const FrameSingularity& singularity : mesh.singularities)
+      singularities.push_back({{"position", singularity.position}, {"index", singularity.index}});
+    Json components = Json::array();
+    for (const FieldComponent& component : mesh.components)
+      components.push_back({{"triangles", component.triangles},
+                            {"closed", component.isClosed},
+                            {"eulerCharacteristic", component.eulerCharacteristic},
+                            {"singularities", component.singularities}});
+    list.push_back({{"mesh", mesh.mesh},
+                    {"triangles", mesh.triangles},
+                    {"newNormals", mesh.hasNewNormals},
+                    {"components", components},
+                    {"singularities", singularities}});
+  }
+  return list;
+}
+
+} // namespace lichen::cli
