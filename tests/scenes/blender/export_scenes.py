@@ -32,7 +32,21 @@ def clear():
     bpy.context.scene.world.node_tree.nodes["Background"].inputs[0].default_value = (0.5, 0.65, 0.9, 1)
 
 
+def checks(name, color):
+    """An image of 8 x 8 light and dark checks about a colour."""
+    side = 8
+    image = bpy.data.images.new(name, side, side)
+    pixels = []
+    for i in range(side * side):
+        factor = 1.0 if (i // side + i) % 2 else 0.85
+        pixels += [(factor * channel) ** (1 / 2.2) for channel in color] + [1.0]
+    image.pixels = pixels
+    image.pack()
+    return image
+
+
 def material(name, color, roughness=0.8, metallic=0.0, emission=None, strength=0.0):
+    """Its colour is in a factor, which also multiplies a noise."""
     result = bpy.data.materials.new(name)
     result.use_nodes = True
     inputs = result.node_tree.nodes["Principled BSDF"].inputs
@@ -42,6 +56,16 @@ def material(name, color, roughness=0.8, metallic=0.0, emission=None, strength=0
     if emission:
         inputs["Emission"].default_value = (*emission, 1.0)
         inputs["Emission Strength"].default_value = strength
+    return result
+
+
+def textured(name, color, roughness=0.8):
+    """Its colour is in a texture, which a noise replaces."""
+    result = material(name, color, roughness)
+    texture = result.node_tree.nodes.new("ShaderNodeTexImage")
+    texture.image = checks(name, color)
+    shader = result.node_tree.nodes["Principled BSDF"]
+    result.node_tree.links.new(texture.outputs["Color"], shader.inputs["Base Color"])
     return result
 
 
@@ -121,6 +145,9 @@ def terrain_mesh():
              for j in range(TERRAIN_CELLS) for i in range(j * n, j * n + TERRAIN_CELLS)]
     mesh = bpy.data.meshes.new("terrain")
     mesh.from_pydata(points, [], faces)
+    uvs = mesh.uv_layers.new(name="UVMap")  # metres
+    for corner, loop in enumerate(mesh.loops):
+        uvs.data[corner].uv = places[loop.vertex_index]
     slopes = [slope_at(x, y) for x, y in places]
     # The exporter writes one set of vertex colours, COLOR_0. It tints: hollows are a little darker.
     # Its alpha, which opaque materials do not use, is a mask: 1 where it is steep.
@@ -150,9 +177,9 @@ def boulder_mesh():
 
 def terrain():
     clear()
-    ground = material("ground", (0.16, 0.2, 0.07))
-    rock = material("rock", (0.33, 0.3, 0.27), roughness=0.7)
-    boulder = material("boulder", (0.42, 0.38, 0.33), roughness=0.6)
+    ground = textured("ground", (0.16, 0.2, 0.07))
+    rock = textured("rock", (0.33, 0.3, 0.27), roughness=0.7)
+    boulder = material("boulder", (0.62, 0.58, 0.52), roughness=0.6)
     mesh = terrain_mesh()
     mesh.materials.append(ground)
     mesh.materials.append(rock)
@@ -187,9 +214,9 @@ def monkey(name, location, rotation, surface, texture_coordinates):
 def monkeys():
     clear()
     monkey("without coordinates", (-0.85, 0, 1.0), (-0.45, 0, 0.35),
-           material("fur", (0.45, 0.3, 0.2), roughness=0.6), False)
+           material("fur", (0.8, 0.7, 0.55), roughness=0.6), False)
     monkey("with coordinates", (0.95, 0.9, 1.0), (-0.45, 0, -0.3),
-           material("plaster", (0.7, 0.66, 0.6)), True)
+           textured("plaster", (0.7, 0.66, 0.6)), True)
     plate = mesh_of("floor", lambda b: bmesh.ops.create_grid(b, x_segments=1, y_segments=1, size=4.0))
     plate.materials.append(material("floor", (0.3, 0.3, 0.32), roughness=0.4))
     add("floor", plate, (0, 1.0, 0.33))
@@ -251,8 +278,8 @@ def walls(surface):
 def interior():
     clear()
     x, y, h = ROOM
-    quads("floor", [((0, 0, 0), (x, 0, 0), (0, y, 0))], material("boards", (0.35, 0.22, 0.12), 0.5))
-    walls(material("wall", (0.75, 0.7, 0.62), 0.9))
+    quads("floor", [((0, 0, 0), (x, 0, 0), (0, y, 0))], textured("boards", (0.35, 0.22, 0.12), 0.5))
+    walls(textured("wall", (0.75, 0.7, 0.62), 0.9))
     box("ceiling", (-WALL, -WALL, h), (x + WALL, y + WALL, h + WALL),
         material("ceiling", (0.8, 0.8, 0.78), 0.9))
     wood = material("wood", (0.25, 0.13, 0.06), 0.4)
