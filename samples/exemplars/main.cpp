@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's own example exemplars as PNG,
 // and meshes to put them on.
+#include "landscape.h"
 #include "materials.h"
 #include "scanned_shape.h"
 #include "terrain.h"
@@ -35,6 +36,7 @@ int fail(ErrorKind kind, const std::string& message) {
 /// The names of the meshes, which are no pictures.
 constexpr const char* kScan = "scan";
 constexpr const char* kTerrain = "terrain"; // with its mask
+constexpr const char* kLandscape = "landscape";
 
 /// The materials, then the pictures that do not suit.
 std::vector<exemplars::Material> pictures() {
@@ -80,6 +82,8 @@ int writeFiles(const std::filesystem::path& folder, int side,
     code = writeMesh(kTerrain, exemplars::terrainGlb());
   if (code == 0 && isNamed(kTerrain))
     code = writePicture(std::string(kTerrain) + "_mask", exemplars::terrainMask(side));
+  if (code == 0 && isNamed(kLandscape))
+    code = writeMesh(kLandscape, exemplars::landscapeGlb());
   return code;
 }
 
@@ -103,6 +107,7 @@ int run(int argc, char** argv) {
     known.emplace_back(picture.name);
   known.emplace_back(kScan);
   known.emplace_back(kTerrain);
+  known.emplace_back(kLandscape);
 
   CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB; and meshes "
                "to put them on.",

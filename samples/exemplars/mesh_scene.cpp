@@ -84,14 +84,21 @@ std::vector<std::byte> meshSceneGlb(const SceneMesh& mesh, std::span<const Scene
     attributes["NORMAL"] = accessors.addVertices(mesh.normals);
   if (!mesh.texCoords.empty())
     attributes["TEXCOORD_0"] = accessors.addVertices(mesh.texCoords);
-  const std::size_t indices = accessors.addIndices(mesh.triangles);
   json["meshes"][0]["name"] = mesh.name;
-  json["meshes"][0]["primitives"][0] = {
-      {"attributes", attributes}, {"indices", indices}, {"material", 0}};
-  json["materials"][0] = {
-      {"name", mesh.name},
-      {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}},
-      {"doubleSided", mesh.isDoubleSided}};
+  const auto addPart = [&](const std::string& material,
+                           const std::vector<std::uint32_t>& triangles) {
+    const std::size_t indices = accessors.addIndices(triangles);
+    const std::size_t index = json["materials"].size(); // ahead: a new member moves the others
+    json["meshes"][0]["primitives"].push_back(
+        {{"attributes", attributes}, {"indices", indices}, {"material", index}});
+    json["materials"].push_back(
+        {{"name", material},
+         {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}},
+         {"doubleSided", mesh.isDoubleSided}});
+  };
+  addPart(mesh.name, mesh.triangles);
+  for (const ScenePart& part : mesh.otherParts)
+    addPart(part.material, part.triangles);
   json["buffers"][0]["byteLength"] = accessors.binary().size();
   return frameGlb(json.dump(), accessors.binary());
 }

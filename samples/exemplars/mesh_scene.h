@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file of a scene of one mesh with one material, and cameras.
+// The file of a scene of one mesh, with a material or several, and cameras.
 #pragma once
 
 #include <array>
@@ -12,12 +12,19 @@
 
 namespace lichen::exemplars {
 
+/// Triangles of a mesh with a material of their own.
+struct ScenePart {
+  std::string material;
+  std::vector<std::uint32_t> triangles; ///< as SceneMesh::triangles
+};
+
 struct SceneMesh {
-  std::string name; ///< of node, mesh and material
+  std::string name; ///< of node, mesh and first material
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;   ///< of each position, or none
   std::vector<std::array<float, 2>> texCoords; ///< likewise
   std::vector<std::uint32_t> triangles;        ///< three positions each, counter-clockwise
+  std::vector<ScenePart> otherParts;           ///< of the same positions
   bool isDoubleSided = false;
 };
 

@@ -212,9 +212,10 @@ Environment prepareEnvironment(const LinearImage& panorama) {
   return environment;
 }
 
-std::vector<glm::vec2> environmentBrdf(int side) {
-  std::vector<glm::vec2> table;
-  for (int y = 0; y < side; ++y)
+std::vector<glm::vec3> environmentBrdf(int side) {
+  std::vector<glm::vec3> table;
+  for (int y = 0; y < side; ++y) {
+    float mean = 0.0f;
     for (int x = 0; x < side; ++x) {
       const float nDotV = (float(x) + 0.5f) / float(side);
       const float alpha = alphaOf((float(y) + 0.5f) / float(side));
@@ -234,8 +235,13 @@ std::vector<glm::vec2> environmentBrdf(int side) {
         const float fresnel = std::pow(1.0f - vDotH, kSchlickPower);
         sum += glm::vec2(1.0f - fresnel, fresnel) * weight;
       }
-      table.push_back(sum / float(kBrdfSamples));
+      sum /= float(kBrdfSamples);
+      mean += 2.0f * nDotV * (sum.x + sum.y) / float(side);
+      table.emplace_back(sum, 0.0f);
     }
+    for (int x = 0; x < side; ++x)
+      table[std::size_t(y * side + x)].z = mean;
+  }
   return table;
 }
 

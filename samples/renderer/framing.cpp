@@ -18,8 +18,6 @@ namespace {
 // larger than all that is no ground.
 constexpr float kFlatness = 0.02f;
 constexpr float kGroundToRest = 3.0f;
-// Largest radius whose square, times a few, is still a float.
-constexpr float kMaxRadius = 1e15f;
 // The automatic camera: a portrait lens from slightly above and the side.
 constexpr float kAutoFieldOfView = 0.6f;
 constexpr glm::vec3 kAutoDirection{0.45f, 0.32f, 1.0f};
@@ -84,7 +82,7 @@ Result<Sphere> subjectOf(const Scene& scene) {
     if (solid.empty() || (box.flat() && box.longest() <= kGroundToRest * solid.longest()))
       subject.add(box);
   const float extent = std::max(glm::length(all.low), glm::length(all.high));
-  if (!(extent < kMaxRadius))
+  if (!(extent < kMaxSceneReach))
     return Error{ErrorKind::badInput, "the scene reaches beyond 1e15 units from its origin"};
   constexpr float kLeastRadius = 1e-6f;
   return Sphere{(subject.low + subject.high) * 0.5f,

@@ -8,6 +8,7 @@
 #include "thin_solids.h"
 #include "unit_vector.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -66,6 +67,13 @@ Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
   }
   return isThin(source.mode) ? asSegmentList(indices, source.mode)
                              : asTriangleList(indices, source.mode);
+}
+
+/// Also of each vertex that no index has: tangents and thin solids are made of them as well.
+bool liesWithinReach(const std::vector<Vertex>& vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [](const Vertex& v) {
+    return glm::all(glm::lessThan(glm::abs(v.position), glm::vec3(kMaxSceneReach)));
+  });
 }
 
 /// Each triangle gets vertices of its own and its geometric normal.
@@ -194,6 +202,10 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   if (deforms(pose))
     if (Result<void> posed = applyRestPose(model, source, pose, target); !posed)
       return posed.error();
+  if (!liesWithinReach(target.vertices))
+    return Error{ErrorKind::badInput, "/accessors/" + std::to_string(position->second) +
+                                          ": puts a vertex beyond 1e15 units from its mesh's "
+                                          "origin; vertices within that are accepted"};
   if (isThin(source.mode))
     makeThinSolids(target);
   else if (!hasNormals.value())

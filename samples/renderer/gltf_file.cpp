@@ -16,7 +16,11 @@ Result<GltfFile> readGltfFile(const std::filesystem::path& path) {
   Result<std::vector<std::byte>> bytes = readFile(path, kMaxGltfBytes);
   if (!bytes)
     return bytes.error();
-  GltfFile file{path, std::move(bytes).value(), {}};
+  return openGltfFile(std::move(bytes).value(), path);
+}
+
+Result<GltfFile> openGltfFile(std::vector<std::byte> bytes, const std::filesystem::path& path) {
+  GltfFile file{path, std::move(bytes), {}};
   std::variant<GltfContainer, Finding> opened = openGltf(file.bytes);
   if (const auto* fault = std::get_if<Finding>(&opened))
     return Error{fault->code == "memory" ? ErrorKind::resources : ErrorKind::badInput,

@@ -19,5 +19,8 @@ struct GltfFile {
 /// Errors: badInput for a file that cannot be read or is no glTF, resources when memory does not
 /// suffice.
 [[nodiscard]] Result<GltfFile> readGltfFile(const std::filesystem::path& path);
+/// As above of bytes in memory, which stand for the file at `path`.
+[[nodiscard]] Result<GltfFile> openGltfFile(std::vector<std::byte> bytes,
+                                            const std::filesystem::path& path);
 
 } // namespace lichen::renderer

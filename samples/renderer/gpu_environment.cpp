@@ -53,8 +53,8 @@ GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
   gpu.specular = uploadCube(device, environment.specular);
   gpu.diffuse = uploadCube(device, std::span(&environment.diffuse, 1));
   texels.clear();
-  for (const glm::vec2 value : environment.brdf)
-    appendHalf(texels, glm::vec3(value, 0.0f));
+  for (const glm::vec3 value : environment.brdf)
+    appendHalf(texels, value);
   gpu.brdf =
       uploadImage(device, halfImage(kBrdfSide, kBrdfSide), std::as_bytes(std::span(texels)), false);
 

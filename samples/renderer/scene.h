@@ -141,9 +141,15 @@ struct Scene {
 /// Reads and checks a .gltf or .glb. Errors: badInput for every fault of the file, with the JSON
 /// pointer of the place; resources when the scene is larger than the bounds below.
 [[nodiscard]] Result<Scene> readScene(const std::filesystem::path& path);
+/// As above of bytes in memory, which stand for the file at `path`: messages name it, and what the
+/// scene refers to is looked for beside it.
+[[nodiscard]] Result<Scene> parseScene(std::vector<std::byte> bytes,
+                                       const std::filesystem::path& path);
 
 /// Vertices and indices of all primitives after their expansion: 64 Mi, at most 4.5 GiB of memory.
 inline constexpr std::size_t kMaxSceneVertices = std::size_t(1) << 26;
+/// Of vertices from the origin of their mesh and of the world: squares, times a few, are floats.
+inline constexpr float kMaxSceneReach = 1e15f;
 /// Primitives placed in the world, each a draw call a pass.
 inline constexpr std::size_t kMaxSceneInstances = std::size_t(1) << 18;
 /// Vertices and indices of all instances together: a small file may ask for a mesh many times.

@@ -12,6 +12,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <new>
 #include <span>
@@ -154,11 +155,11 @@ Result<Scene> loadScene(GltfFile& file) {
   return scene;
 }
 
-} // namespace
-
-Result<Scene> readScene(const std::filesystem::path& path) {
+/// Of a file that `open` gives; whatever is thrown on the way is a result too.
+Result<Scene> sceneOf(const std::filesystem::path& path,
+                      const std::function<Result<GltfFile>()>& open) {
   try {
-    Result<GltfFile> file = readGltfFile(path);
+    Result<GltfFile> file = open();
     if (!file)
       return file.error();
     return loadScene(file.value());
@@ -168,6 +169,16 @@ Result<Scene> readScene(const std::filesystem::path& path) {
     return Error{ErrorKind::badInput,
                  path.string() + ": cannot be loaded: " + printable(fault.what(), 160)};
   }
+}
+
+} // namespace
+
+Result<Scene> readScene(const std::filesystem::path& path) {
+  return sceneOf(path, [&] { return readGltfFile(path); });
+}
+
+Result<Scene> parseScene(std::vector<std::byte> bytes, const std::filesystem::path& path) {
+  return sceneOf(path, [&] { return openGltfFile(std::move(bytes), path); });
 }
 
 } // namespace lichen::renderer

@@ -4,23 +4,19 @@
 // fuzz_bundle_replay corpus FOLDER: writes the unmutated files, for libFuzzer to start from.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
+#include "gltf_mutation.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 using namespace lichen;
+using namespace lichen::fuzz;
 
 namespace {
-
-using Bytes = std::vector<std::byte>;
-using Random = std::mt19937_64; // the standard fixes its sequence, not that of distributions
-
-std::size_t below(Random& random, std::size_t limit) { return std::size_t(random() % limit); }
 
 constexpr std::size_t kGlbSeeds = 5;
 
@@ -56,75 +52,6 @@ std::vector<Bytes> seeds() {
           encodeGlb(example::textonMix()).value(),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Srgb, 2, 2, 2, 1))};
-}
-
-constexpr std::array<std::uint32_t, 10> kEdges = {
-    0, 1, 3, 0xff, 0xffff, 0x4000, 0x7fffffff, 0x80000000, 0xfffffffc, 0xffffffff};
-
-void mutateBytes(Bytes& file, Random& random) {
-  if (file.size() < 8)
-    return;
-  const std::size_t at = below(random, file.size() - 4);
-  const auto place = file.begin() + std::ptrdiff_t(at);
-  switch (random() % 4) {
-  case 0:
-    *place ^= std::byte(1u << (random() % 8));
-    break;
-  case 1:
-    std::memcpy(&*place, &kEdges[below(random, kEdges.size())], 4);
-    break;
-  case 2:
-    file.resize(at);
-    break;
-  default:
-    file.erase(place, place + std::ptrdiff_t(below(random, 4)));
-    break;
-  }
-}
-
-/// Walks down to some value of the document.
-nlohmann::json& anyValue(nlohmann::json& root, Random& random) {
-  nlohmann::json* value = &root;
-  while (value->is_structured() && !value->empty() && random() % 8 != 0) {
-    auto child = value->begin();
-    std::advance(child, std::ptrdiff_t(below(random, value->size())));
-    value = &*child;
-  }
-  return *value;
-}
-
-void mutateJson(nlohmann::json& root, Random& random) {
-  const std::array<nlohmann::json, 17> replacements = {nullptr,
-                                                       true,
-                                                       0,
-                                                       1,
-                                                       2,
-                                                       3,
-                                                       -1,
-                                                       0.5,
-                                                       1e300,
-                                                       4294967296u,
-                                                       18446744073709551615u,
-                                                       "",
-                                                       "uv",
-                                                       "texton",
-                                                       nlohmann::json::array(),
-                                                       nlohmann::json::object(),
-                                                       std::string(100, 'x')};
-  nlohmann::json& value = anyValue(root, random);
-  switch (random() % 3) {
-  case 0:
-    if (value.is_array() && !value.empty())
-      value.push_back(nlohmann::json(value.front()));
-    break;
-  case 1:
-    if (value.is_structured() && !value.empty())
-      value.erase(value.begin());
-    break;
-  default:
-    value = replacements[below(random, replacements.size())];
-    break;
-  }
 }
 
 Bytes mutated(const std::vector<Bytes>& files, Random& random) {

@@ -2,6 +2,7 @@
 // Every rule of glTF that the renderer relies on, broken once: refused with the place's pointer.
 #include "render_gltf.h"
 #include "scene.h"
+#include "scene_promises.h"
 
 #include <catch2/catch.hpp>
 
@@ -333,6 +334,13 @@ const std::vector<Fault> kFaults{
            s.addFloats({3e38f, 0, 0, 0, 0, 0, 0, 0, 0}, 3);
        s.json["meshes"][0]["weights"] = {1e30};
      }},
+    {"a line so long that the square of its length is no float",
+     "1e15 units from its mesh's origin",
+     [](GltfScene& s) {
+       s.json["meshes"][0]["primitives"][0]["mode"] = 1;
+       const float far = 1e20f;
+       std::memcpy(s.binary.data(), &far, sizeof far);
+     }},
     {"nothing to draw", "no triangles, lines or points",
      [](GltfScene& s) { s.json["scenes"][0]["nodes"] = {1}; }},
 };
@@ -376,45 +384,6 @@ TEST_CASE("a scene cut off at any byte is refused") {
         renderer::readScene(writeInto(folder, "cut.glb", std::span(whole).first(length))).ok());
   }
 }
-
-namespace {
-
-bool isFinite(const glm::mat4& matrix) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(matrix[column][row]))
-        return false;
-  return true;
-}
-
-/// What the renderer relies on in a scene that it is given, or the name of what is broken.
-std::string brokenPromise(const renderer::Scene& scene) {
-  for (const renderer::Primitive& primitive : scene.primitives) {
-    if (primitive.indices.empty() || primitive.indices.size() % 3 != 0)
-      return "three indices per triangle";
-    for (const std::uint32_t index : primitive.indices)
-      if (index >= primitive.vertices.size())
-        return "indices below the number of vertices";
-    for (const renderer::Vertex& vertex : primitive.vertices)
-      for (int k = 0; k < 3; ++k)
-        if (!std::isfinite(vertex.position[k]) || !std::isfinite(vertex.normal[k]))
-          return "finite vertices";
-    if (primitive.material >= scene.materials.size())
-      return "a material for each primitive";
-  }
-  for (const renderer::Instance& instance : scene.instances)
-    if (instance.primitive >= scene.primitives.size() || !isFinite(instance.worldFromObject))
-      return "instances of primitives, with finite transforms";
-  for (const renderer::Camera& camera : scene.cameras)
-    if (!isFinite(camera.worldFromCamera))
-      return "cameras with finite transforms";
-  for (const renderer::TextureImage& image : scene.images)
-    if (image.rgba.size() != std::size_t(image.width) * std::size_t(image.height) * 4)
-      return "four bytes per texel";
-  return scene.instances.empty() ? "something to draw" : "";
-}
-
-} // namespace
 
 TEST_CASE("a scene with any bit flipped is refused, or what is read keeps the reader's promises") {
   const TemporaryFolder folder;

@@ -82,10 +82,93 @@ TEST_CASE("the matte side of a panorama is its irradiance over pi") {
   CHECK(texel(0) == Approx(1.0).epsilon(0.06)); // +x; the centre texel leans by half a texel
 }
 
+namespace {
+
+/// A bright spot of a few degrees over a slope from dark to light, which no filter is right about
+/// by symmetry.
+LinearImage unevenPanorama() {
+  const glm::vec3 spot = glm::normalize(glm::vec3(0.4f, 0.5f, -0.7f));
+  constexpr float kSharpness = 200.0f; // falls to 1/e at 6 degrees
+  LinearImage image(256, 128, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const glm::vec3 d =
+          panoramaDirection({(float(x) + 0.5f) / 256.0f, (float(y) + 0.5f) / 128.0f});
+      const float value = 0.5f + 0.3f * d.x + 0.1f * d.y +
+                          10.0f * std::exp(kSharpness * (glm::dot(d, spot) - 1.0f));
+      for (int c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = value;
+    }
+  return image;
+}
+
+/// The panorama under the GGX lobe about an axis, weighted with the cosine: the sum over its
+/// texels.
+double directIntegral(const LinearImage& panorama, glm::vec3 axis, float alpha) {
+  const double a2 = double(alpha) * alpha;
+  double sum = 0.0, weights = 0.0;
+  for (int y = 0; y < panorama.height; ++y) {
+    const double solidAngle = std::sin(std::numbers::pi * (y + 0.5) / panorama.height);
+    for (int x = 0; x < panorama.width; ++x) {
+      const glm::vec3 light = panoramaDirection(
+          {(float(x) + 0.5f) / float(panorama.width), (float(y) + 0.5f) / float(panorama.height)});
+      const double cosine = glm::dot(axis, light);
+      if (cosine <= 0.0)
+        continue;
+      const double nDotH = glm::dot(axis, glm::normalize(axis + light));
+      const double d = nDotH * nDotH * (a2 - 1.0) + 1.0;
+      const double weight = solidAngle * cosine / (d * d);
+      sum += weight * double(panorama.pixel(x, y)[0]);
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
+/// Of a texel of a cube map's face [Vulkan 1.3, table "Cube map face and coordinate selection"].
+glm::vec3 faceDirection(int face, int side, int x, int y) {
+  const float a = (2.0f * float(x) + 1.0f) / float(side) - 1.0f;
+  const float b = (2.0f * float(y) + 1.0f) / float(side) - 1.0f;
+  const glm::vec3 directions[] = {{1, -b, -a}, {-1, -b, a}, {a, 1, b},
+                                  {a, -1, -b}, {a, -b, 1},  {-a, -b, -1}};
+  return glm::normalize(directions[face]);
+}
+
+} // namespace
+
+TEST_CASE("what each roughness sees of a panorama is the integral over its lobe") {
+  // Of 48 samples of a lobe; measured 0.025 and 0.083 at roughness 1. The spot is 20 times as
+  // bright as what is around it.
+  constexpr double kMeanError = 0.03;
+  constexpr double kWorstError = 0.1;
+  const LinearImage panorama = unevenPanorama();
+  const Environment environment = prepareEnvironment(panorama);
+  for (int level = 2; level < kSpecularLevels; ++level) { // of sharper lobes a texel is too coarse
+    const CubeLevel& cube = environment.specular[std::size_t(level)];
+    const float alpha = alphaOf(float(level) / float(kSpecularLevels - 1));
+    double worst = 0.0, square = 0.0;
+    int count = 0;
+    for (int face = 0; face < 6; ++face)
+      for (int y = 0; y < cube.side; y += std::max(cube.side / 4, 1))
+        for (int x = 0; x < cube.side; x += std::max(cube.side / 4, 1)) {
+          const auto texel = std::size_t((face * cube.side + y) * cube.side + x);
+          const double exact =
+              directIntegral(panorama, faceDirection(face, cube.side, x, y), alpha);
+          const double error = std::abs(double(cube.texels[texel].x) - exact) / exact;
+          worst = std::max(worst, error);
+          square += error * error;
+          ++count;
+        }
+    INFO("level " << level);
+    CHECK(std::sqrt(square / count) < kMeanError);
+    CHECK(worst < kWorstError);
+  }
+}
+
 TEST_CASE("no roughness reflects more than it gets, and a smooth mirror all of it") {
   constexpr int kSide = 16;
   const auto table = environmentBrdf(kSide);
-  for (const glm::vec2 value : table) {
+  for (const glm::vec3 value : table) {
     CHECK(value.x >= 0.0f);
     CHECK(value.y >= 0.0f);
     CHECK(value.x + value.y <= 1.01f); // of 256 samples

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "landscape.h"
 #include "materials.h"
 
 #include <lichen/fft.h>
+#include <lichen/gltf_container.h>
 #include <lichen/spectrum.h>
 
 #include <catch2/catch.hpp>
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <string>
 
@@ -156,4 +159,36 @@ TEST_CASE("an exemplar has little energy below four cycles a side", "[large]") {
     // 0.036 for terrazzo, with its large chips; at most 0.015 for the others.
     CHECK(low / all < 0.05);
   }
+}
+
+TEST_CASE("the landscape has a million triangles, of two materials, that all face upwards",
+          "[large]") {
+  const std::vector<std::byte> glb = exemplars::landscapeGlb();
+  const auto opened = openGltf(glb);
+  const auto& file = std::get<GltfContainer>(opened);
+  const auto values = [&](std::size_t accessor, auto sample) {
+    const auto& view =
+        file.document["bufferViews"]
+                     [file.document["accessors"][accessor]["bufferView"].get<std::size_t>()];
+    std::vector<decltype(sample)> result(view["byteLength"].get<std::size_t>() / sizeof sample);
+    std::memcpy(result.data(), file.binaryChunk->data() + view["byteOffset"].get<std::size_t>(),
+                result.size() * sizeof sample);
+    return result;
+  };
+  const auto& parts = file.document["meshes"][0]["primitives"];
+  const auto positions =
+      values(parts[0]["attributes"]["POSITION"].get<std::size_t>(), std::array<float, 3>());
+  std::size_t triangles = 0, downwards = 0;
+  for (const auto& part : parts) {
+    const auto indices = values(part["indices"].get<std::size_t>(), std::array<std::uint32_t, 3>());
+    CHECK(indices.size() > 50'000);
+    triangles += indices.size();
+    for (const auto& [a, b, c] : indices) {
+      const auto &p = positions[a], &q = positions[b], &r = positions[c];
+      downwards += (q[2] - p[2]) * (r[0] - p[0]) - (q[0] - p[0]) * (r[2] - p[2]) <= 0.0f;
+    }
+  }
+  CHECK(parts.size() == 2);
+  CHECK(triangles == 1'000'000);
+  CHECK(downwards == 0);
 }

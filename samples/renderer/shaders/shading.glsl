@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // glTF's metallic-roughness model under punctual lights and an environment.
-// [glTF 2.0, appendix B]; energy of multiple scattering [Fdez-Aguera 2019, A Multiple-Scattering
-// Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al. 2007, eq. 33]; Smith's
+// [glTF 2.0, appendix B]; energy of multiple scattering, of lights [Kulla and Conty 2017, Revisiting
+// Physically Based Shading at Imageworks] and of the environment [Fdez-Aguera 2019, A
+// Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al. 2007, eq. 33]; Smith's
 // visibility [Heitz 2014, eq. 99]; Fresnel [Schlick 1994].
 #ifndef SHADING_GLSL
 #define SHADING_GLSL
@@ -32,10 +33,27 @@ struct Shading {
   vec3 f0;
   float roughness;
   float alpha;
-  vec2 brdf; // scale and bias of f0 under a uniform environment
+  vec3 brdf; // scale and bias of f0 under a uniform environment; mean of their sum
 };
 
 float alphaOf(float roughness) { return max(roughness * roughness, kLeastAlpha); }
+
+const float kMeanSchlick = 1.0 / 21.0; // cosine-weighted mean of Schlick's power
+
+vec3 meanFresnel(vec3 f0) { return f0 + (1.0 - f0) * kMeanSchlick; }
+
+/// [Kulla and Conty 2017, "Multiple scattering"]: the lobe of what single scattering loses. The same
+/// when light and view change places, which a factor to single scattering would not be.
+vec3 scatteredAgain(Shading s, float nDotL) {
+  const float kLeastLost = 1e-4; // of a mirror, where the table's rounding is larger than the loss
+  vec2 toLight = textureLod(brdfTable, vec2(nDotL, s.roughness), 0.0).xy;
+  float lostOfLight = max(1.0 - toLight.x - toLight.y, 0.0);
+  float lostOfView = max(1.0 - s.brdf.x - s.brdf.y, 0.0);
+  float lost = max(1.0 - s.brdf.z, kLeastLost);
+  vec3 average = meanFresnel(s.f0);
+  vec3 color = average * average * (1.0 - lost) / (1.0 - average * lost);
+  return color * (lostOfLight * lostOfView / (kPi * lost));
+}
 
 /// Light reflected of a light from direction l with irradiance 1 on a surface that faces it.
 vec3 reflected(Shading s, vec3 l) {
@@ -51,9 +69,7 @@ vec3 reflected(Shading s, vec3 l) {
   float visibility = 0.5 / (nDotL * sqrt(s.nDotV * s.nDotV * (1.0 - a2) + a2) +
                             s.nDotV * sqrt(nDotL * nDotL * (1.0 - a2) + a2));
   vec3 fresnel = s.f0 + (1.0 - s.f0) * pow(1.0 - vDotH, kSchlickPower);
-  // Single scattering scaled to what a uniform environment would give back.
-  vec3 multiple = 1.0 + s.f0 * (1.0 / (s.brdf.x + s.brdf.y) - 1.0);
-  vec3 specular = fresnel * multiple * (distribution * visibility);
+  vec3 specular = fresnel * (distribution * visibility) + scatteredAgain(s, nDotL);
   return nDotL * ((1.0 - fresnel) * s.diffuseColor / kPi + specular);
 }
 
@@ -128,12 +144,11 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
   vec3 r = reflect(-s.view, s.normal);
   vec3 radiance = textureLod(specularCube, r, s.roughness * frame.environment.y).rgb;
   vec3 irradiance = textureLod(diffuseCube, s.normal, 0.0).rgb;
-  // [Fdez-Aguera 2019] listing 1; 1 / 21 is the cosine-weighted mean of Schlick's power.
-  const float kMeanSchlick = 1.0 / 21.0;
+  // [Fdez-Aguera 2019] listing 1.
   float single = s.brdf.x + s.brdf.y;
   vec3 singleScatter = s.f0 * s.brdf.x + s.brdf.y;
   float lost = 1.0 - single;
-  vec3 average = s.f0 + (1.0 - s.f0) * kMeanSchlick;
+  vec3 average = meanFresnel(s.f0);
   vec3 multiScatter = lost * singleScatter * average / (1.0 - average * lost);
   vec3 diffuse = s.diffuseColor * (1.0 - singleScatter - multiScatter);
   // [Lagarde and de Rousiers 2014, Moving Frostbite to PBR, listing 26], the exponent too.

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# A landscape of a million triangles from the feet to the horizon: one exemplar on the ground, the
+# other on the rocks, both triplanar. Prints the time of a frame and the memory of the program.
+#   samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png
+# Needs a release build, a Vulkan device, ImageMagick and GNU time (Debian packages imagemagick, time).
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")/.." && pwd)
+bin=${LICHEN_BIN:-$here/build/release/bin}
+
+if [ $# -ne 3 ]; then
+  echo "usage: samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png" >&2
+  exit 2
+fi
+for package in imagemagick:convert time:/usr/bin/time; do
+  command -v "${package#*:}" >/dev/null ||
+    { echo "landscape_sheet: install ${package%:*}: apt-get install ${package%:*}" >&2; exit 4; }
+done
+for program in lichen lichen-exemplars lichen-render; do
+  [ -x "$bin/$program" ] || { echo "landscape_sheet: $bin/$program is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+done
+
+output=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$bin/lichen-exemplars" "$work" landscape >/dev/null
+"$bin/lichen" bake "$2" -o "$work/ground.glb" --name ground --preview none --quiet
+"$bin/lichen" bake "$3" -o "$work/rock.glb" --name rock --preview none --quiet
+"$bin/lichen" apply "$work/landscape.glb" --noise "$work/ground.glb" --material ground \
+  --mapping triplanar --scale 1.5 -o "$work/half.glb" --quiet
+"$bin/lichen" apply "$work/half.glb" --noise "$work/rock.glb" --material rock \
+  --mapping triplanar --scale 1.5 -o "$work/scene.glb" --quiet
+/usr/bin/time -f '%M KiB at most' "$bin/lichen-render" "$work/scene.glb" --camera view \
+  --size 1600x900 --frames 4 -o "$work/landscape.png" --json
+convert "$work/landscape.png" -quality 86 "$output"
+echo "$output"

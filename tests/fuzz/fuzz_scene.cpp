@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Any bytes -> parseScene(): a scene that keeps the loader's promises, or an error on one line.
+// Without a Vulkan device: the scene is that of lichen::scene. A campaign, with Clang:
+//   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
+//     -DLICHEN_FUZZ=ON -DLICHEN_SANITIZE=address,undefined
+//   ninja -C build/fuzz fuzz_scene fuzz_scene_replay
+//   mkdir corpus && build/fuzz/bin/fuzz_scene_replay corpus corpus
+//   build/fuzz/bin/fuzz_scene corpus -timeout=10 -rss_limit_mb=2500 -max_len=120000
+// What it finds goes to tests/fuzz/regressions/scene/ when it is mended.
+#include "scene_promises.h"
+
+#include <lichen/escaped.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace lichen;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition)
+    return;
+  std::fprintf(stderr, "parseScene: %s\n", what);
+  std::abort();
+}
+
+/// Text of the file may stand in it, escaped.
+bool isOneLine(const std::string& text) { return !text.empty() && escaped(text) == text; }
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(data);
+  // Nothing lies beside it, so that what a file names is not read.
+  const Result<renderer::Scene> scene =
+      renderer::parseScene({bytes, bytes + size}, "absent-folder/scene.glb");
+  if (!scene) {
+    require(isOneLine(scene.error().message), "a message of more or less than one line");
+    return 0;
+  }
+  const std::string broken = test::brokenPromise(scene.value());
+  require(broken.empty(), broken.c_str());
+  for (const std::string& note : scene.value().notes)
+    require(isOneLine(note), "a note of more or less than one line");
+  return 0;
+}

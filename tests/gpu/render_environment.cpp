@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Light that is seen, reflected and given back: where a panorama's directions are, in the
+// background and in mirrors, and two laws of reflection, by pictures of a plane under lamps.
+#include "rendered.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace lichen;
+using namespace lichen::test;
+using renderer::RenderSettings;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+LinearImage black() {
+  LinearImage image(2, 1, 3);
+  std::fill(image.values.begin(), image.values.end(), 0.0f);
+  return image;
+}
+
+RenderSettings settingsUnder(LinearImage environment, std::uint32_t side) {
+  RenderSettings settings = settingsOf(side, side, 1);
+  settings.toneMap = false;
+  settings.environment = std::move(environment);
+  return settings;
+}
+
+/// Radiance 1/2 + d/2 from direction d, each axis a colour: +y in the top row, -z in the middle, +x
+/// right of it, as the README of a panorama has it.
+LinearImage directions() {
+  LinearImage image(256, 128, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double polar = kPi * (y + 0.5) / image.height;
+      const double azimuth = 2.0 * kPi * ((x + 0.5) / image.width - 0.5);
+      const std::array direction{std::sin(azimuth) * std::sin(polar), std::cos(polar),
+                                 -std::cos(azimuth) * std::sin(polar)};
+      for (int c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = float(0.5 + 0.5 * direction[std::size_t(c)]);
+    }
+  return image;
+}
+
+constexpr float kFieldOfView = 1.2f;
+constexpr float kDistance = 4.0f;
+
+/// A mirror ball in front of a camera at +z that looks along -z.
+GltfScene mirrorBall() {
+  GltfScene scene;
+  scene.addBall(scene.addMaterial(
+      {{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0}}}}));
+  scene.addCamera(kDistance, kFieldOfView);
+  return scene;
+}
+
+/// A square that faces the camera, with a normal of its own.
+struct Plate {
+  glm::dvec3 normal;
+  double metallic = 1.0;
+  double roughness = 1.0;
+  double base = 1.0;
+};
+
+constexpr glm::dvec3 kView{0.0, 0.0, 1.0}; // toward the camera
+/// lighting.cpp's kKeyIrradiance: what each of several equal lamps lays on what faces it.
+constexpr double kLampIrradiance = 1.05 * kPi;
+
+void addPlate(GltfScene& scene, const Plate& plate, float left) {
+  const auto n = glm::vec3(plate.normal);
+  scene.addMesh(
+      {{"POSITION", scene.addFloats({left, 0, 0, left + 1, 0, 0, left + 1, 1, 0, left, 1, 0}, 3)},
+       {"NORMAL",
+        scene.addFloats({n.x, n.y, n.z, n.x, n.y, n.z, n.x, n.y, n.z, n.x, n.y, n.z}, 3)}},
+      scene.addIndices({0, 1, 2, 0, 2, 3}, 1),
+      scene.addMaterial({{"pbrMetallicRoughness",
+                          {{"baseColorFactor", {plate.base, plate.base, plate.base, 1}},
+                           {"metallicFactor", plate.metallic},
+                           {"roughnessFactor", plate.roughness}}}}));
+}
+
+/// Radiance of each plate under equal lamps in these directions, over the irradiance of one lamp.
+/// The lamps are points so far away that their light is parallel: points cast no shadows.
+std::vector<double> radiances(const std::vector<Plate>& plates,
+                              const std::vector<glm::dvec3>& lamps) {
+  const auto count = int(plates.size());
+  GltfScene scene;
+  for (int i = 0; i < count; ++i)
+    addPlate(scene, plates[std::size_t(i)], float(i) - float(count) / 2.0f);
+  nlohmann::json& nodes = scene.json["nodes"];
+  const auto add = [&](nlohmann::json node) {
+    nodes.push_back(std::move(node));
+    scene.json["scenes"][0]["nodes"].push_back(nodes.size() - 1);
+  };
+  scene.json["cameras"] = {
+      {{"type", "orthographic"},
+       {"orthographic", {{"xmag", count / 2.0}, {"ymag", 0.5}, {"znear", 0.1}, {"zfar", 2}}}}};
+  add({{"camera", 0}, {"translation", {0.0, 0.5, 1.0}}});
+  scene.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  scene.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  constexpr double kFar = 1e5;
+  for (const glm::dvec3 lamp : lamps)
+    add({{"translation", {kFar * lamp.x, kFar * lamp.y, kFar * lamp.z}},
+         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  RenderSettings settings = settingsUnder(black(), 1);
+  settings.width = std::uint32_t(count);
+  const LinearImage picture = render(scene.glb(), settings);
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i)
+    result.push_back(double(picture.pixel(i, 0)[1]) / kLampIrradiance);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("what is seen of a panorama is what lies in that direction") {
+  // A texel of 1/256 of a turn, and half floats.
+  constexpr double kTolerance = 0.01;
+  constexpr int kSide = 48;
+  const LinearImage picture = render(mirrorBall().glb(), settingsUnder(directions(), kSide));
+  const double half = std::tan(kFieldOfView / 2.0);
+  std::size_t background = 0, mirrored = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      glm::dvec3 d = glm::normalize(glm::dvec3((2.0 * (x + 0.5) / kSide - 1.0) * half,
+                                               (1.0 - 2.0 * (y + 0.5) / kSide) * half, -1.0));
+      // The way from the camera to a ball of radius 1 at the origin: p = (0, 0, kDistance) + t d.
+      const double b = kDistance * d.z;
+      const double under = b * b - (kDistance * kDistance - 1.0);
+      // Near its outline the ball is a polyhedron, and its reflection turns fast.
+      constexpr double kOutline = 0.35;
+      if (under > 0.0 && under < kOutline)
+        continue;
+      if (under > 0.0) {
+        const glm::dvec3 normal = glm::dvec3(0, 0, kDistance) + (-b - std::sqrt(under)) * d;
+        d = glm::reflect(d, normal);
+        ++mirrored;
+      } else if (under > -kOutline) {
+        continue;
+      } else {
+        ++background;
+      }
+      INFO(x << ", " << y << (under > 0.0 ? " in the ball" : ""));
+      for (int c = 0; c < 3; ++c)
+        CHECK(picture.pixel(x, y)[c] == Approx(0.5 + 0.5 * d[c]).margin(kTolerance));
+    }
+  CHECK(background > 1000);
+  CHECK(mirrored > 100);
+}
+
+TEST_CASE("light takes the same way back: lamp and camera can change places") {
+  // Half floats, and a table with 32 steps that is read at two places.
+  constexpr double kTolerance = 0.01;
+  const glm::dvec3 lamp(std::sin(1.3), 0.0, std::cos(1.3));
+  const glm::dvec3 between = glm::normalize(kView - lamp);
+  // Pairs of plates: the second sees the lamp as the first sees the camera, and the other way
+  // round.
+  std::vector<Plate> plates;
+  for (const double metallic : {0.0, 1.0})
+    for (const double roughness : {0.3, 0.6, 1.0})
+      for (const double right : {0.1, 0.4, 0.7})
+        for (const double up : {0.0, 0.5}) {
+          const glm::dvec3 normal = glm::normalize(glm::dvec3(right * 0.3, up, 1.0));
+          plates.push_back({normal, metallic, roughness, 0.9});
+          plates.push_back({glm::reflect(normal, between), metallic, roughness, 0.9});
+        }
+  const std::vector<double> seen = radiances(plates, {lamp});
+  for (std::size_t i = 0; i < plates.size(); i += 2) {
+    INFO("metallic " << plates[i].metallic << ", roughness " << plates[i].roughness);
+    const double there = seen[i] / glm::dot(plates[i].normal, lamp);
+    const double back = seen[i + 1] / glm::dot(plates[i + 1].normal, lamp);
+    CHECK(there == Approx(back).epsilon(kTolerance));
+  }
+}
+
+TEST_CASE("a white metal gives back all the light of lamps in all directions") {
+  constexpr std::size_t kPictures = 16;
+  constexpr std::size_t kLamps = 16; // as many as there may be
+  constexpr std::size_t kDirections = kPictures * kLamps;
+  constexpr double kTolerance = 0.03; // of the sum over 256 directions; measured below 2 %
+  std::vector<Plate> plates;
+  for (const double roughness : {0.5, 0.8, 1.0})
+    for (const double view : {0.2, 0.8, 1.2})
+      plates.push_back({{std::sin(view), 0.0, std::cos(view)}, 1.0, roughness, 1.0});
+  std::vector<double> albedo(plates.size(), 0.0);
+  for (std::size_t picture = 0; picture < kPictures; ++picture) {
+    std::vector<glm::dvec3> lamps; // spherical Fibonacci points: each has the same solid angle
+    for (std::size_t i = picture; i < kDirections; i += kPictures) {
+      const double z = 1.0 - (2.0 * double(i) + 1.0) / double(kDirections);
+      const double turn = 2.0 * kPi * double(i) / std::numbers::phi;
+      const double r = std::sqrt(1.0 - z * z);
+      lamps.push_back({r * std::cos(turn), r * std::sin(turn), z});
+    }
+    const std::vector<double> seen = radiances(plates, lamps);
+    for (std::size_t i = 0; i < plates.size(); ++i)
+      albedo[i] += seen[i] * 4.0 * kPi / double(kDirections);
+  }
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    INFO("roughness " << plates[i].roughness << ", n.v " << plates[i].normal.z);
+    CHECK(albedo[i] == Approx(1.0).epsilon(kTolerance));
+  }
+}
