@@ -169,10 +169,8 @@ void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
       take(device.createBuffer(kMaterialStride * count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
   TextureCache textures(device, objects, scene, gpu);
   for (std::size_t m = 0; m < count; ++m) {
-    const shader::MaterialData data = materialData(scene.materials[m], noises.roles(m));
-    std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
     std::array<Descriptor, 1 + MATERIAL_TEXTURES> descriptors{
-        uniformBlock(gpu.materialData.handle, kMaterialStride * m, sizeof data)};
+        uniformBlock(gpu.materialData.handle, kMaterialStride * m, sizeof(shader::MaterialData))};
     const auto slots = slotsOf(scene.materials[m]);
     for (std::size_t k = 0; k < slots.size(); ++k)
       descriptors[BINDING_TEXTURES + k] =
@@ -180,9 +178,17 @@ void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
     gpu.materialSets.push_back(objects.set(pool, gpu.materialLayout));
     writeSet(device.device(), gpu.materialSets.back(), descriptors);
   }
+  writeMaterials(scene, noises, gpu);
 }
 
 } // namespace
+
+void writeMaterials(const Scene& scene, const NoiseHost& noises, GpuScene& gpu) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const shader::MaterialData data = materialData(scene.materials[m], noises.roles(m));
+    std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
+  }
+}
 
 Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits) {
   const std::uint32_t longestSide = limits.maxImageDimension2D;

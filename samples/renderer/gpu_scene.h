@@ -32,4 +32,7 @@ struct GpuScene {
 [[nodiscard]] GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
                                    const NoiseHost& noises);
 
+/// Writes the materials' data again, of which the noises have changed. No frame may be in flight.
+void writeMaterials(const Scene& scene, const NoiseHost& noises, GpuScene& gpu);
+
 } // namespace lichen::renderer

@@ -86,6 +86,32 @@ bool isMapped(const tinygltf::Value& use, Mapping expected) {
   return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
 }
 
+/// The extension is the plugin's to check: here a fault counts as absence.
+NoiseUse readNoiseUse(const tinygltf::Value& use) {
+  const auto number = [&](const char* key, double absent) {
+    const tinygltf::Value& value = at(use, key);
+    return value.IsNumber() ? value.GetNumberAsDouble() : absent;
+  };
+  NoiseUse result;
+  if (isMapped(use, Mapping::triplanar))
+    result.mapping = NoiseMapping::triplanar;
+  else if (isMapped(use, Mapping::surface))
+    result.mapping = NoiseMapping::surface;
+  // tinygltf reads a seed of 2^31 or more as a negative number, of the same 32 bits.
+  if (const tinygltf::Value& seed = at(use, "seed"); seed.IsInt())
+    result.seed = std::uint32_t(seed.GetNumberAsInt());
+  const tinygltf::Value& offset = at(use, "offset");
+  for (int k = 0; k < 2; ++k)
+    if (at(offset, k).IsNumber())
+      result.offset[std::size_t(k)] = at(offset, k).GetNumberAsDouble();
+  result.scale = number("scale", result.scale);
+  result.rotation = number("rotation", result.rotation);
+  result.blendSharpness = number("blendSharpness", result.blendSharpness);
+  result.planeSharpness = number("planeSharpness", result.planeSharpness);
+  result.contrast = number("contrast", result.contrast);
+  return result;
+}
+
 /// Where the normals of a material's noise take their texture coordinates; nothing without normals.
 std::optional<int> normalTexCoord(const tinygltf::Value& noise, const tinygltf::Value& use) {
   const tinygltf::Value& maps = at(noise, "maps");
@@ -191,6 +217,7 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   result.emissiveTexture = readSlot(model, source.emissiveTexture);
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
+    result.noise = readNoiseUse(*use);
     const tinygltf::Value& noise = noiseOf(model, *use);
     if (isMapped(*use, Mapping::surface))
       result.noiseNeedsTangents = noise.IsObject();

@@ -5,6 +5,8 @@
 #include "failure.h"
 #include "printable.h"
 
+#include <lichen/bundle.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -27,6 +29,22 @@ std::optional<std::size_t> roleOf(std::uint32_t target) {
   default:
     return std::nullopt;
   }
+}
+
+double clampTo(const NumberRange& range, double value) {
+  return std::clamp(value, range.least, range.most);
+}
+
+LichenMapping codeOf(NoiseMapping mapping) {
+  switch (mapping) {
+  case NoiseMapping::triplanar:
+    return LICHEN_MAPPING_TRIPLANAR;
+  case NoiseMapping::surface:
+    return LICHEN_MAPPING_SURFACE;
+  case NoiseMapping::uv:
+    break;
+  }
+  return LICHEN_MAPPING_UV;
 }
 
 template <class T>
@@ -68,6 +86,7 @@ NoiseHost::NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
     loadBundle(device, scene);
   createPlaceholders(device, objects);
   createSets(device, objects, scene.materials.size());
+  change(device.device(), scene, {});
 }
 
 void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
@@ -98,13 +117,21 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
       [&](VkCommandBuffer commands) { recorded = lichenVulkanRecordUpload(assets, commands); }));
   check(recorded);
   lichenVulkanReleaseStaging(assets);
+  readMaterials(scene);
+}
 
+void NoiseHost::readMaterials(const Scene& scene) {
   auto count = initialized<LichenBundleProperties>(LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
-  check(lichenGetBundleProperties(bundle, &count));
+  check(lichenGetBundleProperties(bundle_.get(), &count));
+  for (std::uint32_t n = 0; n < count.noiseCount; ++n) {
+    auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    check(lichenGetNoiseProperties(bundle_.get(), n, &noise));
+    names_.emplace_back(noise.name);
+  }
   for (std::uint32_t m = 0; m < count.materialCount && m < noises_.size(); ++m) {
     auto material = initialized<LichenMaterialProperties>(LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-    check(lichenGetMaterialProperties(bundle, m, &material));
-    noises_[m] = material.noise;
+    check(lichenGetMaterialProperties(bundle_.get(), m, &material));
+    materials_.push_back(material);
     const std::string place = "/materials/" + std::to_string(m);
     if (material.unknownRevision != 0)
       notes_.insert(place + ": its noise is of revision " +
@@ -112,8 +139,6 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
                     ", which this version does not know; the core textures are drawn");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
-    hasSurfaceNoises_ = hasSurfaceNoises_ || material.mapping == LICHEN_MAPPING_SURFACE;
-    hasTriplanarNoises_ = hasTriplanarNoises_ || material.mapping == LICHEN_MAPPING_TRIPLANAR;
     if (material.texCoord > 1)
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
                                               std::to_string(material.texCoord) +
@@ -122,7 +147,6 @@ void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
       throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
                                               std::to_string(material.mixSet) +
                                               " of the mix's mask is not accepted, 0 or 1 is"}};
-    roles_[m] = rolesOf(material.noise, material.texCoord);
   }
 }
 
@@ -192,25 +216,81 @@ void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::si
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
   std::fill_n(uniforms_.mapped, uniforms_.size, std::byte{0});
   const VkDescriptorPool pool = objects.pool(materials, types);
+  for (std::size_t m = 0; m < materials; ++m)
+    sets_.push_back(objects.set(pool, setLayout_));
+}
+
+/// What a material's noise is drawn with: without a change, the file's own.
+LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material, const NoiseUse& use,
+                                         const NoiseChanges& changes) const {
+  auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
+  info.material = material;
+  if (changes == NoiseChanges{})
+    return info;
+  info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS |
+                   LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_CONTRAST;
+  info.scale = clampTo(kScaleRange, use.scale * changes.scaleFactor);
+  info.seed = use.seed + changes.seedStep;
+  info.blendSharpness =
+      clampTo(kBlendSharpnessRange, use.blendSharpness * changes.blendSharpnessFactor);
+  info.planeSharpness =
+      clampTo(kPlaneSharpnessRange, use.planeSharpness * changes.planeSharpnessFactor);
+  info.contrast = clampTo(kContrastRange, use.contrast * changes.contrastFactor);
+  NoiseMapping mapping = changes.mapping.value_or(use.mapping);
+  if (changes.noise && *changes.noise != materials_[material].noise) {
+    // Nothing of the material is read then.
+    info.overrides |= LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION;
+    info.noise = *changes.noise;
+    info.offset[0] = use.offset[0];
+    info.offset[1] = use.offset[1];
+    info.rotation = use.rotation;
+    auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    check(lichenGetNoiseProperties(bundle_.get(), info.noise, &noise));
+    if (mapping == NoiseMapping::surface && noise.method != LICHEN_NOISE_TEXTON)
+      mapping = NoiseMapping::triplanar; // the other one that needs no texture coordinates
+  }
+  if (changes.mapping || info.overrides & LICHEN_OVERRIDE_NOISE) {
+    info.overrides |= LICHEN_OVERRIDE_MAPPING;
+    info.mapping = codeOf(mapping);
+  }
+  return info;
+}
+
+void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& changes) {
+  if (changes.noise && *changes.noise >= names_.size())
+    throw Failure{{ErrorKind::usage, "noise " + std::to_string(*changes.noise) +
+                                         " is not in the bundle, which has " +
+                                         std::to_string(names_.size())}};
+  hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
+      hasMixes_ = false;
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
-  for (std::uint32_t m = 0; m < materials; ++m) {
-    if (noises_[m] != LICHEN_NO_NOISE) {
-      auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
-      info.material = m;
+  for (std::uint32_t m = 0; m < sets_.size(); ++m) {
+    if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
+      const NoiseUse& use = scene.materials[m].noise;
+      const LichenUniformInfo info = uniformInfo(m, use, changes);
+      noises_[m] = changes.noise.value_or(materials_[m].noise);
+      roles_[m] = rolesOf(noises_[m], materials_[m].texCoord);
+      const LichenMapping mapping =
+          info.overrides & LICHEN_OVERRIDE_MAPPING ? info.mapping : materials_[m].mapping;
+      hasSurfaceNoises_ = hasSurfaceNoises_ || mapping == LICHEN_MAPPING_SURFACE;
+      hasTriplanarNoises_ = hasTriplanarNoises_ || mapping == LICHEN_MAPPING_TRIPLANAR;
       check(lichenFillUniforms(bundle_.get(), &info,
                                uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * m,
                                &diagnostic),
             diagnostic);
     }
-    sets_.push_back(objects.set(pool, setLayout_));
-    std::array<Descriptor, 1 + 2 * NOISE_ROLES> descriptors{uniformBlock(
-        uniforms_.handle, VkDeviceSize(LICHEN_UNIFORM_BYTES) * m, LICHEN_UNIFORM_BYTES)};
-    const auto images = imageInfos(noises_[m], roles_[m]);
-    for (std::size_t i = 0; i < images.size(); ++i)
-      descriptors[BINDING_NOISE_ROLES + i] = {
-          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, {}, images[i]};
-    writeSet(device.device(), sets_.back(), descriptors);
+    writeNoiseSet(device, m);
   }
+}
+
+void NoiseHost::writeNoiseSet(VkDevice device, std::size_t material) const {
+  std::array<Descriptor, 1 + 2 * NOISE_ROLES> descriptors{uniformBlock(
+      uniforms_.handle, VkDeviceSize(LICHEN_UNIFORM_BYTES) * material, LICHEN_UNIFORM_BYTES)};
+  const auto images = imageInfos(noises_[material], roles_[material]);
+  for (std::size_t i = 0; i < images.size(); ++i)
+    descriptors[BINDING_NOISE_ROLES + i] = {
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, {}, images[i]};
+  writeSet(device, sets_[material], descriptors);
 }
 
 } // namespace lichen::renderer

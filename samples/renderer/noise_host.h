@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu_objects.h"
+#include "noise_changes.h"
 #include "scene.h"
 #include "shaders/scene_interface.h"
 
@@ -31,6 +32,11 @@ public:
   /// lacks a format. Without noise materials in the scene the plugin is not called.
   NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene);
 
+  /// Draws the scene's noises with these changes in place of earlier ones. All that is told below
+  /// may be different then. No frame may be in flight. Throws a Failure: usage for a noise that the
+  /// bundle does not have.
+  void change(VkDevice device, const Scene& scene, const NoiseChanges& changes);
+
   /// Whether a material is drawn with a noise: some are not, though they carry the extension.
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return noises_[material] != LICHEN_NO_NOISE;
@@ -49,6 +55,8 @@ public:
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
+  /// Of the bundle's noises, as the file has them; may be empty.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
 
   /// What of the materials' noises is not drawn, one sentence each.
@@ -65,7 +73,11 @@ private:
 
   void loadBundle(HeadlessDevice& device, const Scene& scene);
   void createPlaceholders(HeadlessDevice& device, ObjectOwner& objects);
+  void readMaterials(const Scene& scene);
   void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
+  [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material, const NoiseUse& use,
+                                              const NoiseChanges& changes) const;
+  void writeNoiseSet(VkDevice device, std::size_t material) const;
   [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord);
   [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
   imageInfos(std::uint32_t noise, const NoiseRoles& roles) const;
@@ -79,7 +91,9 @@ private:
   VkSampler placeholderSampler_ = VK_NULL_HANDLE;
   DeviceBuffer uniforms_;
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
-  std::vector<std::uint32_t> noises_; ///< of each material, LICHEN_NO_NOISE for none
+  std::vector<std::string> names_;
+  std::vector<LichenMaterialProperties> materials_; ///< of the bundle
+  std::vector<std::uint32_t> noises_; ///< drawn, of each material; LICHEN_NO_NOISE for none
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
   std::set<std::string> notes_;

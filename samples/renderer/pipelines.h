@@ -65,6 +65,7 @@ struct SurfaceConstants {
   bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
   bool triplanarNoises = false; ///< some noise is mapped onto three planes
   bool mixedTextons = false;    ///< some noise is a mix of textons
+  [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
 /// Culling and front face are dynamic.

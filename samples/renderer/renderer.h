@@ -4,6 +4,7 @@
 // find unhidden.
 #pragma once
 
+#include "debug_views.h"
 #include "framing.h"
 #include "scene.h"
 #include "sky_cache.h"
@@ -15,7 +16,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace lichen::renderer {
@@ -32,8 +32,6 @@ struct RenderSettings {
   SkyCache* skies = nullptr; ///< the caller's, for several pictures; null: each makes its own
   std::function<void(std::uint32_t frames)> frameDone; ///< called with how many are done, or empty
 };
-
-[[nodiscard]] std::vector<std::string_view> debugViewNames();
 
 struct Picture {
   LinearImage pixels;             ///< RGB; tone-mapped values are the light of a display, in [0, 1]

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// One frame: depth maps of the sun and of a few directions toward the sky, surfaces and the sky,
+// and the frame added to the sum of frames.
+#include "failure.h"
+#include "scene_renderer.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr std::uint32_t kAccumulateGroup = 8; // local size in accumulate.comp
+
+void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
+                    VkImageView depth, float depthClear) {
+  VkRenderingAttachmentInfo colorInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  colorInfo.imageView = color;
+  colorInfo.imageLayout = kColorTarget.layout;
+  colorInfo.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  colorInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  VkRenderingAttachmentInfo depthInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  depthInfo.imageView = depth;
+  depthInfo.imageLayout = kDepthTarget.layout;
+  depthInfo.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  depthInfo.storeOp =
+      color == VK_NULL_HANDLE ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  depthInfo.clearValue.depthStencil = {depthClear, 0};
+  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  info.renderArea = {{0, 0}, extent};
+  info.layerCount = 1;
+  info.colorAttachmentCount = color != VK_NULL_HANDLE ? 1 : 0;
+  info.pColorAttachments = &colorInfo;
+  info.pDepthAttachment = &depthInfo;
+  vkCmdBeginRendering(commands, &info);
+  const VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
+  vkCmdSetViewport(commands, 0, 1, &viewport);
+  vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+  vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+  vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+}
+
+} // namespace
+
+void SceneRenderer::drawFrame(std::uint32_t index) {
+  const FrameView view = frameView(inputs_, index);
+  std::memcpy(frameData_.mapped, &view.data, sizeof view.data);
+  take(device_.submit([&](VkCommandBuffer commands) {
+    recordDepthMaps(commands, view);
+    recordSurfaces(commands);
+    recordAccumulate(commands, index);
+  }));
+}
+
+LinearImage SceneRenderer::average(std::uint32_t frames) {
+  const auto bytes =
+      take(device_.readImage(targets_.sum, VK_IMAGE_LAYOUT_GENERAL, sizeof(glm::vec4)));
+  LinearImage image(int(inputs_.width), int(inputs_.height), 3);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+    glm::vec4 value;
+    std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+    for (std::size_t c = 0; c < 3; ++c)
+      image.values[3 * i + c] = value[int(c)] / float(frames);
+  }
+  return image;
+}
+
+void SceneRenderer::bindGeometry(VkCommandBuffer commands) const {
+  const VkDeviceSize zero = 0;
+  vkCmdBindVertexBuffers(commands, 0, 1, &gpu_.vertices.handle, &zero);
+  vkCmdBindIndexBuffer(commands, gpu_.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+}
+
+void SceneRenderer::drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
+  const GpuPrimitive& range = gpu_.primitives[primitive];
+  vkCmdDrawIndexed(commands, range.indexCount, 1, range.firstIndex, range.vertexOffset, 0);
+}
+
+const Material& SceneRenderer::materialOf(const Instance& instance) const {
+  return scene_.materials[scene_.primitives[instance.primitive].material];
+}
+
+SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
+  const Material& drawn = scene_.materials[material];
+  return {noises_.hasNoise(material), drawn.normalTexture.image.has_value(),
+          drawn.alphaMode == AlphaMode::blend};
+}
+
+void SceneRenderer::bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout,
+                                 std::size_t material) const {
+  const std::array sets{gpu_.materialSets[material], noises_.set(material)};
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL,
+                          std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+}
+
+void SceneRenderer::recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
+                                   const glm::mat4& clipFromWorld) const {
+  beginRendering(commands, {side, side}, VK_NULL_HANDLE, view, 1.0f);
+  bindGeometry(commands);
+  for (const Instance& instance : scene_.instances) {
+    const Material& material = materialOf(instance);
+    const std::size_t m = scene_.primitives[instance.primitive].material;
+    const bool hasGaps = material.alphaMode != AlphaMode::opaque;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      hasGaps ? pipelines_.depthWithGaps[noises_.hasNoise(m) ? 1 : 0]
+                              : pipelines_.depthOpaque);
+    if (hasGaps)
+      bindMaterial(commands, pipelines_.depthLayout, m);
+    const shader::DepthData draw{clipFromWorld * instance.worldFromObject,
+                                 instance.worldFromObject};
+    vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
+                       &draw);
+    drawPrimitive(commands, instance.primitive);
+  }
+  vkCmdEndRendering(commands);
+}
+
+void SceneRenderer::recordDepthMaps(VkCommandBuffer commands, const FrameView& view) const {
+  transition(commands, lightMaps_.sunDepth, kUndefined, kDepthTarget);
+  transition(commands, lightMaps_.skyDepth, kUndefined, kDepthTarget);
+  recordDepthMap(commands, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun);
+  for (std::size_t k = 0; k < SKY_DIRECTIONS; ++k)
+    recordDepthMap(commands, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
+  transition(commands, lightMaps_.sunDepth, kDepthTarget, kSampled);
+  transition(commands, lightMaps_.skyDepth, kDepthTarget, kSampled);
+}
+
+void SceneRenderer::drawSurface(VkCommandBuffer commands, const Instance& instance,
+                                VkCullModeFlags cull) const {
+  const std::size_t m = scene_.primitives[instance.primitive].material;
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
+  bindMaterial(commands, pipelines_.sceneLayout, m);
+  const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
+  vkCmdSetCullMode(commands, cull);
+  vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  const shader::DrawData draw{instance.worldFromObject};
+  vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
+                     &draw);
+  drawPrimitive(commands, instance.primitive);
+}
+
+void SceneRenderer::drawOpaque(VkCommandBuffer commands, const Instance& instance) const {
+  const bool twoSided = materialOf(instance).doubleSided;
+  drawSurface(commands, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+}
+
+/// Of two sides the back comes first, which in a convex body is the far one.
+void SceneRenderer::drawBlended(VkCommandBuffer commands, const Instance& instance) const {
+  if (materialOf(instance).doubleSided)
+    drawSurface(commands, instance, VK_CULL_MODE_FRONT_BIT);
+  drawSurface(commands, instance, VK_CULL_MODE_BACK_BIT);
+}
+
+void SceneRenderer::recordSurfaces(VkCommandBuffer commands) const {
+  transition(commands, targets_.color, kUndefined, kColorTarget);
+  transition(commands, targets_.depth, kUndefined, kDepthTarget);
+  beginRendering(commands, {inputs_.width, inputs_.height}, targets_.color.view,
+                 targets_.depth.view, 0.0f);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
+                          SET_FRAME, 1, &frameSet_, 0, nullptr);
+  bindGeometry(commands);
+  for (const Instance& instance : scene_.instances)
+    if (materialOf(instance).alphaMode != AlphaMode::blend)
+      drawOpaque(commands, instance);
+  if (debugView_ == DEBUG_NONE) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+  }
+  for (const std::size_t instance : blendedOrder_)
+    drawBlended(commands, scene_.instances[instance]);
+  vkCmdEndRendering(commands);
+  transition(commands, targets_.color, kColorTarget, kSampled);
+}
+
+void SceneRenderer::recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const {
+  transition(commands, targets_.sum, index == 0 ? kUndefined : kStorage, kStorage);
+  const bool shaded = debugView_ == DEBUG_NONE;
+  const AccumulateSettings push{shaded ? std::exp2(exposureEv_) : 1.0f, shaded && toneMap_,
+                                index == 0};
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.accumulate);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.accumulateLayout, 0,
+                          1, &accumulateSet_, 0, nullptr);
+  vkCmdPushConstants(commands, pipelines_.accumulateLayout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                     sizeof push, &push);
+  vkCmdDispatch(commands, (inputs_.width + kAccumulateGroup - 1) / kAccumulateGroup,
+                (inputs_.height + kAccumulateGroup - 1) / kAccumulateGroup, 1);
+}
+
+} // namespace lichen::renderer

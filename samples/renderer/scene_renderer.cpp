@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Set-up of a scene's renderer and changes to it; scene_frame.cpp draws with it.
+#include "scene_renderer.h"
+
+#include "debug_views.h"
+#include "environment.h"
+#include "failure.h"
+#include "lighting.h"
+#include "sky_cache.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lichen::renderer {
+namespace {
+
+// Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
+// joins a ground to the sky and leaves the subject alone.
+constexpr float kHazeDistance = 80.0f;
+
+} // namespace
+
+SceneRenderer::SceneRenderer(HeadlessDevice& device, const Scene& scene,
+                             const RenderSettings& settings)
+    : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
+      debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
+      noises_(device, objects_, scene), gpu_(uploadScene(device, objects_, scene, noises_)) {
+  inputs_.subject = take(subjectOf(scene));
+  const float aspect = float(settings.width) / float(settings.height);
+  inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
+  inputs_.width = settings.width;
+  inputs_.height = settings.height;
+  inputs_.frames = settings.frames;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (materialOf(scene.instances[i]).alphaMode == AlphaMode::blend)
+      blended_.emplace_back(i, centerOf(scene, scene.instances[i]));
+  setCamera(take(chooseCamera(scene, inputs_.subject, settings.camera, aspect)));
+  environment_ = lightAround(settings);
+  collectNotes(settings);
+  const VkFilter filter = depthFilter(device);
+  targets_ = createFrameTargets(device, settings.width, settings.height);
+  lightMaps_ = createLightMaps(device, objects_);
+  createFrameSet(filter);
+  accumulateSet_ =
+      createSet(accumulateDescriptors(), VK_SHADER_STAGE_COMPUTE_BIT, accumulateLayout_);
+  makePipelines();
+}
+
+/// The environment file's, or the built-in sky, whose white balance the lights then take too.
+GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
+  if (settings.environment) {
+    const int longestSide = int(device_.properties().limits.maxImageDimension2D);
+    return uploadEnvironment(device_, objects_,
+                             prepareEnvironment(fitted(*settings.environment, longestSide)));
+  }
+  Lighting& lighting = inputs_.lighting;
+  const glm::vec3 sunlight =
+      lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
+  SkyCache own;
+  SkyCache& skies = settings.skies ? *settings.skies : own;
+  const PreparedSky& sky = skies.under(lighting.towardSun, sunlight, lighting.skyIrradiance);
+  for (Light& light : lighting.lights)
+    light.color *= sky.balance;
+  inputs_.hazeDistance =
+      kHazeDistance *
+      glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
+  return uploadEnvironment(device_, objects_, sky.environment);
+}
+
+void SceneRenderer::collectNotes(const RenderSettings& settings) {
+  notes_.assign(noises_.notes().begin(), noises_.notes().end());
+  if (inputs_.lighting.dropped > 0)
+    notes_.push_back("the scene has " +
+                     std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
+                     " lights; the " + std::to_string(MAX_LIGHTS) +
+                     " that light it most are drawn");
+  const VkExtent3D panorama = environment_.panorama.info.extent;
+  if (settings.environment && (panorama.width != std::uint32_t(settings.environment->width) ||
+                               panorama.height != std::uint32_t(settings.environment->height)))
+    notes_.push_back("the environment is larger than this device accepts; it is drawn at " +
+                     std::to_string(panorama.width) + " x " + std::to_string(panorama.height));
+}
+
+void SceneRenderer::createFrameSet(VkFilter depthFilter) {
+  VkSamplerCreateInfo compare{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  compare.magFilter = compare.minFilter = depthFilter;
+  compare.addressModeU = compare.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  compare.compareEnable = VK_TRUE;
+  compare.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+  const VkSampler compareSampler = objects_.sampler(compare);
+  frameData_ = take(
+      device_.createBuffer(sizeof(shader::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+  std::array<Descriptor, FRAME_BINDINGS> descriptors{};
+  descriptors[BINDING_FRAME] = uniformBlock(frameData_.handle, 0, sizeof(shader::FrameData));
+  descriptors[BINDING_SPECULAR] =
+      sampledImage(environment_.clampSampler, environment_.specular.view);
+  descriptors[BINDING_DIFFUSE] = sampledImage(environment_.clampSampler, environment_.diffuse.view);
+  descriptors[BINDING_BRDF] = sampledImage(environment_.clampSampler, environment_.brdf.view);
+  descriptors[BINDING_PANORAMA] =
+      sampledImage(environment_.panoramaSampler, environment_.panorama.view);
+  descriptors[BINDING_SUN_DEPTH] = sampledImage(compareSampler, lightMaps_.sunDepth.view);
+  descriptors[BINDING_SKY_DEPTH] = sampledImage(compareSampler, lightMaps_.skyDepth.view);
+  frameSet_ = createSet(descriptors, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                        frameLayout_);
+}
+
+std::array<Descriptor, 2> SceneRenderer::accumulateDescriptors() const {
+  return {sampledImage(environment_.clampSampler, targets_.color.view),
+          storageImage(targets_.sum.view)};
+}
+
+/// A set of these, of a layout of its own.
+VkDescriptorSet SceneRenderer::createSet(std::span<const Descriptor> descriptors,
+                                         VkShaderStageFlags stages, VkDescriptorSetLayout& layout) {
+  std::vector<VkDescriptorType> types;
+  for (const Descriptor& descriptor : descriptors)
+    types.push_back(descriptor.type);
+  layout = objects_.setLayout(types, stages);
+  const VkDescriptorSet set = objects_.set(objects_.pool(1, types), layout);
+  writeSet(device_.device(), set, descriptors);
+  return set;
+}
+
+PipelinesUsed SceneRenderer::pipelinesUsed() const {
+  PipelinesUsed used;
+  for (const Instance& instance : scene_.instances) {
+    const std::size_t m = scene_.primitives[instance.primitive].material;
+    used.surfaces[kindOf(m).index()] = true;
+    if (scene_.materials[m].alphaMode != AlphaMode::opaque)
+      used.depthWithGaps[noises_.hasNoise(m) ? 1 : 0] = true;
+  }
+  return used;
+}
+
+SurfaceConstants SceneRenderer::surfaceConstants() const {
+  return {debugView_,
+          noises_.hasOtherTables(),
+          noises_.hasTilingNoises(),
+          noises_.hasTextonNoises(),
+          noises_.hasSurfaceNoises(),
+          noises_.hasTriplanarNoises(),
+          noises_.hasMixes()};
+}
+
+void SceneRenderer::makePipelines() {
+  pipelineObjects_ = std::make_unique<ObjectOwner>(device_.device());
+  pipelines_ =
+      createPipelines(*pipelineObjects_,
+                      {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
+                      surfaceConstants(), pipelinesUsed());
+}
+
+void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
+  targets_ = FrameTargets(); // their memory first
+  targets_ = createFrameTargets(device_, width, height);
+  inputs_.width = width;
+  inputs_.height = height;
+  writeSet(device_.device(), accumulateSet_, accumulateDescriptors());
+}
+
+void SceneRenderer::setCamera(const Camera& camera) {
+  inputs_.camera = camera;
+  blendedOrder_ = blendedOrder();
+}
+
+void SceneRenderer::setDebugView(const std::string& name) {
+  const int view = take(debugViewValue(name));
+  if (view == debugView_)
+    return;
+  debugView_ = view;
+  makePipelines();
+}
+
+void SceneRenderer::setNoise(const NoiseChanges& changes) {
+  const SurfaceConstants before = surfaceConstants();
+  noises_.change(device_.device(), scene_, changes);
+  writeMaterials(scene_, noises_, gpu_);
+  if (surfaceConstants() != before)
+    makePipelines();
+}
+
+/// Indices of the blended instances, the farthest first, by the middles of their boxes: nodes of
+/// many a file all have their origin in one place.
+std::vector<std::size_t> SceneRenderer::blendedOrder() const {
+  const glm::mat4& camera = inputs_.camera.worldFromCamera;
+  std::vector<std::pair<float, std::size_t>> order;
+  for (const auto& [instance, center] : blended_) {
+    const glm::vec3 fromCamera = center - glm::vec3(camera[3]);
+    order.emplace_back(glm::dot(fromCamera, glm::vec3(camera[2])), instance); // looks along -z
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> indices;
+  for (const auto& [height, index] : order)
+    indices.push_back(index);
+  return indices;
+}
+
+} // namespace lichen::renderer
