@@ -28,6 +28,7 @@ struct Arguments {
   std::string result;
   std::string noise;
   std::string map;
+  std::optional<double> mix;
   ExemplarOptions asBaked;
 };
 
@@ -131,8 +132,14 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBak
   const Result<std::size_t> noise = findNoise(bundle.value(), arguments.result, arguments.noise);
   if (!noise)
     return noise.error();
-  const MaterialNoise material = materialOf(bundle.value(), noise.value());
-  noteOtherSize(exemplar, bundle.value(), bundle.value().noises[noise.value()]);
+  const Noise& measured = bundle.value().noises[noise.value()];
+  if (arguments.mix && measured.texton.steps == 1)
+    return Error{ErrorKind::usage,
+                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                             measured.name)};
+  MaterialNoise material = materialOf(bundle.value(), noise.value());
+  material.mix = {.weight = arguments.mix.value_or(0.0)};
+  noteOtherSize(exemplar, bundle.value(), measured);
   ProgressLine progress("compare", arguments.shared);
   std::vector<MapMeasures> all;
   for (const MapExemplar& map : exemplar.set.maps) {
@@ -212,6 +219,9 @@ Result<int> run(const Arguments& arguments) {
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; a bundle has noises",
                                                arguments.noise, arguments.result)};
+  if (arguments.mix && !isBundle(arguments.result))
+    return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; a bundle is accepted",
+                                               *arguments.mix, arguments.result)};
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
     return exemplar.error();
@@ -242,6 +252,9 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "Which noise of the bundle [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
           "Which map of the exemplar, such as normal [default: all]");
+  addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
+           "Of a mix, the weight at which the exemplar is: 1 of its last input [default: 0, of its "
+           "first]");
   addExemplarOptions(verb, arguments->asBaked);
   return [arguments] { return run(*arguments); };
 }

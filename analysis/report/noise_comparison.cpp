@@ -6,6 +6,7 @@
 #include <lichen/synthesize.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen {
 namespace {
@@ -87,15 +88,33 @@ Measure modelErrorMeasure(const KernelComparison& kernels) {
           {}};
 }
 
+/// The step of a mix at a weight; 0 of other noises.
+std::size_t stepAt(const Noise& noise, double weight) {
+  return std::size_t(std::lround(weight * double(noise.texton.steps - 1)));
+}
+
+/// A map as it is at a step of a mix.
+NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
+  NoiseMap here = map;
+  if (step > 0) {
+    here.mean = map.laterSteps[step - 1].mean;
+    here.covariance = map.laterSteps[step - 1].covariance;
+  }
+  return here;
+}
+
 /// Measures of a texton's result, for which the exemplar's Gaussian texture counts.
 Result<void> judgeAsGaussian(const Bundle& bundle, const SynthesisOptions& options,
                              const NoiseMap& map, const MapExemplar& exemplar, bool isEnlarged,
                              NoiseComparison& comparison) {
-  const Result<MapExemplar> gaussian = gaussianVersion(map, exemplar, options.material.seed);
+  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
+  const Result<MapExemplar> gaussian =
+      gaussianVersion(mapAt(map, step), exemplar, options.material.seed);
   if (!gaussian)
     return gaussian.error();
   comparison.gaussian = comparison.look.picture(gaussian.value());
-  const Result<KernelComparison> kernels = compareTexton(bundle, options.material.noise, exemplar);
+  const Result<KernelComparison> kernels =
+      compareTexton(bundle, options.material.noise, exemplar, step);
   if (!kernels)
     return kernels.error();
   comparison.kernels = kernels.value();
@@ -131,6 +150,8 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const
   SynthesisOptions options;
   options.material = material;
   options.map = map.target;
+  if (material.mix.source == MixSource::constant)
+    options.mix = {material.mix.weight, material.mix.weight};
   options.width = std::min(kResultExemplars * baked.width, kLargestSide);
   options.height = std::min(kResultExemplars * baked.height, kLargestSide);
   SynthesisOptions wide = latticeOptions(options, baked);

@@ -25,26 +25,29 @@ GaussianModel modelOf(const MapExemplar& exemplar) {
                        int(exemplar.channels.size()));
 }
 
-/// Those of the first frame.
+/// Those of the frame of a step.
 TextonCoefficients storedCoefficients(const Table& image, const TextonShape& shape,
-                                      const NoiseMap& map) {
+                                      const NoiseMap& map, std::size_t step) {
   const std::vector<float> texels = decodeLevel(image, 0);
   const auto stride = std::size_t(channelCount(image.format));
+  const std::size_t top = step * shape.frameHeight();
   TextonCoefficients stored{shape.coefficientsX, shape.coefficientsY, int(map.channels.size()), {}};
   for (std::size_t c = 0; c < map.channels.size(); ++c)
     for (std::size_t y = 0; y < std::size_t(shape.coefficientsY); ++y)
       for (std::size_t x = 0; x < std::size_t(shape.coefficientsX); ++x)
-        stored.values.push_back(float(map.scale[c]) * texels[(y * image.width + x) * stride + c]);
+        stored.values.push_back(float(map.scale[c]) *
+                                texels[((top + y) * image.width + x) * stride + c]);
   return stored;
 }
 
 Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                  const MapExemplar& exemplar) {
+                                  const MapExemplar& exemplar, std::size_t step) {
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
   const GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
-  return compareKernels(model, storedCoefficients(bundle.tables[map.image], noise.texton, map),
+  return compareKernels(model,
+                        storedCoefficients(bundle.tables[map.image], noise.texton, map, step),
                         noise.texton.order, seenWeights(map.channels));
 }
 
@@ -87,7 +90,7 @@ MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
 } // namespace
 
 Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIndex,
-                                       const MapExemplar& exemplar) {
+                                       const MapExemplar& exemplar, std::size_t step) {
   const auto exhausted = [] { return "not enough memory to compare a texton with other spots"; };
   return withinMemory(exhausted, [&]() -> Result<KernelComparison> {
     if (noiseIndex >= bundle.noises.size())
@@ -97,6 +100,9 @@ Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIn
     if (noise.method != Method::texton)
       return usage("noise '" + noise.name + "' has the method " +
                    std::string(nameOf(noise.method)) + ", not texton");
+    if (step >= std::size_t(noise.texton.steps))
+      return usage("step " + std::to_string(step) + ": noise '" + noise.name + "' has " +
+                   std::to_string(noise.texton.steps));
     const std::optional<std::size_t> place = findMap(noise, exemplar.target);
     if (!place)
       return usage("noise '" + noise.name + "' has no map " + std::string(nameOf(exemplar.target)));
@@ -105,7 +111,7 @@ Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIn
       return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
                                             std::string(nameOf(map.target)) + " of noise '" +
                                             noise.name + "'"};
-    return compared(bundle, noise, map, exemplar);
+    return compared(bundle, noise, map, exemplar, step);
   });
 }
 

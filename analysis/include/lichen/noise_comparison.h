@@ -27,7 +27,8 @@ struct NoiseComparison {
 /// The exemplar's map of the material's noise, synthesized with the material's pattern at four
 /// exemplars a side, one texel a pixel, and for lattice_visibility at sixteen; at most 4096 pixels
 /// a side each. The noise's encoding is taken for both; of textons the exemplar is resampled to the
-/// size that all maps of the noise had.
+/// size that all maps of the noise had. A mix is taken at the material's constant weight, at its
+/// first input where that has another source.
 /// Errors: usage for an index or a parameter out of range or a map that the noise has not;
 /// badInput, naming both numbers, for an exemplar of other channels; resources for memory;
 /// environment when `progress` stops it. Deterministic.

@@ -37,11 +37,13 @@ struct KernelComparison {
 /// The texton of the exemplar's map as noise `noise` of the bundle stores it, of a mix the first;
 /// the other spots have its support and order. For their errors all get the covariance of the
 /// exemplar's periodic component, of which the spectrum is. The exemplar is resampled to the size
-/// that the noise's was. Errors: usage for an index out of range, another method, or a map that the
-/// noise has not; badInput for an exemplar of other channels; resources for memory. O(N log N) in
-/// the exemplar's pixels; same bytes for any number of threads. Source: [GLM14] section 4.
+/// that the noise's was; `step` is of a mix. Errors: usage for an index out of range, another
+/// method, or a map that the noise has not; badInput for an exemplar of other channels; resources
+/// for memory. O(N log N) in the exemplar's pixels; same bytes for any number of threads. Source:
+/// [GLM14] section 4.
 [[nodiscard]] Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noise,
-                                                     const MapExemplar& exemplar);
+                                                     const MapExemplar& exemplar,
+                                                     std::size_t step = 0);
 
 /// The exemplar's Gaussian texture, which a texton's noise tends to, twice as wide and as high:
 /// random phases, with the mean and covariance of the noise's map. Borders fit together. Values are
