@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Any bytes -> parseScene(): a scene that keeps the loader's promises, or an error on one line.
 // Without a Vulkan device: the scene is that of lichen::scene. A campaign, with Clang:
-//   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
-//     -DLICHEN_FUZZ=ON -DLICHEN_SANITIZE=address,undefined
+//   export CC=clang CXX=clang++
+//   cmake -B build/fuzz -G Ninja -DLICHEN_FUZZ=ON -DLICHEN_SANITIZE=address,undefined
 //   ninja -C build/fuzz fuzz_scene fuzz_scene_replay
 //   mkdir corpus && build/fuzz/bin/fuzz_scene_replay corpus corpus
 //   build/fuzz/bin/fuzz_scene corpus -timeout=10 -rss_limit_mb=2500 -max_len=120000

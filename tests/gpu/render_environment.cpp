@@ -175,7 +175,7 @@ TEST_CASE("light takes the same way back: lamp and camera can change places") {
   }
 }
 
-TEST_CASE("a white metal gives back all the light of lamps in all directions") {
+TEST_CASE("a white metal gives back all the light of lamps in all directions", "[large]") {
   constexpr std::size_t kPictures = 16;
   constexpr std::size_t kLamps = 16; // as many as there may be
   constexpr std::size_t kDirections = kPictures * kLamps;
