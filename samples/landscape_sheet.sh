@@ -5,25 +5,11 @@
 #   samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png
 # Needs a release build, a Vulkan device, ImageMagick and GNU time (Debian packages imagemagick, time).
 set -euo pipefail
-
-here=$(cd "$(dirname "$0")/.." && pwd)
-bin=${LICHEN_BIN:-$here/build/release/bin}
-
-if [ $# -ne 3 ]; then
-  echo "usage: samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png" >&2
-  exit 2
-fi
-for package in imagemagick:convert time:/usr/bin/time; do
-  command -v "${package#*:}" >/dev/null ||
-    { echo "landscape_sheet: install ${package%:*}: apt-get install ${package%:*}" >&2; exit 4; }
-done
-for program in lichen lichen-exemplars lichen-render; do
-  [ -x "$bin/$program" ] || { echo "landscape_sheet: $bin/$program is missing: build it with samples/quickstart.sh" >&2; exit 4; }
-done
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg GROUND.png ROCK.png' 3 3 "$@"
+[ -x /usr/bin/time ] || { echo "landscape_sheet: install GNU time: apt-get install time" >&2; exit 4; }
 
 output=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 "$bin/lichen-exemplars" "$work" landscape >/dev/null
 "$bin/lichen" bake "$2" -o "$work/ground.glb" --name ground --preview none --quiet
 "$bin/lichen" bake "$3" -o "$work/rock.glb" --name rock --preview none --quiet

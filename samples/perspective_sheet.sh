@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet: textons on a floor that recedes to the horizon; each exemplar a row, unfiltered (one
-# point a pixel), filtered, and supersampled (64 points a pixel).
-#   samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png...
+# Contact sheet: noises on a floor that recedes to the horizon; each a row, unfiltered (one point a
+# pixel), filtered, and supersampled (64 points a pixel). The floor lies askew to x, y and z.
+#   samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png[:METHOD[:MAPPING]]...
+# METHOD is tiling or texton (texton), MAPPING uv or triplanar (uv).
 # Needs a release build, a Vulkan device and ImageMagick (Debian package imagemagick).
 set -euo pipefail
 source "$(dirname "$0")/begin_sheet.sh"
-begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png[:METHOD[:MAPPING]]...' 2 99 "$@"
 
 width=480
 height=300
@@ -26,8 +27,9 @@ coordinates+='\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xa0\x42\x00\x00\x00\x00'
 indices='\x00\x00\x01\x00\x02\x00\x02\x00\x01\x00\x03\x00'
 printf "$positions$normal$normal$normal$normal$coordinates$indices" >"$work/floor.bin"
 cat >"$work/floor.gltf" <<'SCENE'
-{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0.35, 1], "rotation": [-0.13, 0, 0, 0.9915]}],
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [2]}],
+ "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0.35, 1], "rotation": [-0.13, 0, 0, 0.9915]},
+  {"children": [0, 1], "rotation": [0.3015, 0, -0.3015, 0.9045]}],
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.6, "znear": 0.01, "zfar": 200}}],
  "materials": [{"name": "floor"}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
@@ -43,10 +45,13 @@ cat >"$work/floor.gltf" <<'SCENE'
 SCENE
 
 panels=()
-for exemplar in "$@"; do
-  name=$(basename "${exemplar%.*}")
-  "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --method texton --preview none --quiet
-  "$bin/lichen" apply "$work/floor.gltf" --noise "$work/$name.glb" --material all -o "$work/scene.glb" --quiet
+for row in "$@"; do
+  IFS=: read -r exemplar method mapping <<<"$row"
+  method=${method:-texton} mapping=${mapping:-uv}
+  name=$(basename "${exemplar%.*}")-$method-$mapping
+  "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --method "$method" --preview none --quiet
+  "$bin/lichen" apply "$work/floor.gltf" --noise "$work/$name.glb" --material all --mapping "$mapping" \
+    -o "$work/scene.glb" --quiet
   shot=("$bin/lichen-render" "$work/scene.glb" --debug-view base-color --frames 1 --quiet)
   "${shot[@]}" --size "${width}x${height}" -o "$work/$name-filtered.png"
   "${shot[@]}" --size "$((width * points))x$((height * points))" -o "$work/$name-fine.png"

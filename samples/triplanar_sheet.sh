@@ -6,27 +6,17 @@
 #   samples/triplanar_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build, a Vulkan device, Python 3 and ImageMagick (Debian package imagemagick).
 set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
+command -v python3 >/dev/null || { echo "triplanar_sheet: install Python: apt-get install python3" >&2; exit 4; }
 
-here=$(cd "$(dirname "$0")/.." && pwd)
-bin=${LICHEN_BIN:-$here/build/release/bin}
 panel=420
 rings=64
 tile=0.8     # metres, of a ball of radius 1
 sharpness=4
 
-if [ $# -lt 2 ]; then
-  echo "usage: samples/triplanar_sheet.sh OUTPUT.jpg EXEMPLAR.png..." >&2
-  exit 2
-fi
-for tool in montage python3; do
-  command -v "$tool" >/dev/null || { echo "triplanar_sheet: $tool is missing: apt-get install imagemagick python3" >&2; exit 4; }
-done
-[ -x "$bin/lichen" ] || { echo "triplanar_sheet: $bin/lichen is missing: build it with samples/quickstart.sh" >&2; exit 4; }
-
 output=$1
 shift
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 # A ball, and the same ball with the normal of one plane everywhere, which shows that plane alone.
 python3 - "$work" "$rings" <<'BALL'

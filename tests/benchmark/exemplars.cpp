@@ -2,6 +2,7 @@
 #include "exemplars.h"
 
 #include <lichen/image_io.h>
+#include <lichen/texton.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -120,6 +121,19 @@ std::vector<MaterialSet> photographedSets() {
 Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {
   const MapExemplar map = baseColorMap(image);
   return bakedBundle({&map, 1}, options);
+}
+
+Bundle textonBundle(const SrgbImage& image) {
+  const MapExemplar map = baseColorMap(image);
+  Result<TextonBake> bake = bakeTexton("benchmark", {&map, 1}, {});
+  if (!bake) {
+    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
+    std::exit(int(bake.error().kind));
+  }
+  Bundle bundle;
+  bundle.noises.push_back(std::move(bake.value().noise));
+  bundle.tables = std::move(bake.value().tables);
+  return bundle;
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {

@@ -36,5 +36,7 @@ struct Exemplar {
 [[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
                                  const TilingOptions& options = {});
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
+/// Likewise of a texton of support 64, without a material.
+[[nodiscard]] Bundle textonBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

@@ -3,7 +3,6 @@
 #include "exemplars.h"
 #include "rows.h"
 
-#include <lichen/texton.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -121,19 +120,6 @@ Evaluator created(const Bundle& bundle) {
     std::exit(int(evaluator.error().kind));
   }
   return std::move(evaluator).value();
-}
-
-Bundle textonBundle(const SrgbImage& image) {
-  const MapExemplar map = baseColorMap(image);
-  Result<TextonBake> bake = bakeTexton("exemplar", {&map, 1}, {});
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  Bundle bundle;
-  bundle.noises.push_back(std::move(bake.value().noise));
-  bundle.tables = std::move(bake.value().tables);
-  return bundle;
 }
 
 /// What views of the exemplars are off by.

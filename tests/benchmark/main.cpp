@@ -18,12 +18,13 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 8> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 9> kFamilies{{{"bake", bakeRows},
                                            {"growth", growthRows},
                                            {"transport", transportRows},
                                            {"synth", synthRows},
                                            {"result", resultRows},
                                            {"filter", filterRows},
+                                           {"view", viewRows},
                                            {"texton", textonRows},
                                            {"shader", shaderRows}}};
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Views from a texel to 100 tiles a pixel, and a camera's move over a floor, against supersampling:
+// contrast, mean colour, features, shimmer; both methods on texture coordinates and in three
+// planes.
+#include "exemplars.h"
+#include "rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filtered_views.h>
+
+namespace lichen::bench {
+namespace {
+
+constexpr int kExemplarSide = 256;
+/// Points of a pixel: twice the square of it. A deviation of 0.2 is known to 0.01 in each.
+constexpr int kSamples = 8;
+
+struct Kind {
+  const char* name;
+  Method method;
+  Mapping mapping;
+  int pixels; ///< of a view: a ratio of deviations is known to 2 and 4 %
+};
+constexpr std::array<Kind, 4> kKinds{
+    {{"tiling", Method::tiling, Mapping::uv, 1000},
+     {"tiling in three planes", Method::tiling, Mapping::triplanar, 1000},
+     {"textons", Method::texton, Mapping::uv, 300},
+     {"textons in three planes", Method::texton, Mapping::triplanar, 300}}};
+
+/// Pixels in texels, and how many times as long as wide.
+struct Size {
+  double texels, slant;
+  double contrastTarget; ///< 0 where an average has too little contrast left for a ratio
+};
+/// The targets are this project's own.
+constexpr std::array<Size, 8> kSizes{{{1, 1, 0.1},
+                                      {2, 1, 0.1},
+                                      {4, 1, 0.1},
+                                      {8, 1, 0.1},
+                                      {1, 4, 0.1},
+                                      {4, 4, 0.1},
+                                      {kExemplarSide, 1, 0},
+                                      {100 * kExemplarSide, 1, 0}}};
+
+struct Measured {
+  std::array<std::vector<double>, kSizes.size()> contrast, difference, mean;
+  std::vector<double> steps, variance, points;
+};
+
+void measure(const test::Plane& plane, const Kind& kind, Measured& all) {
+  for (std::size_t k = 0; k < kSizes.size(); ++k) {
+    const double side = kSizes[k].texels / kExemplarSide;
+    const test::FilteredView view =
+        test::filteredView(plane, side, kSizes[k].slant * side, kind.pixels, kSamples);
+    all.contrast[k].push_back(view.contrast() - 1.0);
+    all.difference[k].push_back(view.difference());
+    all.mean[k].push_back(view.meanError);
+  }
+  const test::CameraMove move = test::cameraMove(plane, kSamples / 2);
+  all.steps.push_back(move.filteredStep / move.sampledStep);
+  all.variance.push_back(move.filteredVariance / move.sampledVariance);
+  all.points.push_back(move.pointStep / move.sampledStep);
+}
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+double smallest(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
+  constexpr double kMeanTarget = 0.004; // TARGETS.md
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < kSizes.size(); ++k) {
+    const Size& size = kSizes[k];
+    const std::string pixel = fmt::format("{}, pixels of {} x {} texels", kind.name, size.texels,
+                                          size.slant * size.texels);
+    if (size.contrastTarget == 0.0) {
+      rows.push_back({pixel + ": mean colour off by, worst exemplar", largest(all.mean[k]),
+                      kMeanTarget, "", fmt::format("median {:.4f}", median(all.mean[k]))});
+      continue;
+    }
+    std::vector<double> off = all.contrast[k];
+    for (double& value : off)
+      value = std::abs(value);
+    rows.push_back(
+        {pixel + ": contrast off by, median", 100.0 * median(off), 100.0 * size.contrastTarget, "%",
+         fmt::format(
+             "from {:+.0f} to {:+.0f} %; difference {:.2f} of the deviation; mean colour off by "
+             "{:.4f} at most",
+             100.0 * smallest(all.contrast[k]), 100.0 * largest(all.contrast[k]),
+             median(all.difference[k]), largest(all.mean[k]))});
+  }
+  constexpr double kStepTarget = 1.2;
+  rows.push_back(
+      {fmt::format("{}: shimmer over that of supersampled frames, median", kind.name),
+       median(all.steps), kStepTarget, "",
+       fmt::format("squared steps of 60 frames; worst {:.2f}; unfiltered {:.1f}; variance over the "
+                   "frames {:.2f}",
+                   largest(all.steps), median(all.points), median(all.variance))});
+  return rows;
+}
+
+} // namespace
+
+std::vector<Row> viewRows() {
+  std::array<Measured, kKinds.size()> all;
+  for (const Exemplar& exemplar : exemplars256()) {
+    const Bundle tiling = bakedBundle(exemplar.image), texton = textonBundle(exemplar.image);
+    for (std::size_t k = 0; k < kKinds.size(); ++k) {
+      const Kind& kind = kKinds[k];
+      const Bundle& bundle = kind.method == Method::tiling ? tiling : texton;
+      measure(test::noisePlane(bundle, kind.mapping), kind, all[k]);
+    }
+  }
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < kKinds.size(); ++k)
+    for (Row& row : rowsOf(kKinds[k], all[k]))
+      rows.push_back(std::move(row));
+  return rows;
+}
+
+} // namespace lichen::bench
