@@ -53,7 +53,7 @@ VkSemaphore makeSemaphore(VkDevice device) {
 } // namespace
 
 Swapchain::Swapchain(HeadlessDevice& device, VkSurfaceKHR surface)
-    : device_(device), surface_(surface) {
+    : Swapchain(device, surface, Nothing()) {
   VkBool32 presents = VK_FALSE;
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physicalDevice(), device.queueFamily(), surface,
                                              &presents),

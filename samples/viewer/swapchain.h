@@ -28,6 +28,11 @@ public:
   [[nodiscard]] bool present(const DeviceImage& picture);
 
 private:
+  struct Nothing {};
+  /// Holds the surface and nothing else, so that a set-up that fails is cleaned up.
+  Swapchain(HeadlessDevice& device, VkSurfaceKHR surface, Nothing)
+      : device_(device), surface_(surface) {}
+
   void chooseFormat();
   void destroyImages();
   void recordCopy(const DeviceImage& picture, VkImage target);

@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 namespace lichen::renderer {
 namespace {
@@ -140,13 +141,20 @@ private:
       fresh->renderer->setCamera(camera_.camera());
       shown_ = std::move(fresh);
     } catch (const Failure& failure) {
-      std::fprintf(stderr, "lichen-view: %s; the last good scene is shown\n",
-                   oneLine(failure.error.message).c_str());
+      keepLastScene(failure.error.message);
+      return;
+    } catch (const std::bad_alloc&) {
+      keepLastScene(command_.scene + ": not enough memory to draw it");
       return;
     }
     controls_.setNoises(shown_->renderer->noiseNames());
     look_ = startingLook(); // that of a fresh renderer; followLook() brings the rest
     restart();
+  }
+
+  static void keepLastScene(const std::string& reason) {
+    std::fprintf(stderr, "lichen-view: %s; the last good scene is shown\n",
+                 oneLine(reason).c_str());
   }
 
   void followLook() {
