@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cstring>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace lichen {
@@ -95,18 +96,20 @@ int preference(VkPhysicalDeviceType type) {
   }
 }
 
-/// The chosen index, or `names.size()` when `choice` fits none.
+/// The chosen index, or `devices.size()` when `choice` fits none.
 std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
-                       const std::string& choice) {
+                       const std::vector<bool>& haveQueue, const std::string& choice) {
   if (choice.empty()) {
-    // A device that is too old comes last, whatever its type.
-    const auto rank = [](const VkPhysicalDeviceProperties& device) {
-      return std::pair(device.apiVersion < VK_API_VERSION_1_3, preference(device.deviceType));
+    // A device that is too old comes last, and one without a queue before it, whatever their type.
+    const auto rank = [&](std::size_t i) {
+      return std::tuple(devices[i].apiVersion < VK_API_VERSION_1_3, !haveQueue[i],
+                        preference(devices[i].deviceType));
     };
-    const auto best =
-        std::min_element(devices.begin(), devices.end(),
-                         [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    return std::size_t(best - devices.begin());
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < devices.size(); ++i)
+      if (rank(i) < rank(best))
+        best = i;
+    return best;
   }
   std::size_t index = 0;
   const char* end = choice.data() + choice.size();
@@ -122,15 +125,18 @@ std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
                      devices.begin());
 }
 
-/// A family with graphics and compute; both imply transfer. -1 when there is none.
-int graphicsFamily(VkPhysicalDevice device) {
+/// A family with graphics and compute, which both imply transfer, that presents where that is asked
+/// for. -1 when there is none.
+int queueFamilyOf(VkInstance instance, VkPhysicalDevice device,
+                  const HeadlessDeviceOptions& options) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
   constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (std::uint32_t i = 0; i < count; ++i)
-    if ((families[i].queueFlags & kWanted) == kWanted)
+    if ((families[i].queueFlags & kWanted) == kWanted &&
+        (!options.canPresent || options.canPresent(instance, device, i)))
       return int(i);
   return -1;
 }
@@ -197,21 +203,23 @@ Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options
   return {};
 }
 
-Result<void> HeadlessDevice::chooseDevice(const std::string& choice) {
+Result<void> HeadlessDevice::chooseDevice(const HeadlessDeviceOptions& options) {
   const std::vector<VkPhysicalDevice> handles = physicalDevices(instance_);
   if (handles.empty())
     return noDevice();
   std::vector<VkPhysicalDeviceProperties> devices(handles.size());
+  std::vector<bool> haveQueue;
   std::string names;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     vkGetPhysicalDeviceProperties(handles[i], &devices[i]);
+    haveQueue.push_back(queueFamilyOf(instance_, handles[i], options) >= 0);
     names += (i ? ", " : "") + std::string("\"") + devices[i].deviceName + "\" (index " +
              std::to_string(i) + ")";
   }
-  const std::size_t index = findChoice(devices, choice);
+  const std::size_t index = findChoice(devices, haveQueue, options.choice);
   if (index == devices.size())
     return Error{ErrorKind::usage,
-                 "no Vulkan device \"" + choice + "\"; this machine has " + names};
+                 "no Vulkan device \"" + options.choice + "\"; this machine has " + names};
   if (devices[index].apiVersion < VK_API_VERSION_1_3)
     return Error{ErrorKind::environment,
                  "Vulkan device \"" + std::string(devices[index].deviceName) +
@@ -223,9 +231,11 @@ Result<void> HeadlessDevice::chooseDevice(const std::string& choice) {
 
 Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) {
   const std::string device = "Vulkan device \"" + std::string(properties_.deviceName) + "\"";
-  const int family = graphicsFamily(physicalDevice_);
+  const int family = queueFamilyOf(instance_, physicalDevice_, options);
   if (family < 0)
-    return Error{ErrorKind::environment, device + " has no queue for graphics and compute"};
+    return Error{ErrorKind::environment,
+                 device + " has no queue for graphics and compute" +
+                     (options.canPresent ? " that presents to this display" : "")};
   queueFamily_ = std::uint32_t(family);
   VkPhysicalDeviceFeatures available{};
   vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
@@ -272,7 +282,7 @@ HeadlessDevice::create(const HeadlessDeviceOptions& options) {
   std::unique_ptr<HeadlessDevice> device(new HeadlessDevice);
   if (Result<void> result = device->createInstance(options); !result)
     return result.error();
-  if (Result<void> result = device->chooseDevice(options.choice); !result)
+  if (Result<void> result = device->chooseDevice(options); !result)
     return result.error();
   if (Result<void> result = device->createDevice(options); !result)
     return result.error();

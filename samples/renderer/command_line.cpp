@@ -2,15 +2,13 @@
 // Options of lichen-render, in the words of the lichen command, and the checks that need no device.
 #include "command_line.h"
 
-#include "renderer.h"
+#include "debug_views.h"
+#include "program.h"
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 
 #include <filesystem>
 #include <options.h>
-#include <sstream>
 
 namespace lichen::renderer {
 namespace {
@@ -19,37 +17,18 @@ constexpr int kMaxSide = 16384;
 constexpr int kMaxFrames = 4096;
 constexpr double kMaxExposure = 20.0;
 
-Error usage(const std::string& message) {
-  return Error{ErrorKind::usage, message + "; see 'lichen-render --help'"};
-}
-
-/// What the parser found wrong, in the words of the command line.
-Error usage(const CLI::App& app, const CLI::ParseError& fault) {
-  const std::string text = fault.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
-    const std::string first = app.remaining().front();
-    return usage(first + (first.starts_with("-") ? ": no such option" : ": one argument too many"));
-  }
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr) {
-    // "--option: 1 required TYPE missing", "flag was given a disallowed flag override"
-    const std::size_t colon = text.find(':');
-    return usage(colon != std::string::npos
-                     ? text.substr(0, colon) + ": a value is missing"
-                     : "--" + text.substr(0, text.find(' ')) + ": takes no value");
-  }
-  return usage(text);
-}
+constexpr const char* kProgram = "lichen-render";
 
 Result<void> check(const Command& command) {
   if (command.listDevices)
     return {};
   if (command.scene.empty() || command.output.empty())
-    return usage(std::string(command.scene.empty() ? "the scene" : "the picture") +
-                 " is missing; SCENE.glb -o OUT.png is accepted");
+    return usageError(kProgram, std::string(command.scene.empty() ? "the scene" : "the picture") +
+                                    " is missing; SCENE.glb -o OUT.png is accepted");
   const std::filesystem::path output(command.output);
   const std::string extension = output.extension().string();
   if (extension != ".png" && extension != ".exr")
-    return usage(command.output + ": the extension .png or .exr is accepted");
+    return usageError(kProgram, command.output + ": the extension .png or .exr is accepted");
   const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
@@ -92,22 +71,14 @@ void addOptions(CLI::App& app, Command& command) {
 
 Result<std::variant<Command, std::string>> parseCommandLine(int argc, const char* const* argv) {
   Command command;
-  CLI::App app("Renders a glTF scene, its noise materials included, to a picture.",
-               "lichen-render");
-  app.set_version_flag("--version", "lichen-render " LICHEN_VERSION, "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this page and exit");
-  app.formatter(cli::helpFormatter());
+  CLI::App app("Renders a glTF scene, its noise materials included, to a picture.", kProgram);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   addOptions(app, command);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) { // --help and --version
-    std::ostringstream text;
-    app.exit(success, text);
-    return std::variant<Command, std::string>(text.str());
-  } catch (const CLI::ParseError& fault) {
-    return usage(app, fault);
-  }
+  Result<std::optional<std::string>> asked = parseArguments(app, argc, argv);
+  if (!asked)
+    return asked.error();
+  if (asked.value())
+    return std::variant<Command, std::string>(*asked.value());
   if (Result<void> checked = check(command); !checked)
     return checked.error();
   return std::variant<Command, std::string>(std::move(command));

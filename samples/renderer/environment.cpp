@@ -7,6 +7,8 @@
 #include "orthonormal_frame.h"
 #include "sky.h"
 
+#include <lichen/image_io.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -182,6 +184,15 @@ LinearImage asRgb(const LinearImage& image) {
 } // namespace
 
 float alphaOf(float roughness) { return std::max(roughness * roughness, kLeastAlpha); }
+
+Result<LinearImage> readPanorama(const std::filesystem::path& path) {
+  Result<ImageFile> file = readImage(path);
+  if (!file)
+    return file.error();
+  if (const auto* code = std::get_if<SrgbImage>(&file.value().pixels))
+    return toLinear(*code);
+  return std::get<LinearImage>(std::move(file.value().pixels));
+}
 
 LinearImage fitted(LinearImage panorama, int longestSide) {
   while (std::max(panorama.width, panorama.height) > longestSide)

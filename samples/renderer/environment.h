@@ -3,9 +3,11 @@
 #pragma once
 
 #include <lichen/image.h>
+#include <lichen/result.h>
 
 #include <glm/glm.hpp>
 
+#include <filesystem>
 #include <vector>
 
 namespace lichen::renderer {
@@ -28,6 +30,9 @@ struct Environment {
   CubeLevel diffuse;           ///< irradiance / pi by normal
   std::vector<glm::vec3> brdf; ///< environmentBrdf(kBrdfSide)
 };
+
+/// A latitude-longitude panorama as light: EXR, PNG or JPEG. Errors as readImage().
+[[nodiscard]] Result<LinearImage> readPanorama(const std::filesystem::path& path);
 
 /// Halved, by averages of 2 x 2 pixels, until no side is longer than `longestSide`, at least 1.
 [[nodiscard]] LinearImage fitted(LinearImage panorama, int longestSide);

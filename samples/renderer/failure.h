@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the renderer's GPU code reports failure inside itself: a long chain of Vulkan calls reads
-// better with an exception, which Renderer's public functions turn back into a Result.
+// How the renderer's GPU code and the viewer's report failure inside themselves: a long chain of
+// Vulkan calls reads better with an exception, which renderScene() and runProgram() turn back into
+// a Result and an exit code.
 #pragma once
 
 #include <lichen/headless_device.h>

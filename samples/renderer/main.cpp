@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: MIT
 // lichen-render: a glTF scene -> a picture.
 #include "command_line.h"
+#include "environment.h"
 #include "picture.h"
-#include "printable.h"
+#include "program.h"
 #include "progress_line.h"
 #include "renderer.h"
-
-#include <lichen/image_io.h>
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdio>
-#include <exception>
 
 namespace lichen::renderer {
 namespace {
-
-Result<LinearImage> readPanorama(const std::filesystem::path& path) {
-  Result<ImageFile> file = readImage(path);
-  if (!file)
-    return file.error();
-  if (const auto* code = std::get_if<SrgbImage>(&file.value().pixels))
-    return toLinear(*code);
-  return std::get<LinearImage>(std::move(file.value().pixels));
-}
 
 Result<void> listDevices(bool json) {
   Result<std::vector<std::string>> devices = HeadlessDevice::listDevices();
@@ -38,24 +27,9 @@ Result<void> listDevices(bool json) {
   return {};
 }
 
-Result<void> checkMessages(const ValidationMessages& messages) {
-  const std::vector<std::string> texts = messages.texts();
-  if (texts.empty())
-    return {};
-  for (const std::string& text : texts)
-    std::fprintf(stderr, "%s\n", text.c_str());
-  return Error{ErrorKind::environment, std::to_string(texts.size()) +
-                                           " messages of the Vulkan validation layers; please "
-                                           "report them"};
-}
-
-/// Of a message that names files, of any length.
-std::string oneLine(const std::string& text) { return printable(text, std::string::npos); }
-
 void note(const Command& command, const std::vector<std::string>& lines) {
   if (!command.quiet && !command.json) // there they are part of the report
-    for (const std::string& line : lines)
-      std::fprintf(stderr, "note: %s\n", oneLine(line).c_str());
+    writeNotes(lines);
 }
 
 std::size_t triangleCount(const Scene& scene) {
@@ -145,36 +119,19 @@ Result<void> run(const Command& command) {
   return {};
 }
 
-int fail(const Error& error) {
-  std::fprintf(stderr, "lichen-render: %s\n", oneLine(error.message).c_str());
-  return int(error.kind);
-}
-
-int succeed() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    return fail({ErrorKind::resources, "standard output: cannot be written"});
-  return 0;
-}
-
 } // namespace
 } // namespace lichen::renderer
 
 int main(int argc, char** argv) {
   using namespace lichen::renderer;
-  try {
+  return runProgram("lichen-render", [&]() -> lichen::Result<void> {
     lichen::Result<std::variant<Command, std::string>> parsed = parseCommandLine(argc, argv);
     if (!parsed)
-      return fail(parsed.error());
-    if (const auto* help = std::get_if<std::string>(&parsed.value())) {
-      std::fputs(help->c_str(), stdout);
-      return succeed();
+      return parsed.error();
+    if (const auto* text = std::get_if<std::string>(&parsed.value())) {
+      std::fputs(text->c_str(), stdout);
+      return {};
     }
-    const lichen::Result<void> done = run(std::get<Command>(parsed.value()));
-    return done ? succeed() : fail(done.error());
-  } catch (const std::bad_alloc&) {
-    std::fputs("lichen-render: not enough memory\n", stderr); // needs none itself
-    return int(lichen::ErrorKind::resources);
-  } catch (const std::exception& fault) {
-    return fail({lichen::ErrorKind::environment, fault.what()});
-  }
+    return run(std::get<Command>(parsed.value()));
+  });
 }

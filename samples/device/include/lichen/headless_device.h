@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 instance and device without a window, for the renderer, the GPU tests and the
+// A Vulkan 1.3 instance and device that needs no window, for the renderer, the GPU tests and the
 // benchmark: device choice, validation messages, plain buffers and images, one-shot submits and
 // readback. Vulkan's own functions come from volk.
 #pragma once
@@ -21,7 +21,8 @@ namespace lichen {
 
 struct HeadlessDeviceOptions {
   /// An index into listDevices(), or a part of a name (case-insensitive). Empty: the first discrete
-  /// GPU, else the first integrated, virtual, or CPU device.
+  /// GPU, else the first integrated, virtual, or CPU device, of those that can present where that
+  /// is asked for.
   std::string choice;
   bool validation = false; ///< the Khronos layer, with synchronization validation
   /// Core features that must be there. dynamicRendering and synchronization2 always are, and
@@ -29,6 +30,9 @@ struct HeadlessDeviceOptions {
   VkPhysicalDeviceFeatures features{};
   std::vector<const char*> instanceExtensions;
   std::vector<const char*> deviceExtensions;
+  /// Of a program with a window, which brings the extensions too: whether a queue family presents
+  /// to its window system. Null: nothing is presented.
+  std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queueFamily)> canPresent;
 };
 
 /// What the validation layers said. Thread-safe.
@@ -143,7 +147,7 @@ public:
 private:
   HeadlessDevice() = default;
   [[nodiscard]] Result<void> createInstance(const HeadlessDeviceOptions& options);
-  [[nodiscard]] Result<void> chooseDevice(const std::string& choice);
+  [[nodiscard]] Result<void> chooseDevice(const HeadlessDeviceOptions& options);
   [[nodiscard]] Result<void> createDevice(const HeadlessDeviceOptions& options);
   [[nodiscard]] Result<VkDeviceMemory> allocate(const VkMemoryRequirements& requirements,
                                                 VkMemoryPropertyFlags wanted);

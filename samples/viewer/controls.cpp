@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Steps of each quantity, and their words.
+#include "controls.h"
+
+#include "debug_views.h"
+#include "printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace lichen::renderer {
+namespace {
+
+// Four presses double or halve; whole powers so that as many presses back are back.
+constexpr double kStepsToDouble = 4.0;
+constexpr double kMostSteps = 24.0; // 64 times, which is the range of every sharpness
+constexpr float kExposureStep = 0.25f;
+constexpr float kMostExposure = 20.0f;
+
+/// The factor that is one step from `factor`.
+double stepped(double factor, int step) {
+  const double steps = std::round(std::log2(factor) * kStepsToDouble) + step;
+  return std::exp2(std::clamp(steps, -kMostSteps, kMostSteps) / kStepsToDouble);
+}
+
+/// The one after `current` of none and `count` others, around a circle.
+std::optional<std::size_t> around(std::optional<std::size_t> current, std::size_t count, int step) {
+  const auto places = std::ptrdiff_t(count) + 1;
+  const std::ptrdiff_t place = current ? std::ptrdiff_t(*current) + 1 : 0;
+  const std::ptrdiff_t next = (place + step + places) % places;
+  return next == 0 ? std::nullopt : std::optional(std::size_t(next - 1));
+}
+
+} // namespace
+
+Request Controls::press(Key key) {
+  const int step = key.shift ? -1 : 1;
+  NoiseChanges& noise = look_.noise;
+  switch (key.letter) {
+  case 'N':
+    noise.seedStep += std::uint32_t(step); // modulo 2^32
+    break;
+  case 'S':
+    noise.scaleFactor = stepped(noise.scaleFactor, step);
+    break;
+  case 'B':
+    noise.blendSharpnessFactor = stepped(noise.blendSharpnessFactor, step);
+    break;
+  case 'P':
+    noise.planeSharpnessFactor = stepped(noise.planeSharpnessFactor, step);
+    break;
+  case 'C':
+    noise.contrastFactor = stepped(noise.contrastFactor, step);
+    break;
+  case 'M':
+    nextMapping(step);
+    break;
+  case 'T':
+    nextNoise(step);
+    break;
+  case 'D':
+    nextDebugView(step);
+    break;
+  case 'E':
+    look_.exposureEv =
+        std::clamp(look_.exposureEv + float(step) * kExposureStep, -kMostExposure, kMostExposure);
+    break;
+  case 'R':
+    look_ = start_;
+    break;
+  case 'F':
+    return Request::fit;
+  case 'W':
+    return Request::screenshot;
+  case 'H':
+    return Request::help;
+  case 'Q':
+  case kEscape:
+    return Request::close;
+  default:
+    break;
+  }
+  return Request::none;
+}
+
+void Controls::setNoises(std::vector<std::string> noises) {
+  noises_ = std::move(noises);
+  if (look_.noise.noise && *look_.noise.noise >= noises_.size())
+    look_.noise.noise.reset();
+}
+
+void Controls::nextNoise(int step) {
+  const std::optional<std::size_t> next = around(look_.noise.noise, noises_.size(), step);
+  look_.noise.noise = next ? std::optional(std::uint32_t(*next)) : std::nullopt;
+}
+
+void Controls::nextMapping(int step) {
+  constexpr std::array kMappings{NoiseMapping::uv, NoiseMapping::triplanar};
+  std::optional<std::size_t> current;
+  if (look_.noise.mapping)
+    current = std::size_t(std::find(kMappings.begin(), kMappings.end(), *look_.noise.mapping) -
+                          kMappings.begin());
+  const std::optional<std::size_t> next = around(current, kMappings.size(), step);
+  look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
+}
+
+void Controls::nextDebugView(int step) {
+  const std::vector<std::string_view> names = debugViewNames();
+  std::optional<std::size_t> current;
+  if (!look_.debugView.empty())
+    current = std::size_t(std::find(names.begin(), names.end(), look_.debugView) - names.begin());
+  const std::optional<std::size_t> next = around(current, names.size(), step);
+  look_.debugView = next ? std::string(names[*next]) : std::string();
+}
+
+std::string Controls::summary() const {
+  const NoiseChanges& noise = look_.noise;
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  const auto addFactor = [&](const char* name, double factor) {
+    if (factor != 1.0)
+      add(fmt::format("{} x{:.3g}", name, factor));
+  };
+  if (noise.noise)
+    add("noise " + (noises_[*noise.noise].empty() ? std::to_string(*noise.noise)
+                                                  : printable(noises_[*noise.noise])));
+  if (noise.mapping)
+    add(*noise.mapping == NoiseMapping::uv ? "mapping uv" : "mapping triplanar");
+  if (noise.seedStep != 0)
+    add(fmt::format("seed {:+d}", std::int32_t(noise.seedStep)));
+  addFactor("scale", noise.scaleFactor);
+  addFactor("blend sharpness", noise.blendSharpnessFactor);
+  addFactor("plane sharpness", noise.planeSharpnessFactor);
+  addFactor("contrast", noise.contrastFactor);
+  if (look_.exposureEv != 0.0f)
+    add(fmt::format("exposure {:+g}", look_.exposureEv));
+  if (!look_.debugView.empty())
+    add(look_.debugView);
+  return text;
+}
+
+std::string_view Controls::help() {
+  return "Keys; with Shift the other way:\n"
+         "  N  the next seed\n"
+         "  S  a larger scale\n"
+         "  B  sharper borders between tiles\n"
+         "  P  sharper borders between the planes of triplanar mapping\n"
+         "  C  more contrast\n"
+         "  M  mapping: the file's, uv, triplanar\n"
+         "  T  noise: the file's, then each of the bundle's\n"
+         "  D  the next debug view\n"
+         "  E  more exposure\n"
+         "  R  all of these as they were\n"
+         "  F  the camera as it was; with Shift one that frames the scene\n"
+         "  W  write the picture, once all its frames are drawn\n"
+         "  H  this help\n"
+         "  Q  or Escape: close\n"
+         "Mouse: left button turns, middle or right one moves, wheel zooms\n";
+}
+
+} // namespace lichen::renderer

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Polling: an editor that replaces the file, and a folder on a network, are seen like any other.
+#include "file_watch.h"
+
+namespace lichen::renderer {
+
+std::optional<FileStamp> stampOf(const std::filesystem::path& path) {
+  std::error_code error;
+  FileStamp stamp;
+  stamp.time = std::filesystem::last_write_time(path, error);
+  if (error)
+    return std::nullopt;
+  stamp.bytes = std::filesystem::file_size(path, error);
+  return error ? std::nullopt : std::optional(stamp);
+}
+
+bool FileWatch::look(std::optional<FileStamp> stamp, Clock::time_point now) {
+  nextLook_ = now + kInterval;
+  const bool isStable = stamp == seen_;
+  seen_ = stamp;
+  if (!stamp || !isStable || stamp == read_)
+    return false;
+  read_ = stamp;
+  return true;
+}
+
+} // namespace lichen::renderer

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// One picture at a time: the host waits for each copy, so that one semaphore for acquiring is
+// enough. Presentation in order of arrival (FIFO) is what every surface has.
+#include "swapchain.h"
+
+#include "failure.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace lichen::renderer {
+namespace {
+
+constexpr std::uint32_t kWhateverTheWindow = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+
+struct Use {
+  VkImageLayout layout;
+  VkPipelineStageFlags2 stages;
+  VkAccessFlags2 access;
+};
+// The stage is that of the wait for the semaphore, so that the barrier comes after it.
+constexpr Use kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0};
+constexpr Use kCopied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                      VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr Use kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
+
+void barrier(VkCommandBuffer commands, VkImage image, const Use& from, const Use& to) {
+  VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  change.srcStageMask = from.stages;
+  change.srcAccessMask = from.access;
+  change.dstStageMask = to.stages;
+  change.dstAccessMask = to.access;
+  change.oldLayout = from.layout;
+  change.newLayout = to.layout;
+  change.srcQueueFamilyIndex = change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  change.image = image;
+  change.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  info.imageMemoryBarrierCount = 1;
+  info.pImageMemoryBarriers = &change;
+  vkCmdPipelineBarrier2(commands, &info);
+}
+
+VkSemaphore makeSemaphore(VkDevice device) {
+  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+  VkSemaphore semaphore = VK_NULL_HANDLE;
+  check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "no semaphore");
+  return semaphore;
+}
+
+} // namespace
+
+Swapchain::Swapchain(HeadlessDevice& device, VkSurfaceKHR surface)
+    : Swapchain(device, surface, Nothing()) {
+  VkBool32 presents = VK_FALSE;
+  check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physicalDevice(), device.queueFamily(), surface,
+                                             &presents),
+        "no presentation");
+  if (presents == VK_FALSE)
+    throw Failure{{ErrorKind::environment, "Vulkan device \"" +
+                                               std::string(device.properties().deviceName) +
+                                               "\" cannot present to this window"}};
+  chooseFormat();
+  acquired_ = makeSemaphore(device.device());
+  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  check(vkCreateFence(device.device(), &fence, nullptr, &done_), "no fence");
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+  pool.queueFamilyIndex = device.queueFamily();
+  check(vkCreateCommandPool(device.device(), &pool, nullptr, &pool_), "no command pool");
+  VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  commands.commandPool = pool_;
+  commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  commands.commandBufferCount = 1;
+  check(vkAllocateCommandBuffers(device.device(), &commands, &commands_), "no command buffer");
+}
+
+Swapchain::~Swapchain() {
+  vkDeviceWaitIdle(device_.device());
+  destroyImages();
+  vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
+  vkDestroyCommandPool(device_.device(), pool_, nullptr);
+  vkDestroyFence(device_.device(), done_, nullptr);
+  vkDestroySemaphore(device_.device(), acquired_, nullptr);
+  vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
+}
+
+/// A format that keeps sRGB code as it is, and that a copy may convert to.
+void Swapchain::chooseFormat() {
+  std::uint32_t count = 0;
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physicalDevice(), surface_, &count, nullptr),
+        "no formats of the window");
+  std::vector<VkSurfaceFormatKHR> formats(count);
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physicalDevice(), surface_, &count,
+                                             formats.data()),
+        "no formats of the window");
+  for (const VkSurfaceFormatKHR& format : formats) {
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(device_.physicalDevice(), format.format, &properties);
+    const bool holdsCode = format.format == VK_FORMAT_B8G8R8A8_UNORM ||
+                           format.format == VK_FORMAT_R8G8B8A8_UNORM ||
+                           format.format == VK_FORMAT_A8B8G8R8_UNORM_PACK32;
+    if (holdsCode && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR &&
+        (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_BLIT_DST_BIT) != 0) {
+      format_ = format;
+      return;
+    }
+  }
+  throw Failure{{ErrorKind::environment, "the window has no format of 8 bits a channel"}};
+}
+
+void Swapchain::destroyImages() {
+  for (const VkSemaphore semaphore : copied_)
+    vkDestroySemaphore(device_.device(), semaphore, nullptr);
+  copied_.clear();
+  images_.clear();
+}
+
+bool Swapchain::resize(VkExtent2D window) {
+  VkSurfaceCapabilitiesKHR can{};
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physicalDevice(), surface_, &can),
+        "no capabilities of the window");
+  if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0)
+    throw Failure{{ErrorKind::environment, "the window's images cannot be copied to"}};
+  extent_ = can.currentExtent;
+  if (extent_.width == kWhateverTheWindow)
+    extent_ = {std::clamp(window.width, can.minImageExtent.width, can.maxImageExtent.width),
+               std::clamp(window.height, can.minImageExtent.height, can.maxImageExtent.height)};
+  if (extent_.width == 0 || extent_.height == 0)
+    return false;
+  VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+  info.surface = surface_;
+  info.minImageCount = can.minImageCount + 1; // one more than the window system may hold
+  if (can.maxImageCount > 0)
+    info.minImageCount = std::min(info.minImageCount, can.maxImageCount);
+  info.imageFormat = format_.format;
+  info.imageColorSpace = format_.colorSpace;
+  info.imageExtent = extent_;
+  info.imageArrayLayers = 1;
+  info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  info.preTransform = can.currentTransform;
+  info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
+                            ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                            : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
+  info.clipped = VK_TRUE;
+  info.oldSwapchain = swapchain_;
+  vkDeviceWaitIdle(device_.device()); // presentation of the old images
+  VkSwapchainKHR made = VK_NULL_HANDLE;
+  const VkResult result = vkCreateSwapchainKHR(device_.device(), &info, nullptr, &made);
+  vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
+  swapchain_ = made;
+  check(result, "no images of the window");
+  destroyImages();
+  std::uint32_t count = 0;
+  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, nullptr), "no images");
+  images_.resize(count);
+  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, images_.data()), "no images");
+  for (std::uint32_t i = 0; i < count; ++i)
+    copied_.push_back(makeSemaphore(device_.device()));
+  return true;
+}
+
+/// A blit and no copy, for the order of the channels may differ.
+void Swapchain::recordCopy(const DeviceImage& picture, VkImage target) {
+  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vkBeginCommandBuffer(commands_, &begin), "a command buffer cannot be begun");
+  barrier(commands_, target, kAcquired, kCopied);
+  VkImageBlit region{};
+  region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.srcOffsets[1] = {std::int32_t(picture.info.extent.width),
+                          std::int32_t(picture.info.extent.height), 1};
+  region.dstOffsets[1] = {std::int32_t(extent_.width), std::int32_t(extent_.height), 1};
+  vkCmdBlitImage(commands_, picture.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                 kCopied.layout, 1, &region, VK_FILTER_NEAREST);
+  barrier(commands_, target, kCopied, kPresented);
+  check(vkEndCommandBuffer(commands_), "a command buffer cannot be ended");
+}
+
+void Swapchain::submitCopy(std::uint32_t index) {
+  VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+  commands.commandBuffer = commands_;
+  VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+  wait.semaphore = acquired_;
+  wait.stageMask = kAcquired.stages;
+  VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+  signal.semaphore = copied_[index];
+  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; // the change of layout included
+  VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+  submit.waitSemaphoreInfoCount = submit.signalSemaphoreInfoCount = 1;
+  submit.pWaitSemaphoreInfos = &wait;
+  submit.pSignalSemaphoreInfos = &signal;
+  submit.commandBufferInfoCount = 1;
+  submit.pCommandBufferInfos = &commands;
+  check(vkQueueSubmit2(device_.queue(), 1, &submit, done_), "a picture cannot be submitted");
+  check(vkWaitForFences(device_.device(), 1, &done_, VK_TRUE, kForever), "the device is lost");
+  check(vkResetFences(device_.device(), 1, &done_), "a fence cannot be reset");
+}
+
+bool Swapchain::present(const DeviceImage& picture) {
+  std::uint32_t index = 0;
+  VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kForever, acquired_,
+                                          VK_NULL_HANDLE, &index);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR)
+    return false;
+  if (result != VK_SUBOPTIMAL_KHR)
+    check(result, "no image of the window");
+  recordCopy(picture, images_[index]);
+  submitCopy(index);
+  VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+  info.waitSemaphoreCount = 1;
+  info.pWaitSemaphores = &copied_[index];
+  info.swapchainCount = 1;
+  info.pSwapchains = &swapchain_;
+  info.pImageIndices = &index;
+  result = vkQueuePresentKHR(device_.queue(), &info);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
+    return false;
+  check(result, "a picture cannot be presented");
+  return true;
+}
+
+} // namespace lichen::renderer

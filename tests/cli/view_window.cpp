@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// lichen-view as a user handles it: in a window of an X server of the test's own, without a window
+// manager, by the events that a keyboard, a mouse and a closing window send. What it writes is
+// compared with what lichen-render makes of the same file.
+#include "command_run.h"
+#include "x_server.h"
+
+#include <lichen/files.h>
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr const char* kFrames = "2";
+
+SrgbImage picture(const std::string& path) {
+  Result<ImageFile> file = readImage(path);
+  REQUIRE(file.ok());
+  return std::get<SrgbImage>(std::move(file).value().pixels);
+}
+
+SrgbImage rendered(const Workplace& workplace, const std::string& scene, const std::string& size,
+                   const Arguments& more = {}) {
+  Arguments arguments{
+      scene, "-o", workplace.path("reference.png"), "--size", size, "--frames", kFrames, "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = run(LICHEN_RENDER, arguments);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  return picture(workplace.path("reference.png"));
+}
+
+/// The viewer in its window, and the pictures that it has been asked for.
+class View {
+public:
+  View(const Workplace& workplace, XServer& server, const std::string& scene)
+      : workplace_(workplace), server_(server),
+        program_(LICHEN_VIEW,
+                 {scene, "--size", "96x64", "--frames", kFrames, "--output", workplace.path("."),
+                  "--validate"},
+                 server.name(), workplace.path("view.out"), workplace.path("view.err")) {
+    server.awaitWindow("scene.glb");
+  }
+
+  void press(char letter, bool shift = false) { server_.pressKey(letter, shift); }
+
+  /// The next screenshot.
+  SrgbImage shot() {
+    const std::string number = std::to_string(++shots_);
+    const std::string name =
+        workplace_.path("scene_" + std::string(3 - number.size(), '0') + number + ".png");
+    press('w');
+    REQUIRE(
+        eventually([&] { return output().find(name.substr(name.rfind('/'))) != output().npos; }));
+    return picture(name);
+  }
+
+  [[nodiscard]] std::string output() const { return workplace_.read("view.out"); }
+  [[nodiscard]] std::string errors() const { return workplace_.read("view.err"); }
+  int wait() { return program_.wait(); }
+
+private:
+  const Workplace& workplace_;
+  XServer& server_;
+  RunningProgram program_;
+  int shots_ = 0;
+};
+
+bool same(const SrgbImage& a, const SrgbImage& b) {
+  return a.width == b.width && a.height == b.height && a.values == b.values;
+}
+
+void replace(const Workplace& workplace, const std::string& with) {
+  std::filesystem::copy_file(with, workplace.path("scene.glb"),
+                             std::filesystem::copy_options::overwrite_existing);
+}
+
+} // namespace
+
+TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in silence") {
+  if (run(LICHEN_RENDER, {"--list-devices"}).code != 0) {
+    WARN("skipped: no Vulkan device");
+    return;
+  }
+  const Workplace workplace;
+  const std::string grain = workplace.write("grain.png", smoothGrey(32));
+  const std::string other =
+      bake(workplace, grain, "other.glb", {"--seed", "7", "--preview", "plane"});
+  const std::string scene = bake(workplace, grain, "scene.glb", {"--preview", "plane"});
+  const SrgbImage reference = rendered(workplace, scene, "96x64");
+
+  XServer server;
+  View view(workplace, server, scene);
+  const SrgbImage first = view.shot();
+  CHECK(same(first, reference));
+
+  view.press('n'); // another seed
+  CHECK_FALSE(same(view.shot(), first));
+  view.press('s'); // another scale
+  view.press('m'); // uv, the file's own
+  view.press('m'); // triplanar
+  CHECK_FALSE(same(view.shot(), first));
+  view.press('r');
+  CHECK(same(view.shot(), first));
+
+  view.press('d'); // normals
+  CHECK(same(view.shot(), rendered(workplace, scene, "96x64", {"--debug-view", "normals"})));
+  view.press('d', true);
+
+  server.drag(20, 10);
+  CHECK_FALSE(same(view.shot(), first));
+  view.press('f');
+  server.resizeWindow(72, 48);
+  const SrgbImage smaller = view.shot();
+  CHECK(same(smaller, rendered(workplace, scene, "72x48")));
+
+  workplace.write("scene.glb", std::string("half a file"));
+  REQUIRE(
+      eventually([&] { return view.errors().find("the last good scene") != std::string::npos; }));
+  CHECK(same(view.shot(), smaller));
+  replace(workplace, other);
+  const SrgbImage reloaded = rendered(workplace, other, "72x48");
+  REQUIRE_FALSE(same(reloaded, smaller));
+  CHECK(eventually([&] { return same(view.shot(), reloaded); }));
+
+  view.press('h');
+  CHECK(eventually([&] { return view.output().find("Keys") != std::string::npos; }));
+  server.closeWindow();
+  CHECK(view.wait() == 0);
+  const std::string errors = view.errors();
+  INFO(errors);
+  CHECK(std::count(errors.begin(), errors.end(), '\n') == 1); // of the broken file
+}
+
+TEST_CASE("the viewer refuses what it cannot show in one line") {
+  const Workplace workplace;
+  ::unsetenv("DISPLAY");
+  ::unsetenv("WAYLAND_DISPLAY");
+  const auto refuses = [&](const Arguments& arguments, int code, const std::string& word) {
+    const Ended ended = run(LICHEN_VIEW, arguments);
+    INFO(ended.errors);
+    CHECK(ended.code == code);
+    CHECK(ended.output.empty());
+    CHECK(std::count(ended.errors.begin(), ended.errors.end(), '\n') == 1);
+    CHECK_THAT(ended.errors, Catch::Contains(word));
+  };
+  refuses({}, 2, "the scene is missing");
+  refuses({"scene.glb", "--frames", "0"}, 2, "--frames 0");
+  refuses({"scene.glb", "--output", workplace.path("nowhere")}, 4, "nowhere");
+  refuses({workplace.path("absent.glb")}, 3, "absent.glb");
+  const std::string scene =
+      bake(workplace, workplace.write("grain.png", smoothGrey(16)), "scene.glb");
+  refuses({scene}, 4, "no display");
+}

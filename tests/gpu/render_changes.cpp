@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// A scene that stays on the device while its look changes: each picture is that of a file that says
+// the same, drawn for itself.
+#include "rendered.h"
+#include "scene_renderer.h"
+#include "synthetic_noise.h"
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::uint32_t kSide = 48;
+constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
+
+json& useOf(GltfScene& scene) { return scene.json["materials"][0]["extensions"][kExtension]; }
+
+/// A ball of the first of two noises: with normals, and without.
+GltfScene twoNoises() {
+  const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
+  GltfScene scene(syntheticGlb(maps));
+  json& noises = scene.json["extensions"][kExtension]["noises"];
+  json second = noises[0];
+  second["name"] = "second";
+  second["maps"].erase(1);
+  noises.push_back(second);
+  useOf(scene).update({{"seed", 2}, {"scale", 1.0}});
+  scene.addBall(0);
+  scene.addCamera(4.0f, 0.6f);
+  scene.addSun(3.0f);
+  return scene;
+}
+
+/// A scene's renderer, drawn with again and again.
+class Session {
+public:
+  explicit Session(const GltfScene& source)
+      : scene_(readScene(source)), renderer_(testDevice(), scene_, settingsOf(kSide, kSide, 1)) {
+    testDevice().messages().clear();
+  }
+
+  renderer::SceneRenderer& renderer() { return renderer_; }
+
+  std::vector<float> picture() {
+    renderer_.drawFrame(0);
+    for (const std::string& text : testDevice().messages().texts())
+      FAIL_CHECK(text);
+    return renderer_.average(1).values;
+  }
+
+private:
+  static renderer::Scene readScene(const GltfScene& source) {
+    const TemporaryFolder folder;
+    auto scene = renderer::readScene(writeInto(folder, "scene.glb", source.glb()));
+    REQUIRE(scene.ok());
+    return std::move(scene).value();
+  }
+
+  renderer::Scene scene_;
+  renderer::SceneRenderer renderer_;
+};
+
+} // namespace
+
+TEST_CASE(
+    "noises that are changed look as in a file that says so, and are back when they are not") {
+  const GltfScene scene = twoNoises();
+  Session session(scene);
+  const std::vector<float> first = session.picture();
+  CHECK(first == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
+
+  const auto checkAsFile = [&](const renderer::NoiseChanges& changes, const json& use) {
+    INFO(use.dump());
+    GltfScene changed = scene;
+    useOf(changed).update(use);
+    session.renderer().setNoise(changes);
+    const std::vector<float> picture = session.picture();
+    CHECK(picture != first);
+    CHECK(picture == render(changed.glb(), settingsOf(kSide, kSide, 1)).values);
+  };
+  renderer::NoiseChanges changes;
+  changes.seedStep = 3;
+  changes.scaleFactor = 0.5;
+  changes.blendSharpnessFactor = 4.0;
+  changes.contrastFactor = 0.5;
+  checkAsFile(changes, {{"seed", 5}, {"scale", 0.5}, {"blendSharpness", 4.0}, {"contrast", 0.5}});
+  changes = {};
+  changes.mapping = renderer::NoiseMapping::triplanar;
+  changes.planeSharpnessFactor = 0.25;
+  checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}});
+  changes = {};
+  changes.noise = 1;
+  checkAsFile(changes, {{"noise", 1}});
+  session.renderer().setNoise({});
+  CHECK(session.picture() == first);
+}
+
+TEST_CASE("size, camera, exposure and debug view may change between frames") {
+  const GltfScene scene = twoNoises();
+  Session session(scene);
+  const std::vector<float> first = session.picture();
+  renderer::SceneRenderer& renderer = session.renderer();
+  const renderer::Camera start = renderer.camera();
+
+  renderer::RenderSettings settings = settingsOf(40, 24, 1);
+  settings.debugView = "normals";
+  renderer.setSize(40, 24);
+  renderer.setDebugView("normals");
+  CHECK(session.picture() == render(scene.glb(), settings).values);
+
+  renderer.setSize(kSide, kSide);
+  renderer.setDebugView("");
+  renderer.setExposure(-1.0f);
+  settings = settingsOf(kSide, kSide, 1);
+  settings.exposureEv = -1.0f;
+  CHECK(session.picture() == render(scene.glb(), settings).values);
+
+  renderer.setExposure(0.0f);
+  renderer::Camera moved = start;
+  moved.worldFromCamera[3].x += 0.5f;
+  renderer.setCamera(moved);
+  CHECK(session.picture() != first);
+  renderer.setCamera(start);
+  CHECK(session.picture() == first);
+}

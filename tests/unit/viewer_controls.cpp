@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// What lichen-view decides without a window: its camera, its keys, its file, its pictures' names.
+#include "temporary_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <controls.h>
+#include <debug_views.h>
+#include <file_watch.h>
+#include <fstream>
+#include <numbers>
+#include <orbit_camera.h>
+#include <screenshot.h>
+#include <set>
+
+using namespace lichen;
+using namespace lichen::renderer;
+
+namespace {
+
+constexpr float kTolerance = 1e-5f; // a few roundings of numbers around 1 to 10
+constexpr Sphere kSubject{{1.0f, 2.0f, 3.0f}, 2.0f};
+
+/// On the +z side of the subject, level, at a distance of 8.
+Camera levelCamera() {
+  Camera camera;
+  camera.verticalFieldOfView = 2.0f * std::atan(0.5f); // at 8, half the window is 4 high
+  camera.worldFromCamera[3] = glm::vec4(1.0f, 2.0f, 11.0f, 1.0f);
+  return camera;
+}
+
+glm::vec3 eyeOf(const Camera& camera) { return glm::vec3(camera.worldFromCamera[3]); }
+
+void checkClose(glm::vec3 a, glm::vec3 b) {
+  INFO(a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " " << b.z);
+  CHECK(glm::distance(a, b) < 10.0f * kTolerance);
+}
+
+Look lookAfter(Controls& controls, const std::string& letters, bool shift = false) {
+  for (const char letter : letters)
+    CHECK(controls.press({letter, shift}) == Request::none);
+  return controls.look();
+}
+
+} // namespace
+
+TEST_CASE("an orbit camera that is not moved is the camera it started from") {
+  Camera start = levelCamera();
+  start.worldFromCamera[0] = glm::vec4(0.0f, 1.0f, 0.0f, 0.0f); // rolled by a quarter
+  start.worldFromCamera[1] = glm::vec4(-1.0f, 0.0f, 0.0f, 0.0f);
+  CHECK(OrbitCamera(start, kSubject).camera().worldFromCamera == start.worldFromCamera);
+}
+
+TEST_CASE("turning keeps the distance and looks at the subject from the other side") {
+  OrbitCamera orbit(levelCamera(), kSubject);
+  orbit.turn({1.0f, 0.0f}); // half a circle
+  checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, -5.0f});
+  orbit.turn({-0.5f, 0.0f}); // a quarter back: from -x, for a scene that follows the mouse
+  checkClose(eyeOf(orbit.camera()), {-7.0f, 2.0f, 3.0f});
+  const glm::mat3 axes(orbit.camera().worldFromCamera);
+  checkClose(axes[2], {-1.0f, 0.0f, 0.0f});
+  checkClose(axes[1], {0.0f, 1.0f, 0.0f});
+  CHECK(glm::determinant(axes) == Approx(1.0));
+}
+
+TEST_CASE("however far it is turned up, the camera stays upright and short of the pole") {
+  OrbitCamera orbit(levelCamera(), kSubject);
+  for (int k = 0; k < 50; ++k)
+    orbit.turn({0.1f, 0.3f});
+  const Camera camera = orbit.camera();
+  CHECK(camera.worldFromCamera[1].y > 0.0f);
+  CHECK(camera.worldFromCamera[2].y < 1.0f);
+  CHECK(camera.worldFromCamera[2].y > 0.99f);
+  CHECK(glm::distance(eyeOf(camera), kSubject.center) == Approx(8.0f));
+}
+
+TEST_CASE("panning by a window's height moves what is at the subject by a window's height") {
+  OrbitCamera orbit(levelCamera(), kSubject);
+  orbit.pan({0.0f, 1.0f}); // downwards: the camera goes up
+  checkClose(eyeOf(orbit.camera()), {1.0f, 10.0f, 11.0f});
+  orbit.pan({0.5f, 0.0f}); // to the right: the camera goes left
+  checkClose(eyeOf(orbit.camera()), {-3.0f, 10.0f, 11.0f});
+}
+
+TEST_CASE("zooming comes closer by factors, back as many, and never through the subject") {
+  OrbitCamera orbit(levelCamera(), kSubject);
+  orbit.zoom(1.0f);
+  CHECK(eyeOf(orbit.camera()).z - 3.0f == Approx(8.0f / 1.1f));
+  orbit.zoom(-1.0f);
+  checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, 11.0f});
+  orbit.zoom(1000.0f);
+  CHECK(eyeOf(orbit.camera()).z > 3.0f);
+  CHECK(orbit.camera().near < eyeOf(orbit.camera()).z - 3.0f);
+  orbit.zoom(-1e6f);
+  CHECK(std::isfinite(eyeOf(orbit.camera()).z));
+}
+
+TEST_CASE("an orthographic camera zooms by the size of its view") {
+  Camera start = levelCamera();
+  start.perspective = false;
+  start.halfHeight = 3.0f;
+  start.far = 20.0f;
+  OrbitCamera orbit(start, kSubject);
+  orbit.zoom(2.0f);
+  CHECK(orbit.camera().halfHeight == Approx(3.0f / 1.21f));
+  checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, 11.0f});
+}
+
+TEST_CASE("each key changes its own quantity, and Shift and R take it back") {
+  Look start;
+  start.exposureEv = 1.0f;
+  std::set<std::string> summaries;
+  for (const char letter : std::string("NSBPCMTDE")) {
+    INFO(letter);
+    Controls controls({"moss", "rock"}, start);
+    const Look changed = lookAfter(controls, {letter});
+    CHECK_FALSE(changed == start);
+    CHECK(summaries.insert(controls.summary()).second);
+    CHECK(lookAfter(controls, {letter}, true) == start);
+    lookAfter(controls, {letter});
+    CHECK(lookAfter(controls, "R") == start);
+  }
+}
+
+TEST_CASE("four presses double a factor, and no number of them leaves its range") {
+  Controls controls({}, {});
+  CHECK(lookAfter(controls, "SSSS").noise.scaleFactor == 2.0);
+  CHECK(lookAfter(controls, std::string(100, 'S')).noise.scaleFactor == 64.0);
+  CHECK(lookAfter(controls, std::string(200, 'S'), true).noise.scaleFactor == 1.0 / 64.0);
+  CHECK(lookAfter(controls, std::string(200, 'E')).exposureEv == 20.0f);
+}
+
+TEST_CASE("choices go around: the file's own, then each, then the file's own") {
+  Controls controls({"moss", "rock"}, {});
+  CHECK(lookAfter(controls, "T").noise.noise == 0u);
+  CHECK(lookAfter(controls, "T").noise.noise == 1u);
+  CHECK(controls.summary() == "noise rock");
+  CHECK_FALSE(lookAfter(controls, "T").noise.noise.has_value());
+  CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::uv);
+  CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::triplanar);
+  CHECK_FALSE(lookAfter(controls, "M").noise.mapping.has_value());
+  for (const std::string_view name : debugViewNames())
+    CHECK(lookAfter(controls, "D").debugView == name);
+  CHECK(lookAfter(controls, "D").debugView.empty());
+}
+
+TEST_CASE("a noise that a changed file no longer has is no longer chosen") {
+  Controls controls({"moss", "rock"}, {});
+  lookAfter(controls, "TT");
+  controls.setNoises({"moss"});
+  CHECK_FALSE(controls.look().noise.noise.has_value());
+  CHECK(controls.summary().empty());
+}
+
+TEST_CASE("keys that ask for something say what, others nothing") {
+  Controls controls({}, {});
+  CHECK(controls.press({'F'}) == Request::fit);
+  CHECK(controls.press({'W'}) == Request::screenshot);
+  CHECK(controls.press({'H'}) == Request::help);
+  CHECK(controls.press({'Q'}) == Request::close);
+  CHECK(controls.press({kEscape}) == Request::close);
+  CHECK(controls.press({'X'}) == Request::none);
+  CHECK(controls.look() == Look{});
+}
+
+TEST_CASE("the help has every key") {
+  for (const char letter : std::string("NSBPCMTDERFWHQ"))
+    CHECK_THAT(std::string(Controls::help()),
+               Catch::Contains("\n  " + std::string(1, letter) + " "));
+}
+
+TEST_CASE("a file counts as changed once, when two looks in turn see it alike") {
+  const auto stamp = [](std::uintmax_t bytes) {
+    return FileStamp{std::filesystem::file_time_type{}, bytes};
+  };
+  const FileWatch::Clock::time_point start{};
+  FileWatch watch(stamp(10));
+  CHECK(watch.isDue(start));
+  CHECK_FALSE(watch.look(stamp(10), start));
+  CHECK_FALSE(watch.isDue(start + FileWatch::kInterval / 2));
+  CHECK(watch.isDue(start + FileWatch::kInterval));
+  CHECK_FALSE(watch.look(stamp(4), start)); // being written
+  CHECK_FALSE(watch.look(stamp(8), start)); // still
+  CHECK(watch.look(stamp(8), start));
+  CHECK_FALSE(watch.look(stamp(8), start));
+  CHECK_FALSE(watch.look(std::nullopt, start)); // being replaced
+  CHECK_FALSE(watch.look(std::nullopt, start));
+  CHECK_FALSE(watch.look(stamp(12), start));
+  CHECK(watch.look(stamp(12), start));
+}
+
+TEST_CASE("a screenshot takes the first name that no file has") {
+  const TemporaryFolder folder;
+  const std::filesystem::path scene = "elsewhere/moss.glb";
+  CHECK(screenshotPath(folder.path(), scene).value() == folder.path() / "moss_001.png");
+  std::ofstream(folder.path() / "moss_001.png") << "taken";
+  std::filesystem::create_symlink("nowhere", folder.path() / "moss_002.png");
+  CHECK(screenshotPath(folder.path(), scene).value() == folder.path() / "moss_003.png");
+}
