@@ -13,9 +13,13 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <numbers>
 
 namespace lichen::cli {
 namespace {
+
+constexpr NumberRange kDegreesRange{-360.0, 360.0};
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
@@ -26,6 +30,10 @@ struct Arguments {
   std::string material;
   Mapping mapping{};
   std::optional<double> scale;
+  std::optional<double> rotationDegrees;
+  std::optional<std::uint32_t> seed;
+  std::optional<double> contrast;
+  std::optional<double> sharpness;
   std::optional<double> planeSharpness;
   std::optional<Vector3> grain;
   MixOptions mix;
@@ -62,6 +70,11 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.mapping = arguments.mapping;
   use.texCoord = 0;
   use.scale = arguments.scale.value_or(use.scale);
+  if (arguments.rotationDegrees)
+    use.rotation = *arguments.rotationDegrees * kRadiansPerDegree;
+  use.seed = arguments.seed.value_or(use.seed);
+  use.contrast = arguments.contrast.value_or(use.contrast);
+  use.blendSharpness = arguments.sharpness.value_or(use.blendSharpness);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
   return use;
 }
@@ -294,6 +307,14 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
            "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
            "width [default: the bundle's]");
+  addValue(verb, "--rotation", arguments->rotationDegrees, optional(number(kDegreesRange)), "",
+           "Degrees, as KHR_texture_transform turns a texture [default: the bundle's]");
+  addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
+           "Another seed, another pattern [default: the bundle's]");
+  addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
+           "Scale of the variation [default: the bundle's]");
+  addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
+           "Of tiling: the exponent of the blend weights [default: the bundle's]");
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
            "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
