@@ -88,8 +88,11 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
 /// Whether values can be one row of losses but not `rows` of them, each of which begins with 0: of
 /// textons, versions before the first release stated the mean over the channels.
 bool isOneRowForAll(const std::vector<double>& losses, std::size_t rows) {
-  return rows > 1 && losses.size() > 1 && losses.front() == 0.0 && losses.back() > 0.0 &&
-         std::is_sorted(losses.begin(), losses.end());
+  if (rows < 2 || losses.size() < 2 || losses.front() != 0.0 || losses.back() == 0.0 ||
+      !std::is_sorted(losses.begin(), losses.end()))
+    return false;
+  // Rows of constant channels, all 0, ascend to that of one that is not.
+  return losses.size() % rows != 0 || lossRow(losses, rows - 1, rows).front() != 0.0;
 }
 
 /// Shares of lost variance, a row of levels a channel or one of all. Rows that are no rows are for

@@ -17,9 +17,6 @@ constexpr float kPi = std::numbers::pi_v<float>;
 // Four times the real sun's radius: with haze about it, and at a size where the penumbra of an
 // object a metre or two across is seen.
 constexpr float kSunRadius = 0.02f;
-// Averaging n frames takes n samples of a pixel, so each may be sharper by sqrt(n); beyond this
-// many nothing is gained but noise.
-constexpr std::uint32_t kMostSharpeningFrames = 8;
 // Directions close to the horizon graze the ground and give its depth map nothing but aliasing.
 constexpr float kLeastSkyHeight = 0.12f;
 

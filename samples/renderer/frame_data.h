@@ -10,6 +10,10 @@
 
 namespace lichen::renderer {
 
+// Averaging n frames takes n samples of a pixel, so each may be sharper by sqrt(n); beyond this
+// many nothing is gained but noise.
+inline constexpr std::uint32_t kMostSharpeningFrames = 8;
+
 struct FrameInputs {
   Camera camera;
   Sphere subject;

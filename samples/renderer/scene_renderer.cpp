@@ -34,6 +34,7 @@ SceneRenderer::SceneRenderer(HeadlessDevice& device, const Scene& scene,
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (materialOf(scene.instances[i]).alphaMode == AlphaMode::blend)
       blended_.emplace_back(i, centerOf(scene, scene.instances[i]));
+  hasHaze_ = !settings.environment; // a panorama shows itself what is far away
   setCamera(take(chooseCamera(scene, inputs_.subject, settings.camera, aspect)));
   environment_ = lightAround(settings);
   collectNotes(settings);
@@ -61,9 +62,6 @@ GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
   const PreparedSky& sky = skies.under(lighting.towardSun, sunlight, lighting.skyIrradiance);
   for (Light& light : lighting.lights)
     light.color *= sky.balance;
-  inputs_.hazeDistance =
-      kHazeDistance *
-      glm::distance(inputs_.subject.center, glm::vec3(inputs_.camera.worldFromCamera[3]));
   return uploadEnvironment(device_, objects_, sky.environment);
 }
 
@@ -160,6 +158,11 @@ void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
 
 void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
+  if (hasHaze_) // from within the subject no nearer than from its border
+    inputs_.hazeDistance =
+        kHazeDistance *
+        std::max(glm::distance(inputs_.subject.center, glm::vec3(camera.worldFromCamera[3])),
+                 inputs_.subject.radius);
   blendedOrder_ = blendedOrder();
 }
 

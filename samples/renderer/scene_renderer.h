@@ -87,6 +87,7 @@ private:
   NoiseHost noises_;
   GpuScene gpu_;
   FrameInputs inputs_;
+  bool hasHaze_ = false;
   std::vector<std::pair<std::size_t, glm::vec3>> blended_; ///< instances and their middles
   std::vector<std::size_t> blendedOrder_;
   GpuEnvironment environment_;

@@ -8,6 +8,7 @@
 #include "environment.h"
 #include "failure.h"
 #include "file_watch.h"
+#include "frame_data.h"
 #include "orbit_camera.h"
 #include "picture.h"
 #include "program.h"
@@ -41,19 +42,22 @@ struct Shown {
 
 class Viewer {
 public:
-  Viewer(const ViewCommand& command, Scene scene, RenderSettings settings, HeadlessDevice& device,
-         Window& window)
+  /// `stamp`: that of the scene's file before it was read.
+  Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
+         RenderSettings settings, HeadlessDevice& device, Window& window)
       : command_(command), settings_(std::move(settings)), device_(device), window_(window),
-        watch_(stampOf(command.scene)), swapchain_(device, window.createSurface(device.instance())),
+        watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
         display_(device), shown_(prepare(std::move(scene))),
         camera_(shown_->renderer->camera(), shown_->renderer->subject()),
         controls_(shown_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
+    settings_.camera = "auto"; // a scene that is read again may have lost the one to start from
   }
 
   void run() {
+    followSize();
     while (!window_.shouldClose()) {
-      const bool isIdle = finished() && !isStale_;
+      const bool isIdle = finished() && !isStale_ && !isOutdated_;
       const std::chrono::duration<double> patience = FileWatch::kInterval;
       for (const WindowEvent& event : window_.events(isIdle || !hasArea_ ? patience.count() : 0.0))
         take(event);
@@ -122,9 +126,8 @@ private:
   void fit(const std::string& choice) {
     const Sphere& subject = shown_->renderer->subject();
     const float aspect = float(settings_.width) / float(settings_.height);
-    // A scene that has lost the camera since is framed.
     Result<Camera> camera = chooseCamera(shown_->scene, subject, choice, aspect);
-    if (!camera)
+    if (!camera) // a scene that was read again and has lost it
       camera = chooseCamera(shown_->scene, subject, "auto", aspect);
     camera_ = OrbitCamera(renderer::take(std::move(camera)), subject);
     moved_ = true;
@@ -137,22 +140,33 @@ private:
       return;
     try {
       settings_.exposureEv = look_.exposureEv;
-      std::unique_ptr<Shown> fresh = prepare(renderer::take(readScene(command_.scene)));
-      fresh->renderer->setCamera(camera_.camera());
-      shown_ = std::move(fresh);
+      show(prepare(renderer::take(readScene(command_.scene))));
     } catch (const Failure& failure) {
-      keepLastScene(failure.error.message);
-      return;
+      tellLastSceneStays(failure.error.message);
     } catch (const std::bad_alloc&) {
-      keepLastScene(command_.scene + ": not enough memory to draw it");
-      return;
+      tellLastSceneStays(command_.scene + ": not enough memory to draw it");
     }
-    controls_.setNoises(shown_->renderer->noiseNames());
-    look_ = startingLook(); // that of a fresh renderer; followLook() brings the rest
+  }
+
+  /// From the same place and with the same look; with what was shown, where that cannot be.
+  void show(std::unique_ptr<Shown> fresh) {
+    fresh->renderer->setCamera(camera_.camera());
+    std::swap(shown_, fresh);
+    const Look last = look_;
+    try {
+      controls_.setNoises(shown_->renderer->noiseNames());
+      look_ = startingLook(); // that of a fresh renderer
+      followLook();
+    } catch (...) {
+      std::swap(shown_, fresh);
+      controls_.setNoises(shown_->renderer->noiseNames());
+      look_ = last;
+      throw;
+    }
     restart();
   }
 
-  static void keepLastScene(const std::string& reason) {
+  static void tellLastSceneStays(const std::string& reason) {
     std::fprintf(stderr, "lichen-view: %s; the last good scene is shown\n",
                  oneLine(reason).c_str());
   }
@@ -180,8 +194,9 @@ private:
     if (!changed && !isOutdated_)
       return;
     windowSize_ = size;
-    isOutdated_ = false;
-    hasArea_ = size.width > 0 && size.height > 0 && swapchain_.resize(size);
+    const bool isOpen = size.width > 0 && size.height > 0;
+    hasArea_ = isOpen && swapchain_.resize(size);
+    isOutdated_ = isOpen && !hasArea_;
     if (!hasArea_)
       return;
     const VkExtent2D extent = swapchain_.extent();
@@ -214,7 +229,8 @@ private:
       renderer.setFrames(settings_.frames);
       renderer.drawFrame(frames_++);
       shownFrames = frames_;
-      isStale_ = true;
+      // Fewer frames, each sharper than a pixel, are rougher than the preview that is there.
+      isStale_ = isStale_ || frames_ >= std::min(settings_.frames, kMostSharpeningFrames);
     }
     if (std::exchange(isStale_, false)) {
       isOutdated_ = !swapchain_.present(display_.show(renderer.sum(), shownFrames));
@@ -269,6 +285,7 @@ private:
 } // namespace
 
 Result<void> view(const ViewCommand& command) {
+  const std::optional<FileStamp> stamp = stampOf(command.scene);
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
@@ -291,7 +308,7 @@ Result<void> view(const ViewCommand& command) {
   options.deviceExtensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   options.canPresent = Window::canPresent;
   std::unique_ptr<HeadlessDevice> device = take(HeadlessDevice::create(options));
-  Viewer(command, std::move(scene).value(), std::move(settings), *device, window).run();
+  Viewer(command, std::move(scene).value(), stamp, std::move(settings), *device, window).run();
   const std::shared_ptr<const ValidationMessages> messages = device->keptMessages();
   device.reset(); // the layers report what was never destroyed
   return checkMessages(*messages);

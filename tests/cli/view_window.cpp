@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 using namespace lichen;
@@ -59,7 +60,20 @@ public:
     press('w');
     REQUIRE(
         eventually([&] { return output().find(name.substr(name.rfind('/'))) != output().npos; }));
-    return picture(name);
+    return last_ = picture(name);
+  }
+
+  /// Whether the window comes to have the pixels of the last screenshot, whose dither is its own.
+  bool showsLastShot() {
+    constexpr int kDither = 2; // codes
+    return eventually([&] {
+      const std::vector<unsigned char> codes =
+          server_.pixels(unsigned(last_.width), unsigned(last_.height));
+      for (std::size_t i = 0; i < codes.size(); ++i)
+        if (std::abs(int(codes[i]) - int(std::lround(255.0f * last_.values[i]))) > kDither)
+          return false;
+      return codes.size() == last_.values.size();
+    });
   }
 
   [[nodiscard]] std::string output() const { return workplace_.read("view.out"); }
@@ -71,6 +85,7 @@ private:
   XServer& server_;
   RunningProgram program_;
   int shots_ = 0;
+  SrgbImage last_;
 };
 
 bool same(const SrgbImage& a, const SrgbImage& b) {
@@ -103,12 +118,18 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
 
   view.press('n'); // another seed
   CHECK_FALSE(same(view.shot(), first));
+  view.press('r');
+  CHECK(same(view.shot(), first));
   view.press('s'); // another scale
+  CHECK_FALSE(same(view.shot(), first));
+  view.press('s', true);
   view.press('m'); // uv, the file's own
   view.press('m'); // triplanar
   CHECK_FALSE(same(view.shot(), first));
+  CHECK(view.showsLastShot());
   view.press('r');
   CHECK(same(view.shot(), first));
+  CHECK(view.showsLastShot());
 
   view.press('d'); // normals
   CHECK(same(view.shot(), rendered(workplace, scene, "96x64", {"--debug-view", "normals"})));
@@ -120,6 +141,7 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   server.resizeWindow(72, 48);
   const SrgbImage smaller = view.shot();
   CHECK(same(smaller, rendered(workplace, scene, "72x48")));
+  CHECK(view.showsLastShot());
 
   workplace.write("scene.glb", std::string("half a file"));
   REQUIRE(
@@ -129,6 +151,7 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   const SrgbImage reloaded = rendered(workplace, other, "72x48");
   REQUIRE_FALSE(same(reloaded, smaller));
   CHECK(eventually([&] { return same(view.shot(), reloaded); }));
+  CHECK(view.showsLastShot());
 
   view.press('h');
   CHECK(eventually([&] { return view.output().find("Keys") != std::string::npos; }));

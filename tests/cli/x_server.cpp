@@ -184,6 +184,21 @@ void XServer::drag(int right, int down) {
   click(ButtonRelease, kStart + right, kStart + down);
 }
 
+std::vector<unsigned char> XServer::pixels(unsigned width, unsigned height) {
+  constexpr unsigned long kAllPlanes = ~0ul;
+  XImage* image = XGetImage(displayOf(display_), window_, 0, 0, width, height, kAllPlanes, ZPixmap);
+  REQUIRE(image != nullptr);
+  std::vector<unsigned char> codes;
+  for (unsigned y = 0; y < height; ++y)
+    for (unsigned x = 0; x < width; ++x) {
+      const unsigned long pixel = XGetPixel(image, int(x), int(y));
+      for (const int shift : {16, 8, 0})
+        codes.push_back(static_cast<unsigned char>(pixel >> shift));
+    }
+  XDestroyImage(image);
+  return codes;
+}
+
 void XServer::resizeWindow(unsigned width, unsigned height) {
   XResizeWindow(displayOf(display_), window_, width, height);
   XSync(displayOf(display_), 0);

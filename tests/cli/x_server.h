@@ -42,6 +42,8 @@ public:
   void pressKey(char letter, bool shift);
   /// With the left button, from the middle.
   void drag(int right, int down);
+  /// What the window shows, which has this size: red, green and blue, row by row.
+  [[nodiscard]] std::vector<unsigned char> pixels(unsigned width, unsigned height);
   void resizeWindow(unsigned width, unsigned height);
   /// As the close button of its frame does.
   void closeWindow();

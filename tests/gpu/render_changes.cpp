@@ -17,7 +17,7 @@ constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 json& useOf(GltfScene& scene) { return scene.json["materials"][0]["extensions"][kExtension]; }
 
 /// A ball of the first of two noises: with normals, and without.
-GltfScene twoNoises() {
+GltfScene twoNoises(float distance = 4.0f) {
   const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
   GltfScene scene(syntheticGlb(maps));
   json& noises = scene.json["extensions"][kExtension]["noises"];
@@ -27,7 +27,7 @@ GltfScene twoNoises() {
   noises.push_back(second);
   useOf(scene).update({{"seed", 2}, {"scale", 1.0}});
   scene.addBall(0);
-  scene.addCamera(4.0f, 0.6f);
+  scene.addCamera(distance, 0.6f);
   scene.addSun(3.0f);
   return scene;
 }
@@ -117,10 +117,11 @@ TEST_CASE("size, camera, exposure and debug view may change between frames") {
   CHECK(session.picture() == render(scene.glb(), settings).values);
 
   renderer.setExposure(0.0f);
-  renderer::Camera moved = start;
-  moved.worldFromCamera[3].x += 0.5f;
-  renderer.setCamera(moved);
-  CHECK(session.picture() != first);
+  const GltfScene fromAfar = twoNoises(9.0f);
+  renderer.setCamera(Session(fromAfar).renderer().camera());
+  const std::vector<float> far = session.picture();
+  CHECK(far != first);
+  CHECK(far == render(fromAfar.glb(), settingsOf(kSide, kSide, 1)).values);
   renderer.setCamera(start);
   CHECK(session.picture() == first);
 }

@@ -135,8 +135,8 @@ TEST_CASE("a camera's move over a floor shimmers no more than its supersampled f
 }
 
 TEST_CASE("as a pixel grows nothing pops, and across a floor there is no line") {
-  // The largest step of a value, of which a jump would be there at any step's size and what is
-  // continuous is in proportion to it.
+  // The largest change of a value from one step to the next. Of what is continuous it halves with
+  // the step; a jump stays.
   const auto largestStep = [](const Plane& plane, const auto& footprintAt, int steps) {
     double largest = 0.0;
     Light before = plane(footprintAt(0));

@@ -158,6 +158,8 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
       "channels is accepted: bake the exemplar again";
   CHECK(messageOf({0.0, 0.5, 0.6, 0.6, 0.7, 0.8}) == "6" + older);
   CHECK(messageOf({0.0, 0.5, 0.6, 0.6}) == "4" + older);
+  // Of channels that are constant but for the last, these are the losses.
+  CHECK(messageOf({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.6}) == "");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
         "0.4 at 8; no less than the mip level before, 0.5, is accepted");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==

@@ -52,8 +52,8 @@ inline constexpr std::size_t kMostFieldTriangles = std::size_t(1) << 21;
 /// one thread; time grows with the triangles to the power 3/2, memory a little faster than they.
 ///
 /// With `axis`, which is finite and of any length but 0, the field turns little and keeps to the
-/// axis' part in the tangent plane: exactly where the axis lies in it, and the less the shorter
-/// that part is. Singularities are then where the axis is normal to the surface. Takes twice the
+/// axis' part in the tangent plane, the less the shorter that part is, smoothed over a tenth of the
+/// root of the surface's area: exactly on a plane that holds the axis. Singularities are then where the axis is normal to the surface. Takes twice the
 /// time.
 ///
 /// Errors: badInput for an index out of range, a position or normal that is not finite, or

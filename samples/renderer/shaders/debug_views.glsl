@@ -112,7 +112,8 @@ vec3 planesDebug(LichenTriplanar triplanar) {
       shown += share * tilingPlaceDebug(plane.taps);
     ++rank;
   }
-  return impacts > 0.0 ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
+  bool counts = kDebugView == DEBUG_IMPACTS && noiseData.noise.method == uint(LICHEN_METHOD_TEXTON);
+  return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
 }
 
 vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {

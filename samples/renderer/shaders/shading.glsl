@@ -2,8 +2,8 @@
 // glTF's metallic-roughness model under punctual lights and an environment.
 // [glTF 2.0, appendix B]; energy of multiple scattering, of lights [Kulla and Conty 2017, Revisiting
 // Physically Based Shading at Imageworks] and of the environment [Fdez-Aguera 2019, A
-// Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al. 2007, eq. 33]; Smith's
-// visibility [Heitz 2014, eq. 99]; Fresnel [Schlick 1994].
+// Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al.
+// 2007, eq. 33]; Smith's visibility [Heitz 2014, eq. 99]; Fresnel [Schlick 1994].
 #ifndef SHADING_GLSL
 #define SHADING_GLSL
 
