@@ -173,6 +173,12 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--blend", synthesis.blend, oneOf(operators), "histogram",
            "histogram is the method; the others show what it mends")
       .group(groupOf(Method::tiling));
+  addValue(verb, "--taps", synthesis.tilingQuality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}),
+           "3", "How many tiles are fetched at most, as a host of the shaders may choose")
+      .group(groupOf(Method::tiling));
+  addValue(verb, "--one-tap", synthesis.tilingQuality.oneTapTiles, number(kOneTapTilesRange), "0",
+           "Pixels of so many tiles a side and larger take one; 0: none")
+      .group(groupOf(Method::tiling));
   addValue(verb, "--impacts", arguments->impacts, optional(number(kImpactsRange)), "",
            "How many impacts reach a point, in the mean [default: the material's]")
       .group(groupOf(Method::texton));

@@ -93,7 +93,7 @@ using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&,
 
 Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
                                          const shader::LichenNoise& parameters, std::size_t map) {
-  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.material.noise);
+  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.material.noise, options.tilingQuality);
   if (!created)
     return created.error();
   return PointEvaluation([evaluator = std::move(created).value(), parameters, map,

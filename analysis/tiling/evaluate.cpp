@@ -2,6 +2,7 @@
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
 // the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl, with a
 // trilinear sampler.
+#include "fewer_taps.h"
 #include "sampling/footprint_level.h"
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace lichen {
 namespace {
@@ -84,6 +87,17 @@ float tableLevel(const shader::LichenMap& map, float lost) {
   return float(map.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
 }
 
+/// What is wrong with a quality that is not one.
+std::optional<std::string> problemOf(const TilingQuality& quality) {
+  if (quality.taps != 2 && quality.taps != 3)
+    return "taps " + std::to_string(quality.taps) + ": 2 and 3 are accepted";
+  if (!(quality.oneTapTiles >= kOneTapTilesRange.least &&
+        quality.oneTapTiles <= kOneTapTilesRange.most))
+    return "one tap from " + std::to_string(quality.oneTapTiles) +
+           " tiles a pixel: a number from 0 to 1000000 is accepted";
+  return std::nullopt;
+}
+
 } // namespace
 
 struct TilingEvaluator::Map {
@@ -94,7 +108,8 @@ struct TilingEvaluator::Map {
   std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
 };
 
-Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex) {
+Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex,
+                                                const TilingQuality& quality) {
   const auto exhausted = [&] {
     return "noise " + std::to_string(noiseIndex) + ": not enough memory for its tables";
   };
@@ -106,6 +121,8 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     if (noise.method != Method::tiling)
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
                                          std::string(nameOf(noise.method)) + ", not tiling"};
+    if (const std::optional<std::string> problem = problemOf(quality))
+      return Error{ErrorKind::usage, *problem};
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       Map map{shaderMap(bundle, noise, m),
@@ -120,7 +137,7 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       }
       maps->push_back(std::move(map));
     }
-    return TilingEvaluator(std::move(maps));
+    return TilingEvaluator(std::move(maps), quality);
   });
 }
 
@@ -208,14 +225,17 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost)
 
 Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
                                const TileFootprint& at, BlendOperator blend, float lod,
-                               float lost) {
-  const tiling::Taps taps = tiling::tapsAt(noise, at.position);
+                               float lost) const {
+  tiling::Taps taps = tiling::tapsAt(noise, at.position);
+  tiling::takeFewerTaps(taps, at, quality_);
   const bool decodeFirst = blend != BlendOperator::histogramPreserving;
   const Value middle =
       decodeFirst ? Value{map.constants.mean.x, map.constants.mean.y, map.constants.mean.z, 1.0f}
                   : Value{0.5f, 0.5f, 0.5f, 1.0f};
   Value sum{};
   for (std::size_t k = 0; k < 3; ++k) {
+    if (taps.weight[k] == 0.0f)
+      continue;
     Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
     if (decodeFirst)
       tap = decode(map, tap, lost);

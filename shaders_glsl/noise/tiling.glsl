@@ -7,6 +7,7 @@
 #define LICHEN_TILING_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "fewer_taps.glsl"
 #include "footprint_level.glsl"
 #include "hash.glsl"
 #include "mip_variance.glsl"
@@ -31,7 +32,7 @@ struct LichenTaps {
   vec2 gradientX;        // [tiles / pixel] of the position along the screen's x
   vec2 gradientY;        // and y
   vec2 tap0, tap1, tap2; // [tiles] where each tile of the triangle is fetched
-  vec3 weights;          // of the three tiles, sum 1
+  vec3 weights;          // of the three tiles, sum 1; sorted where there are fewer taps
   float gain;            // contrast / sqrt(sum of squared weights)
 };
 
@@ -48,16 +49,19 @@ vec2 lichenTileOffset(int i, int j, LichenNoise noise) {
 LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise) {
   // [HN18] Algorithm 1: the triangle and its three tiles.
   LichenTriangle triangle = lichenTriangleAt(position, noise);
-  vec3 weights = triangle.weights;
   if (bool(LICHEN_BLEND_SHARPNESS) && noise.blendSharpness != 1.0) {
-    weights = pow(weights, vec3(noise.blendSharpness));
-    weights /= weights.x + weights.y + weights.z;
+    triangle.weights = pow(triangle.weights, vec3(noise.blendSharpness));
+    triangle.weights /= triangle.weights.x + triangle.weights.y + triangle.weights.z;
   }
+  if (lichenHasFewerTaps())
+    lichenTakeFewerTaps(triangle, gradientX, gradientY);
   vec3 shiftX, shiftY;
   lichenReduceToPeriod(triangle, noise, shiftX, shiftY);
   vec2 offset0 = lichenTileOffset(triangle.i.x, triangle.j.x, noise);
   vec2 offset1 = lichenTileOffset(triangle.i.y, triangle.j.y, noise);
-  vec2 offset2 = lichenTileOffset(triangle.i.z, triangle.j.z, noise);
+  vec2 offset2 = offset1; // of no weight with two taps
+  if (LICHEN_TILING_TAPS > 2)
+    offset2 = lichenTileOffset(triangle.i.z, triangle.j.z, noise);
   LichenTaps taps;
   taps.position = position;
   taps.gradientX = gradientX;
@@ -65,8 +69,8 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   taps.tap0 = position - vec2(shiftX.x, shiftY.x) + offset0;
   taps.tap1 = position - vec2(shiftX.y, shiftY.y) + offset1;
   taps.tap2 = position - vec2(shiftX.z, shiftY.z) + offset2;
-  taps.weights = weights;
-  taps.gain = noise.contrast * inversesqrt(dot(weights, weights));
+  taps.weights = triangle.weights;
+  taps.gain = noise.contrast * inversesqrt(dot(taps.weights, taps.weights));
   return taps;
 }
 
@@ -101,9 +105,11 @@ vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, LichenTaps taps, float leve
 /// The blended Gaussian value of a map: mean 1/2, standard deviation 1/6 where nothing is minified.
 vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
   // [HN18] eq. 8 on Gaussian values, about their mean 1/2.
-  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps, level) +
-               taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps, level) +
-               taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps, level);
+  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps, level);
+  if (lichenIsTaken(taps.weights.y))
+    blend += taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps, level);
+  if (LICHEN_TILING_TAPS > 2 && lichenIsTaken(taps.weights.z))
+    blend += taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps, level);
   return 0.5 + taps.gain * (blend - 0.5);
 }
 

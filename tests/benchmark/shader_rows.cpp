@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, and of
-// textons on a surface and of tiling in three planes in units of those in one, frame by frame in
-// turn.
+// textons on a surface and of tiling in three planes in units of those in one, and of tiling's
+// quality levels in units of the highest, frame by frame in turn.
 #include "exemplars.h"
 #include "rows.h"
 #include "screen_pass.h"
@@ -20,7 +20,10 @@
 #include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
+#include <tiling.frag.one_tap.h>
 #include <tiling.frag.separable.h>
+#include <tiling.frag.sharp.h>
+#include <tiling.frag.two_taps.h>
 #include <triplanar.frag.h>
 #include <view.vert.h>
 
@@ -48,11 +51,13 @@ std::vector<std::byte> exemplarGlb(const TilingOptions& options) {
 }
 
 /// Uploads the bundle and writes its uniforms.
-void prepare(test::PluginHost& host, LichenMapping mapping = LICHEN_MAPPING_UV) {
+void prepare(test::PluginHost& host, LichenMapping mapping = LICHEN_MAPPING_UV,
+             double blendSharpness = 1.0) {
   LichenUniformInfo uniforms;
   LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-  uniforms.overrides = LICHEN_OVERRIDE_MAPPING;
+  uniforms.overrides = LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS;
   uniforms.mapping = mapping;
+  uniforms.blendSharpness = blendSharpness;
   const std::vector<test::Point> point(1);
   (void)host.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
 }
@@ -127,6 +132,8 @@ std::vector<std::byte> mixGlb() {
 constexpr ScreenView kFlat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
 /// A hair less: on a surface it is rounded, and a pixel of more than a texel reads two mips.
 constexpr ScreenView kSurfaceFlat{0.999f * kFlat.uvPerScreenX, 0.999f * kFlat.uvPerScreenY, 1.0f};
+/// A quarter of a tile a pixel, from which on the lowest level of tiling takes one tap.
+constexpr ScreenView kFar{0.25f * float(kWidth), 0.25f * float(kHeight), 1.0f};
 /// A floor, 1/4 of a texel a pixel at the near edge, 16 times as far at the other.
 constexpr ScreenView kFloor{0.25f * kFlat.uvPerScreenX, 0.25f * kFlat.uvPerScreenX, 16.0f};
 
@@ -184,6 +191,31 @@ void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, HeadlessDevice
                           gpu.properties().deviceName));
 }
 
+/// The quality levels of tiling, and a sharper blend of the highest.
+void appendLevelRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
+                     const DeviceImage& image) {
+  constexpr double kTarget = 1.0; // a level that is no cheaper is none
+  constexpr double kSharpTarget = 1.25, kSharpness = 4.0;
+  test::PluginHost plain(gpu, kind.glb);
+  test::PluginHost sharp(gpu, kind.glb);
+  prepare(plain);
+  prepare(sharp, LICHEN_MAPPING_UV, kSharpness);
+  const auto row = [&](const char* what, double target, std::span<const std::uint32_t> fragment,
+                       const test::PluginHost& host, const ScreenView& view) {
+    ScreenPass three(gpu, view_vert, kind.fragment, layoutOf(plain));
+    ScreenPass level(gpu, view_vert, fragment, layoutOf(host));
+    rows.push_back(ratioRow(what, target, {what, level, host.set()},
+                            {"three taps", three, plain.set()}, image, view,
+                            gpu.properties().deviceName));
+  };
+  row("tiling with two taps over three, 1920 x 1080, flat", kTarget, tiling_frag_two_taps, plain,
+      kFlat);
+  row("the same, perspective", kTarget, tiling_frag_two_taps, plain, kFloor);
+  row("tiling with one tap from 1/4 tile a pixel on over three, from there", kTarget,
+      tiling_frag_one_tap, plain, kFar);
+  row("tiling with blend sharpness 4 over 1, flat", kSharpTarget, tiling_frag_sharp, sharp, kFlat);
+}
+
 std::vector<Row> measure() {
   Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
   if (!device)
@@ -215,6 +247,7 @@ std::vector<Row> measure() {
     appendRows(rows, kind, unit, gpu, image.value());
   appendSurfaceRows(rows, gpu, image.value());
   appendTriplanarRow(rows, kinds[0], gpu, image.value());
+  appendLevelRows(rows, kinds[0], gpu, image.value());
   return rows;
 }
 

@@ -123,6 +123,11 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
   for (const std::string sharpness : {"0", "17", "nan"})
     checkSynthRefuses({"--sharpness", sharpness}, kUsage,
                       {"--sharpness " + sharpness + ": a number from 0.25 to 16"});
+  for (const std::string taps : {"1", "4", "two"})
+    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": 3 or 2 is accepted"});
+  for (const std::string tiles : {"-1", "1e7", "nan"})
+    checkSynthRefuses({"--one-tap", tiles}, kUsage,
+                      {"--one-tap " + tiles + ": a number from 0 to 1000000"});
   for (const std::string contrast : {"-1", "5", "nan"})
     checkSynthRefuses({"--contrast", contrast}, kUsage,
                       {"--contrast " + contrast + ": a number from 0 to 4"});

@@ -172,6 +172,21 @@ TEST_CASE("the pattern does not repeat from one exemplar to the next") {
     CHECK(shareOfDifferent(window(image, 0, 32), window(image, shift, 32)) > 0.9);
 }
 
+TEST_CASE("fewer taps change the pattern between its vertices, from the limit on to one tap") {
+  const SrgbImage three = made({"--size", "64x64"});
+  CHECK((made({"--size", "64x64", "--taps", "3", "--one-tap", "0"}).values == three.values));
+  const SrgbImage two = made({"--size", "64x64", "--taps", "2"});
+  CHECK(shareOfDifferent(two, three) > 0.5);
+  // A pixel is a 32nd of a tile: half of the limit, which changes nothing, and the limit.
+  const std::string side = std::to_string(1.0 / kExemplarSide);
+  const std::string twice = std::to_string(2.0 / kExemplarSide);
+  CHECK(shareOfDifferent(made({"--size", "64x64", "--one-tap", twice}), three) == 0.0);
+  const SrgbImage one = made({"--size", "64x64", "--one-tap", side});
+  CHECK(shareOfDifferent(one, three) > 0.5);
+  // However many taps there are to begin with, one is the same.
+  CHECK((made({"--size", "64x64", "--one-tap", side, "--taps", "2"}).values == one.values));
+}
+
 TEST_CASE("--texels-per-tile magnifies the same pattern") {
   const SrgbImage plain = made({"--size", "64x64"});
   const SrgbImage large = made({"--size", "128x128", "--texels-per-tile", "64"});

@@ -85,7 +85,8 @@ double FilteredView::difference() const {
   return std::sqrt(std::max(0.0, squaredDifference) / sampledVariance);
 }
 
-Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement) {
+Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement,
+                 const TilingQuality& quality) {
   MaterialNoise material;
   material.mapping = mapping;
   const shader::LichenNoise noise = shaderNoise(bundle, material, placement);
@@ -101,9 +102,8 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
   if (bundle.noises[0].method == Method::texton)
     return withEvaluator([twin = TextonEvaluator::create(bundle, 0).value(), noise,
                           texton](const auto& at) { return twin.evaluate(0, noise, texton, at); });
-  return withEvaluator([twin = TilingEvaluator::create(bundle, 0).value(), noise](const auto& at) {
-    return twin.evaluate(0, noise, at);
-  });
+  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value(),
+                        noise](const auto& at) { return twin.evaluate(0, noise, at); });
 }
 
 FilteredView filteredView(const Plane& plane, double width, double height, int pixels,

@@ -7,6 +7,7 @@
 #include <lichen/bundle.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
+#include <lichen/tiling_quality.h>
 
 #include <array>
 #include <functional>
@@ -20,9 +21,9 @@ using Light = std::array<double, 3>;
 using Plane = std::function<Light(const TileFootprint&)>;
 
 /// The first map of a bundle's first noise, on texture coordinates or, with Mapping::triplanar, on
-/// a plane that lies askew to all three.
+/// a plane that lies askew to all three. The quality is that of tiling.
 [[nodiscard]] Plane noisePlane(const Bundle& bundle, Mapping mapping,
-                               const Placement& placement = {});
+                               const Placement& placement = {}, const TilingQuality& quality = {});
 
 /// Pixels against the averages of points in them. Variances, their covariance and the squared
 /// difference are sums over the channels; of the averages, without what their few points add.

@@ -36,6 +36,7 @@ struct SynthesisOptions {
   int stride = 1;
   bool tileable = false; ///< opposite borders continue each other; at least half a tile
   BlendOperator blend = BlendOperator::histogramPreserving; ///< of tiling
+  TilingQuality tilingQuality;
   /// Of a mix, the weight at the left and the right border, linear between; in kMixWeightRange,
   /// the same where the image is tileable.
   std::array<double, 2> mix{0.0, 0.0};

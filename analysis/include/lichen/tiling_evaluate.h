@@ -7,6 +7,7 @@
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
+#include <lichen/tiling_quality.h>
 #include <lichen/triplanar_footprint.h>
 
 #include <array>
@@ -30,9 +31,10 @@ public:
 
   /// Decodes the tables of noise `noise` of a bundle that parsed or was baked without error:
   /// indices and sizes of tables are not checked again. The bundle is not referred to afterwards.
-  /// Errors: usage for an index out of range, another method;
+  /// Errors: usage for an index out of range, another method, a quality out of range;
   /// resources for memory. Time and memory: 16 bytes a texel of its tables.
-  [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise);
+  [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise,
+                                                      const TilingQuality& quality = {});
 
   [[nodiscard]] std::size_t mapCount() const;
 
@@ -63,9 +65,9 @@ public:
 private:
   struct Map;
 
-  [[nodiscard]] static Value blended(const Map& map, const shader::LichenNoise& noise,
-                                     const TileFootprint& at, BlendOperator blend, float lod,
-                                     float lost);
+  [[nodiscard]] Value blended(const Map& map, const shader::LichenNoise& noise,
+                              const TileFootprint& at, BlendOperator blend, float lod,
+                              float lost) const;
   [[nodiscard]] static Value decoded(const Map& map, const shader::LichenNoise& noise,
                                      const TileFootprint& at, const Value& gaussian);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
@@ -73,9 +75,11 @@ private:
   [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
 
-  explicit TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
+  TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps, const TilingQuality& quality)
+      : maps_(std::move(maps)), quality_(quality) {}
 
   std::shared_ptr<const std::vector<Map>> maps_;
+  TilingQuality quality_;
 };
 
 } // namespace lichen

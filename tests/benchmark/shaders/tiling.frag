@@ -2,12 +2,14 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Tiling and blending, as a material's base colour uses it. The build says which kinds of table
-// there are.
+// there are, and the quality.
 
 // The usual material: an infinite lattice and plain weights, known at compile time.
 #define LICHEN_TEXTON_NOISES 0
 #define LICHEN_PERIODIC_LATTICE 0
+#ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 0
+#endif
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Contact sheet of the quality levels of tiling, two rows for each exemplar. The upper one, half of
+# a tile enlarged twice: three taps, three with a blend sharpness of 4, two, and one. The lower one
+# from afar, a pixel a sixteenth of a tile and enlarged: the same, with one tap from that size on.
+#   samples/taps_sheet.sh OUTPUT.jpg EXEMPLAR.png...
+# Needs a release build and ImageMagick (Debian package imagemagick).
+set -euo pipefail
+source "$(dirname "$0")/begin_sheet.sh"
+begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
+
+panel=256
+far=64 # pixels of a far view, each shown as panel / far
+farPixels=16 # a tile
+
+output=$1
+shift
+panels=()
+for exemplar in "$@"; do
+  name=$(basename "${exemplar%.*}")
+  "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name noise --preview none --quiet
+  view() { # panel, options of synth
+    "$bin/lichen" synth "$work/$name.glb" -o "$@" --quiet
+    mogrify -filter point -resize "${panel}x${panel}" "$1"
+    panels+=("$1")
+  }
+  near=(--size "$panel" --texels-per-tile 512)
+  distant=(--size "$far" --texels-per-tile "$farPixels")
+  view "$work/$name-three.png" "${near[@]}"
+  view "$work/$name-sharp.png" "${near[@]}" --sharpness 4
+  view "$work/$name-two.png" "${near[@]}" --taps 2
+  view "$work/$name-one.png" "${near[@]}" --one-tap 0.001
+  view "$work/$name-three-far.png" "${distant[@]}"
+  view "$work/$name-sharp-far.png" "${distant[@]}" --sharpness 4
+  view "$work/$name-two-far.png" "${distant[@]}" --taps 2
+  view "$work/$name-one-far.png" "${distant[@]}" --taps 2 --one-tap 0.0625
+done
+montage "${panels[@]}" -tile 4x -geometry +3+3 -background white -quality 82 "$output"
+echo "$output"

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Tiling with fewer fetches than three: a triangle with its weights -> the same, sorted by weight,
+// of which some weights are 0 and not fetched. What is left still sums to 1, and the blend divides
+// by the root of the sum of squares, so that mean, variance and histogram stay.
+// The CPU twin is analysis/tiling/fewer_taps; docs/decisions/023-fewer-taps.md has what it costs.
+#ifndef LICHEN_FEWER_TAPS_GLSL
+#define LICHEN_FEWER_TAPS_GLSL
+
+#include "simplex_lattice.glsl"
+
+// How many tiles are fetched at most, 3 or 2. A literal, or the host's specialization constant.
+#ifndef LICHEN_TILING_TAPS
+#define LICHEN_TILING_TAPS 3
+#endif
+
+// Pixels of this side and larger [tiles] take one tap, which begins at half of it; 0.0 where none
+// do. Likewise.
+#ifndef LICHEN_ONE_TAP_TILES
+#define LICHEN_ONE_TAP_TILES 0.0
+#endif
+
+/// Whether some tiles are left out anywhere; known at compile time.
+bool lichenHasFewerTaps() { return LICHEN_TILING_TAPS < 3 || LICHEN_ONE_TAP_TILES > 0.0; }
+
+/// Whether the tile of this weight is fetched. All are where none are left out.
+bool lichenIsTaken(float weight) { return lichenHasFewerTaps() ? weight > 0.0 : true; }
+
+/// How far a pixel with these derivatives [tiles] is on the way from all taps to one, [0, 1].
+float lichenOneTapShare(vec2 gradientX, vec2 gradientY) {
+  if (LICHEN_ONE_TAP_TILES <= 0.0)
+    return 0.0;
+  // The side of the square of the pixel's area. Of more slant than this it counts as of this, as it
+  // does for the level (lichenFootprintLevel).
+  const float kMostSlant = 16.0;
+  float squared = max(dot(gradientX, gradientX), dot(gradientY, gradientY));
+  float area = abs(gradientX.x * gradientY.y - gradientX.y * gradientY.x);
+  float side = sqrt(max(area, squared / kMostSlant));
+  return clamp(2.0 * side / LICHEN_ONE_TAP_TILES - 1.0, 0.0, 1.0);
+}
+
+/// Swizzles, since what is indexed lives in memory on most devices.
+void lichenSortByWeight(inout LichenTriangle triangle) {
+  if (triangle.weights.x < triangle.weights.y) {
+    triangle.weights = triangle.weights.yxz;
+    triangle.i = triangle.i.yxz;
+    triangle.j = triangle.j.yxz;
+  }
+  if (triangle.weights.y < triangle.weights.z) {
+    triangle.weights = triangle.weights.xzy;
+    triangle.i = triangle.i.xzy;
+    triangle.j = triangle.j.xzy;
+  }
+  if (triangle.weights.x < triangle.weights.y) {
+    triangle.weights = triangle.weights.yxz;
+    triangle.i = triangle.i.yxz;
+    triangle.j = triangle.j.yxz;
+  }
+}
+
+/// Sorts the vertices, the one of the most weight first, and takes weight away from all until so
+/// many are 0 as the quality says. `triangle.weights` sum to 1, before and after.
+void lichenTakeFewerTaps(inout LichenTriangle triangle, vec2 gradientX, vec2 gradientY) {
+  lichenSortByWeight(triangle);
+  vec3 weights = triangle.weights;
+  // Less the least weight, two are left, and on an edge of the triangle, where the least is 0,
+  // nothing is taken. Less the second, one is.
+  float taken = LICHEN_TILING_TAPS < 3 ? weights.z : 0.0;
+  float share = lichenOneTapShare(gradientX, gradientY);
+  taken = share < 1.0 ? mix(taken, weights.y, share) : weights.y;
+  weights = max(weights - taken, 0.0);
+  float sum = weights.x + weights.y + weights.z;
+  // Where the greatest are alike and nothing is left, any of them serves.
+  triangle.weights = sum > 0.0 ? weights / sum : vec3(1.0, 0.0, 0.0);
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Tiling with fewer taps in the shader, through the plugin, against the CPU twin; what the twin
+// does is tested in tests/property/fewer_taps.cpp.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <tiling_evaluate.comp.fewest_taps.h>
+#include <tiling_evaluate.comp.one_tap.h>
+#include <tiling_evaluate.comp.two_taps.h>
+#include <tiling_quality.comp.h>
+#include <triplanar_evaluate.comp.fewest_taps.h>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr float kTexels = 64.0f; // a side of the exemplar
+/// As the shaders are compiled with: half a texel, since independent texels, of which the exemplar
+/// is, leave their mips little to differ in.
+constexpr double kOneTapTiles = 1.0 / 128.0;
+
+/// As triplanar_evaluate.comp reads it.
+struct SpacePoint {
+  std::array<float, 4> position{}, gradientX{}, gradientY{}, normal{};
+};
+
+/// Points some tiles around the origin with any normal, and footprints from an eighth of a texel to
+/// two tiles, round and up to 32 times as long as wide.
+std::vector<SpacePoint> samplePoints(std::size_t count) {
+  std::mt19937 generator(19u);
+  std::uniform_real_distribution<float> tiles(-6.0f, 6.0f), level(-3.0f, 7.0f), slant(0.0f, 5.0f);
+  std::normal_distribution<float> gaussian;
+  std::vector<SpacePoint> points(count);
+  for (SpacePoint& point : points) {
+    const float pixel = std::exp2(level(generator)) / kTexels;
+    const float narrow = pixel * std::exp2(-slant(generator));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.position[axis] = tiles(generator);
+      point.normal[axis] = gaussian(generator);
+      point.gradientX[axis] = pixel * gaussian(generator);
+      point.gradientY[axis] = narrow * gaussian(generator);
+    }
+  }
+  return points;
+}
+
+/// The x and y of points in space, as texture coordinates.
+std::vector<Point> flattened(const std::vector<SpacePoint>& points) {
+  std::vector<Point> flat;
+  for (const SpacePoint& point : points)
+    flat.push_back({{point.position[0], point.position[1]},
+                    {point.gradientX[0], point.gradientX[1]},
+                    {point.gradientY[0], point.gradientY[1]},
+                    {}});
+  return flat;
+}
+
+TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
+  const auto toTile = [&](const std::array<float, 2>& v) {
+    return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
+                      n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+  };
+  TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
+  at.position[0] += n.offsetX;
+  at.position[1] += n.offsetY;
+  return at;
+}
+
+TriplanarFootprint footprintOf(const SpacePoint& point) {
+  const auto three = [](const std::array<float, 4>& v) { return std::array{v[0], v[1], v[2]}; };
+  return {three(point.position), three(point.gradientX), three(point.gradientY),
+          three(point.normal)};
+}
+
+/// The fraction of values that are further off than 1/1024, and the greatest difference.
+struct Difference {
+  void note(const std::array<float, 4>& found, const TilingEvaluator::Value& expected) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double error = std::abs(double(found[c]) - double(expected[c]));
+      largest = std::max(largest, error);
+      beyond += error > 1.0 / 1024.0 ? 1 : 0;
+      ++count;
+    }
+  }
+  double largest = 0.0;
+  int beyond = 0, count = 0;
+};
+
+/// A device with a noise, its twin of a quality, and points.
+struct OnDevice {
+  explicit OnDevice(const TilingQuality& quality)
+      : bundle(parseBundle(glb, "synthetic").value()),
+        twin(TilingEvaluator::create(bundle, 0, quality).value()), host(*device, glb) {}
+  ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+
+  SyntheticMap map{3, int(kTexels), int(kTexels)};
+  std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
+  Bundle bundle;
+  TilingEvaluator twin;
+  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  PluginHost host;
+  std::vector<SpacePoint> points = samplePoints(2000);
+};
+
+LichenUniformInfo sharpUniformInfo() {
+  LichenUniformInfo info = movedUniformInfo();
+  info.overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS;
+  info.blendSharpness = 2.5;
+  return info;
+}
+
+} // namespace
+
+TEST_CASE("with fewer taps the shader is the CPU twin's: 99.9 % within 1/1024 and all within "
+          "1/255") {
+  struct Level {
+    TilingQuality quality;
+    std::span<const std::uint32_t> spirv;
+  };
+  for (const auto& [quality, spirv] :
+       {Level{{2, 0.0}, tiling_evaluate_comp_two_taps},
+        Level{{3, kOneTapTiles}, tiling_evaluate_comp_one_tap},
+        Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps}}) {
+    OnDevice noise(quality);
+    const std::vector<Point> points = flattened(noise.points);
+    for (const LichenUniformInfo& info : {uniformInfo(), movedUniformInfo(), sharpUniformInfo()}) {
+      const auto values = noise.host.evaluate(spirv, 0, info, points);
+      const shader::LichenNoise& parameters = noise.host.uniforms().noise;
+      Difference difference;
+      for (std::size_t k = 0; k < points.size(); ++k)
+        difference.note(values[k],
+                        noise.twin.evaluate(0, parameters, footprintOf(points[k], parameters)));
+      INFO(quality.taps << " taps, one from " << quality.oneTapTiles << " tiles, sharpness "
+                        << parameters.blendSharpness);
+      CHECK(difference.largest <= 1.0 / 255.0);
+      CHECK(difference.beyond <= 0.001 * difference.count);
+    }
+  }
+}
+
+TEST_CASE("in three planes it is too") {
+  OnDevice noise({2, kOneTapTiles});
+  LichenUniformInfo info = movedUniformInfo();
+  info.overrides |= LICHEN_OVERRIDE_MAPPING;
+  info.mapping = LICHEN_MAPPING_TRIPLANAR;
+  const auto values =
+      noise.host.evaluate(triplanar_evaluate_comp_fewest_taps, 0, info, noise.points);
+  Difference difference;
+  for (std::size_t k = 0; k < noise.points.size(); ++k)
+    difference.note(values[k], noise.twin.evaluate(0, noise.host.uniforms().noise,
+                                                   footprintOf(noise.points[k])));
+  CHECK(difference.largest <= 1.0 / 255.0);
+  CHECK(difference.beyond <= 0.001 * difference.count);
+}
+
+TEST_CASE("as a specialization constant the number of taps does what it does as a macro") {
+  OnDevice noise({2, 0.0});
+  const std::vector<Point> points = flattened(noise.points);
+  const auto equals = [&](int taps, std::span<const std::uint32_t> spirv) {
+    const auto values = noise.host.evaluate(tiling_quality_comp, taps, uniformInfo(), points);
+    const auto expected = noise.host.evaluate(spirv, 0, uniformInfo(), points);
+    Difference difference;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      difference.note(values[k], expected[k]);
+    INFO(taps << " taps");
+    CHECK(difference.largest <= 1e-5);
+  };
+  equals(2, tiling_evaluate_comp_two_taps);
+  equals(3, committedShader("tiling_evaluate.comp"));
+}
+
+TEST_CASE("the committed shader takes three taps everywhere") {
+  // Levels differ where they should, so that the tests above compare what they name.
+  OnDevice noise({3, 0.0});
+  const std::vector<Point> points = flattened(noise.points);
+  const auto three =
+      noise.host.evaluate(committedShader("tiling_evaluate.comp"), 0, uniformInfo(), points);
+  const auto differing = [&](std::span<const std::uint32_t> spirv) {
+    const auto values = noise.host.evaluate(spirv, 0, uniformInfo(), points);
+    int count = 0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      count += std::abs(values[k][0] - three[k][0]) > 1.0f / 255.0f ? 1 : 0;
+    return double(count) / double(points.size());
+  };
+  const shader::LichenNoise& parameters = noise.host.uniforms().noise;
+  Difference difference;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    difference.note(three[k],
+                    noise.twin.evaluate(0, parameters, footprintOf(points[k], parameters)));
+  CHECK(difference.largest <= 1.0 / 255.0);
+  CHECK(differing(tiling_evaluate_comp_two_taps) > 0.2);
+  CHECK(differing(tiling_evaluate_comp_one_tap) > 0.1);
+}

@@ -1,0 +1,34 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// The first map of a tiling noise at a list of points, as passes/tiling_evaluate.comp, with the
+// quality as a host's specialization constants.
+
+layout(constant_id = 0) const int kTaps = 3;
+layout(constant_id = 1) const float kOneTapTiles = 0.0;
+#define LICHEN_TILING_TAPS kTaps
+#define LICHEN_ONE_TAP_TILES kOneTapTiles
+#define LICHEN_OMIT_TEXTONS
+#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_SET 0
+#define LICHEN_MAP_COUNT 1
+#include "lichen.glsl"
+
+struct Point {
+  vec4 uvAndGradientX;
+  vec4 gradientY; // zw unused
+};
+
+layout(local_size_x = 64) in;
+layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
+layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= uint(points.length()))
+    return;
+  Point point = points[index];
+  LichenPlace place =
+      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  values[index] = LICHEN_NOISE(0, place);
+}
