@@ -220,6 +220,8 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   use.blendSharpness = reader.numberOr("blendSharpness", kBlendSharpnessRange, use.blendSharpness);
   use.planeSharpness = reader.numberOr("planeSharpness", kPlaneSharpnessRange, use.planeSharpness);
   use.contrast = reader.numberOr("contrast", kContrastRange, use.contrast);
+  if (reader.has("tileRotation"))
+    use.tileRotation = std::uint32_t(reader.integer("tileRotation", kMostTileRotation).value_or(0));
   use.impacts = reader.numberOr("impacts", kImpactsRange, use.impacts);
   if (reader.has("pointProcess")) {
     const std::string name = reader.text("pointProcess").value_or("stratified");

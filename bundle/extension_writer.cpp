@@ -118,6 +118,8 @@ JsonTree describeMaterialNoise(const MaterialNoise& use) {
     json["planeSharpness"] = use.planeSharpness;
   if (use.contrast != defaults.contrast)
     json["contrast"] = use.contrast;
+  if (use.tileRotation != defaults.tileRotation)
+    json["tileRotation"] = use.tileRotation;
   if (use.impacts != defaults.impacts)
     json["impacts"] = use.impacts;
   if (use.pointProcess != defaults.pointProcess)

@@ -328,8 +328,11 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& mater
     setCells(result, noise, material, placement);
   if (noise.method == Method::texton)
     result.method = LICHEN_METHOD_TEXTON;
-  else
+  else {
     setTileOffsets(result, tileTexels(noise, bundle));
+    result.tileAspect = float(tileAspect(noise, bundle));
+    result.tileRotation = material.tileRotation;
+  }
   return result;
 }
 

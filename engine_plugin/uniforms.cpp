@@ -16,7 +16,7 @@ constexpr std::uint32_t kKnownOverrides =
     LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
     LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
     LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS |
-    LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_PLANE_SHARPNESS;
+    LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
@@ -91,6 +91,8 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
     parameters.planeSharpness = info.planeSharpness;
   if (info.overrides & LICHEN_OVERRIDE_CONTRAST)
     parameters.contrast = info.contrast;
+  if (info.overrides & LICHEN_OVERRIDE_TILE_ROTATION)
+    parameters.tileRotation = info.tileRotation;
   if (info.overrides & LICHEN_OVERRIDE_IMPACTS)
     parameters.impacts = info.impacts;
   LichenResult result = LICHEN_SUCCESS;
@@ -141,6 +143,7 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
       {"planeSharpness", parameters.planeSharpness, kPlaneSharpnessRange},
       {"contrast", parameters.contrast, kContrastRange},
       {"impacts", parameters.impacts, kImpactsRange},
+      {"tileRotation", double(parameters.tileRotation), {0.0, double(kMostTileRotation)}},
       {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
       {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
       {"tileOriginZ", double(info.tileOriginZ), {-kFarthest, kFarthest}},

@@ -35,6 +35,7 @@ struct Arguments {
   std::optional<double> contrast;
   std::optional<double> sharpness;
   std::optional<double> planeSharpness;
+  std::optional<std::uint32_t> tileRotation;
   std::optional<Vector3> grain;
   MixOptions mix;
   std::string output;
@@ -76,6 +77,7 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.contrast = arguments.contrast.value_or(use.contrast);
   use.blendSharpness = arguments.sharpness.value_or(use.blendSharpness);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
+  use.tileRotation = arguments.tileRotation.value_or(use.tileRotation);
   return use;
 }
 
@@ -318,6 +320,9 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
            "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
+  addValue(verb, "--tile-rotation", arguments->tileRotation, optional(tileRotation()), "",
+           "Of tiling: into how many directions tiles are turned at random, each by itself; "
+           "--rotation turns all as one [default: the bundle's]");
   addFrameOptions(verb, arguments->grain);
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();

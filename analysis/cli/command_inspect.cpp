@@ -165,6 +165,7 @@ Json describe(const MaterialNoise& use, std::size_t index, const std::string& na
           {"blendSharpness", use.blendSharpness},
           {"planeSharpness", use.planeSharpness},
           {"contrast", use.contrast},
+          {"tileRotation", use.tileRotation},
           {"impacts", use.impacts},
           {"pointProcess", nameOf(use.pointProcess)},
           {"mix", describe(use.mix)}};
@@ -292,6 +293,10 @@ std::string parametersOf(const MaterialNoise& use) {
   add(use.planeSharpness == defaults.planeSharpness,
       fmt::format("plane sharpness {:g}", use.planeSharpness));
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
+  add(use.tileRotation == defaults.tileRotation,
+      use.tileRotation == kMostTileRotation
+          ? std::string("tiles turned freely")
+          : fmt::format("tiles turned in {} steps", use.tileRotation));
   add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
   add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
   add(use.mix == defaults.mix, mixOf(use.mix));

@@ -33,6 +33,7 @@ struct Arguments {
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
   std::optional<double> sharpness;
+  std::optional<std::uint32_t> tileRotation;
   std::optional<double> impacts;
   std::optional<PointProcess> points;
   std::optional<std::array<double, 2>> mix;
@@ -79,6 +80,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   material.seed = arguments.seed.value_or(material.seed);
   material.contrast = arguments.contrast.value_or(material.contrast);
   material.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
+  material.tileRotation = arguments.tileRotation.value_or(material.tileRotation);
   material.impacts = arguments.impacts.value_or(material.impacts);
   material.pointProcess = arguments.points.value_or(material.pointProcess);
   if (arguments.mix && chosen.texton.steps == 1)
@@ -166,6 +168,9 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "Scale of the variation [default: the material's]");
   addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
            "Exponent of the blend weights [default: the material's]")
+      .group(groupOf(Method::tiling));
+  addValue(verb, "--tile-rotation", arguments->tileRotation, optional(tileRotation()), "",
+           "Into how many directions tiles are turned at random [default: the material's]")
       .group(groupOf(Method::tiling));
   const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
                                          {"variance", BlendOperator::variancePreserving},

@@ -40,6 +40,8 @@ struct Accepted {
 [[nodiscard]] Accepted<double> number(NumberRange range);
 /// Any 32 bits.
 [[nodiscard]] Accepted<std::uint32_t> seedNumber();
+/// "none" -> 0, "4" -> 4 steps of a turn, "free" -> as many as there are.
+[[nodiscard]] Accepted<std::uint32_t> tileRotation();
 /// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Sides in [1, largest].
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
 /// "10,-2.5" -> {10.0, -2.5}. Both in `range`.

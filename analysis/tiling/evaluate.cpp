@@ -7,6 +7,7 @@
 #include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
+#include "tile_rotation.h"
 #include "triplanar/planes.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -47,7 +48,8 @@ float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
 }
 
 /// The variance that a bilinear fetch of one mip keeps.
-float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified) {
+float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified,
+                bool shareTexels) {
   const float kept = mipKept(map.mipKept0, mip);
   // Midway between four texels the fetch is their average, a texel of the next mip.
   constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
@@ -58,7 +60,8 @@ float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, 
   const auto share = [&](float position, float size) {
     const float texel = std::ldexp(position * size, -mip) - 0.5f;
     const float inside = texel - std::floor(texel);
-    const float here = mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage;
+    const float here =
+        shareTexels && mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage;
     return 1.0f - loss * (here + magnified * (kAverage - here));
   };
   return kept * kept * share(at.position[0], map.widthTexels) *
@@ -66,12 +69,14 @@ float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, 
 }
 
 /// The share of the variance that a tap loses: a trilinear blend of a level and its own average.
-float lostVariance(const shader::LichenMap& map, const TileFootprint& at, float level) {
+float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
+                   const TileFootprint& at, float level) {
+  const bool shareTexels = tiling::turnsKeepTexels(noise);
   const float lod = std::max(level, 0.0f);
   const int mip = int(lod);
   const float magnified = std::clamp(-level, 0.0f, 1.0f);
-  const float below = fetchKept(map, mip, at, magnified);
-  const float above = fetchKept(map, mip + 1, at, magnified);
+  const float below = fetchKept(map, mip, at, magnified, shareTexels);
+  const float above = fetchKept(map, mip + 1, at, magnified, shareTexels);
   const float rest = 1.0f - (lod - float(mip));
   return 1.0f - (above + rest * rest * (below - above));
 }
@@ -85,6 +90,14 @@ float footprintShare(const shader::LichenMap& map, float level, float lostVarian
 /// The level of the table that is prefiltered for this loss.
 float tableLevel(const shader::LichenMap& map, float lost) {
   return float(map.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+}
+
+bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
+
+void turnSlopesBack(Value& value, const std::array<float, 2>& turn) {
+  const auto [x, y] = tiling::slopesTurnedBack(value[0], value[1], turn);
+  value[0] = x;
+  value[1] = y;
 }
 
 /// What is wrong with a quality that is not one.
@@ -229,9 +242,11 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
   tiling::Taps taps = tiling::tapsAt(noise, at.position);
   tiling::takeFewerTaps(taps, at, quality_);
   const bool decodeFirst = blend != BlendOperator::histogramPreserving;
-  const Value middle =
-      decodeFirst ? Value{map.constants.mean.x, map.constants.mean.y, map.constants.mean.z, 1.0f}
-                  : Value{0.5f, 0.5f, 0.5f, 1.0f};
+  const bool turnsSlopes = tiling::turnsTiles(noise) && isSlope(map.constants);
+  const shader::vec4& mean = map.constants.mean;
+  const Value middle = !decodeFirst  ? Value{0.5f, 0.5f, 0.5f, 1.0f}
+                       : turnsSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f}
+                                     : Value{mean.x, mean.y, mean.z, 1.0f};
   Value sum{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (taps.weight[k] == 0.0f)
@@ -239,6 +254,8 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
     Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
     if (decodeFirst)
       tap = decode(map, tap, lost);
+    if (decodeFirst && turnsSlopes)
+      turnSlopesBack(tap, taps.turn[k]);
     for (std::size_t c = 0; c < 3; ++c)
       sum[c] += taps.weight[k] * (tap[c] - middle[c]);
   }
@@ -249,11 +266,34 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
   return result;
 }
 
+/// The slopes of turned tiles, of each of which `lost` of the variance is missing:
+/// lichenTurnedSlopes.
+Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& noise,
+                                    const TileFootprint& at, float lod, float lost) const {
+  tiling::Taps taps = tiling::tapsAt(noise, at.position);
+  tiling::takeFewerTaps(taps, at, quality_);
+  Value sum{0.0f, 0.0f, 0.0f, 1.0f};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (taps.weight[k] == 0.0f)
+      continue;
+    Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
+    for (std::size_t c = 0; c < 3; ++c)
+      tap[c] = 0.5f + noise.contrast * (tap[c] - 0.5f);
+    Value slopes = decode(map, tap, lost);
+    turnSlopesBack(slopes, taps.turn[k]);
+    const float share = taps.weight[k] / taps.norm;
+    sum[0] += share * slopes[0];
+    sum[1] += share * slopes[1];
+    sum[2] += share * share * slopes[2];
+  }
+  return sum;
+}
+
 /// The value that a Gaussian value of one plane stands for.
 Value TilingEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
                                const TileFootprint& at, const Value& gaussian) {
   Value result = decode(map, gaussian, noise.contrast * noise.contrast * gaussian[3]);
-  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+  if (isSlope(map.constants))
     result[2] *= footprintShare(map.constants, levelOfDetail(map.constants, at), gaussian[3]);
   return result;
 }
@@ -262,7 +302,7 @@ Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
                                 const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   const float lod = levelOfDetail(map.constants, at);
-  const float lost = lostVariance(map.constants, at, lod);
+  const float lost = lostVariance(map.constants, noise, at, lod);
   Value result = blended(map, noise, at, BlendOperator::histogramPreserving, lod, lost);
   result[3] = lost;
   return result;
@@ -271,10 +311,16 @@ Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const TileFootprint& at, BlendOperator blend) const {
   const Map& map = (*maps_)[mapIndex];
-  if (blend == BlendOperator::histogramPreserving)
+  const bool turnsSlopes = tiling::turnsTiles(noise) && isSlope(map.constants);
+  if (blend == BlendOperator::histogramPreserving && !turnsSlopes)
     return decoded(map, noise, at, gaussian(mapIndex, noise, at));
   const float lod = levelOfDetail(map.constants, at);
-  return blended(map, noise, at, blend, lod, lostVariance(map.constants, at, lod));
+  const float lost = lostVariance(map.constants, noise, at, lod);
+  if (blend != BlendOperator::histogramPreserving)
+    return blended(map, noise, at, blend, lod, lost);
+  Value slopes = turnedSlopes(map, noise, at, lod, noise.contrast * noise.contrast * lost);
+  slopes[2] *= footprintShare(map.constants, lod, lost);
+  return slopes;
 }
 
 Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -287,7 +333,7 @@ Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const TriplanarFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
+  if (isSlope(map.constants))
     return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
       return evaluate(mapIndex, plane.noise, plane.at);
     });

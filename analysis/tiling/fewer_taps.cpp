@@ -27,6 +27,7 @@ void sortByWeight(Taps& taps) {
     if (taps.weight[a] < taps.weight[b]) {
       std::swap(taps.weight[a], taps.weight[b]);
       std::swap(taps.position[a], taps.position[b]);
+      std::swap(taps.turn[a], taps.turn[b]);
     }
   };
   order(0, 1);

@@ -2,6 +2,8 @@
 // Point in tile space -> three taps. docs/gltf_extension/README.md specifies each step.
 #include "simplex_lattice.h"
 
+#include "tile_rotation.h"
+
 #include <lichen/lattice.h>
 
 #include <cmath>
@@ -15,11 +17,14 @@ std::int32_t wrappingSum(std::int32_t a, std::int32_t b) {
 
 std::int32_t floorDivide(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// Where the vertex (i, j) has its tile fetched for a point: whole texels away from it, less the
-/// whole periods that separate the vertex from its representative in a periodic lattice.
-std::array<float, 2> tapOf(const shader::LichenNoise& noise, const std::array<float, 2>& position,
-                           std::int32_t i, std::int32_t j) {
-  std::array<float, 2> tap = position;
+/// Sets where the vertex (i, j) has its tile fetched for a point: whole texels away from it, less
+/// the whole periods that separate the vertex from its representative in a periodic lattice, and
+/// turned. `way` [tiles]: to the point from the vertex.
+void setTap(Taps& taps, std::size_t k, const shader::LichenNoise& noise,
+            const std::array<float, 2>& position, const std::array<float, 2>& way, std::int32_t i,
+            std::int32_t j) {
+  std::array<float, 2>& tap = taps.position[k];
+  tap = position;
   if (noise.periodRows > 0) {
     const std::int32_t rowPeriods = floorDivide(j, noise.periodRows);
     j -= rowPeriods * noise.periodRows;
@@ -29,11 +34,17 @@ std::array<float, 2> tapOf(const shader::LichenNoise& noise, const std::array<fl
     tap[0] -= float(columnPeriods) * noise.periodTilesX;
     tap[1] -= float(rowPeriods) * noise.periodTilesY;
   }
+  taps.turn[k] = {1.0f, 0.0f};
+  if (turnsTiles(noise)) {
+    taps.turn[k] = tileTurn(
+        tileRotationStep(std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.tileRotation),
+        noise.tileRotation);
+    tap = turned(turnsKeepTexels(noise) ? tap : way, taps.turn[k], noise.tileAspect);
+  }
   const std::array<std::uint32_t, 2> offset = tileOffsetIndex(
       std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.offsetCountX, noise.offsetCountY);
   tap[0] += float(offset[0]) * noise.offsetStepX;
   tap[1] += float(offset[1]) * noise.offsetStepY;
-  return tap;
 }
 
 void sharpen(Taps& taps, float exponent) {
@@ -68,9 +79,14 @@ Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& positi
   const std::int32_t corner = lower ? 0 : 1;
   taps.weight = lower ? std::array<float, 3>{1.0f - f - g, f, g}
                       : std::array<float, 3>{f + g - 1.0f, 1.0f - g, 1.0f - f};
-  taps.position[0] = tapOf(noise, position, wrappingSum(i, corner), wrappingSum(j, corner));
-  taps.position[1] = tapOf(noise, position, wrappingSum(i, 1), j);
-  taps.position[2] = tapOf(noise, position, i, wrappingSum(j, 1));
+  const std::array<std::array<std::int32_t, 2>, 3> corners{{{corner, corner}, {1, 0}, {0, 1}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float column = f - float(corners[k][0]);
+    const float row = g - float(corners[k][1]);
+    setTap(taps, k, noise, position,
+           {(column + 0.5f * row) / noise.columnsPerTile, row / noise.rowsPerTile},
+           wrappingSum(i, corners[k][0]), wrappingSum(j, corners[k][1]));
+  }
   sharpen(taps, noise.blendSharpness);
   return taps;
 }

@@ -13,6 +13,7 @@ namespace lichen::tiling {
 /// blend weights, which sum to 1.
 struct Taps {
   std::array<std::array<float, 2>, 3> position{};
+  std::array<std::array<float, 2>, 3> turn{}; ///< cosine and sine of each tile's angle
   std::array<float, 3> weight{};
   float norm = 1.0f; ///< sqrt of the sum of the squared weights, [HN18] eq. 6
 };

@@ -43,6 +43,10 @@ def tile_offset(i, j, seed_word, width, height):
     return [offset(x, width), offset(y, height)]
 
 
+def tile_rotation(i, j, seed_word, steps):
+    return (pcg3d(i % WORD, j % WORD, seed_word)[2] >> 16) * steps // 65536
+
+
 def signed(word):
     return word - WORD if word >= WORD // 2 else word
 
@@ -203,6 +207,9 @@ print(json.dumps({
     "tileOffset": [{"vertex": list(v), "seed": s, "plane": p, "size": list(size),
                     "texels": tile_offset(*v, lattice_seed(s, p), *size)}
                    for v in VERTICES for s, p in SEEDS[1:3] for size in SIZES],
+    "tileRotation": [{"vertex": list(v), "seed": s, "plane": p, "steps": steps,
+                      "step": tile_rotation(*v, lattice_seed(s, p), steps)}
+                     for v in VERTICES for s, p in SEEDS[1:3] for steps in (2, 4, 7, 65536)],
     "latticeOrigin": [lattice_origin(*tile) for tile in TILES],
     "periodicLattice": [periodic_lattice(*period) for period in PERIODS],
     "impactGrid": [impact_grid(*grid) for grid in GRIDS],

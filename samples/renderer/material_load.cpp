@@ -109,6 +109,9 @@ NoiseUse readNoiseUse(const tinygltf::Value& use) {
   result.blendSharpness = number("blendSharpness", result.blendSharpness);
   result.planeSharpness = number("planeSharpness", result.planeSharpness);
   result.contrast = number("contrast", result.contrast);
+  if (const tinygltf::Value& steps = at(use, "tileRotation");
+      steps.IsInt() && steps.GetNumberAsInt() > 0)
+    result.tileRotation = std::min(std::uint32_t(steps.GetNumberAsInt()), kMostTileRotation);
   return result;
 }
 

@@ -9,6 +9,9 @@
 
 namespace lichen::renderer {
 
+/// NoiseChanges::tileRotation of any angle: as many steps of a turn as the format has.
+inline constexpr std::uint32_t kFreeTileRotation = 65536;
+
 /// Relative to what each material says, and kept within what the plugin accepts. The default
 /// changes nothing.
 struct NoiseChanges {
@@ -19,6 +22,7 @@ struct NoiseChanges {
   double blendSharpnessFactor = 1.0;
   double planeSharpnessFactor = 1.0;
   double contrastFactor = 1.0;
+  std::optional<std::uint32_t> tileRotation; ///< in place of each material's own
   [[nodiscard]] bool operator==(const NoiseChanges&) const = default;
 };
 

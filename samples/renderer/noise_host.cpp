@@ -228,7 +228,8 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material, const NoiseUse&
   if (changes == NoiseChanges{})
     return info;
   info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS |
-                   LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_CONTRAST;
+                   LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
+                   LICHEN_OVERRIDE_TILE_ROTATION;
   info.scale = clampTo(kScaleRange, use.scale * changes.scaleFactor);
   info.seed = use.seed + changes.seedStep;
   info.blendSharpness =
@@ -236,6 +237,7 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material, const NoiseUse&
   info.planeSharpness =
       clampTo(kPlaneSharpnessRange, use.planeSharpness * changes.planeSharpnessFactor);
   info.contrast = clampTo(kContrastRange, use.contrast * changes.contrastFactor);
+  info.tileRotation = changes.tileRotation.value_or(use.tileRotation);
   NoiseMapping mapping = changes.mapping.value_or(use.mapping);
   if (changes.noise && *changes.noise != materials_[material].noise) {
     // Nothing of the material is read then.
@@ -262,7 +264,7 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
                                          " is not in the bundle, which has " +
                                          std::to_string(names_.size())}};
   hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
-      hasMixes_ = false;
+      hasMixes_ = hasTileRotation_ = false;
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
@@ -274,6 +276,7 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
           info.overrides & LICHEN_OVERRIDE_MAPPING ? info.mapping : materials_[m].mapping;
       hasSurfaceNoises_ = hasSurfaceNoises_ || mapping == LICHEN_MAPPING_SURFACE;
       hasTriplanarNoises_ = hasTriplanarNoises_ || mapping == LICHEN_MAPPING_TRIPLANAR;
+      hasTileRotation_ = hasTileRotation_ || changes.tileRotation.value_or(use.tileRotation) > 1;
       check(lichenFillUniforms(bundle_.get(), &info,
                                uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * m,
                                &diagnostic),

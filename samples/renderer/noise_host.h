@@ -52,6 +52,8 @@ public:
   [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
   /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
+  /// Whether some noise that is drawn turns its tiles.
+  [[nodiscard]] bool hasTileRotation() const { return hasTileRotation_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
   /// The set of a material; of one without noise, a set of 1 x 1 images.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
@@ -103,6 +105,7 @@ private:
   bool hasSurfaceNoises_ = false;
   bool hasTriplanarNoises_ = false;
   bool hasMixes_ = false;
+  bool hasTileRotation_ = false;
 };
 
 } // namespace lichen::renderer

@@ -85,6 +85,7 @@ struct NoiseUse {
   double blendSharpness = 1.0;
   double planeSharpness = 8.0;
   double contrast = 1.0;
+  std::uint32_t tileRotation = 0;
 };
 
 struct Material {

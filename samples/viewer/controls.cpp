@@ -55,6 +55,9 @@ Request Controls::press(Key key) {
   case 'C':
     noise.contrastFactor = stepped(noise.contrastFactor, step);
     break;
+  case 'O':
+    nextTileRotation(step);
+    break;
   case 'M':
     nextMapping(step);
     break;
@@ -107,6 +110,16 @@ void Controls::nextMapping(int step) {
   look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
 }
 
+void Controls::nextTileRotation(int step) {
+  constexpr std::array<std::uint32_t, 4> kSteps{0, 2, 4, kFreeTileRotation};
+  std::optional<std::size_t> current;
+  if (look_.noise.tileRotation)
+    current = std::size_t(std::find(kSteps.begin(), kSteps.end(), *look_.noise.tileRotation) -
+                          kSteps.begin());
+  const std::optional<std::size_t> next = around(current, kSteps.size(), step);
+  look_.noise.tileRotation = next ? std::optional(kSteps[*next]) : std::nullopt;
+}
+
 void Controls::nextDebugView(int step) {
   const std::vector<std::string_view> names = debugViewNames();
   std::optional<std::size_t> current;
@@ -135,6 +148,10 @@ std::string Controls::summary() const {
   addFactor("blend sharpness", noise.blendSharpnessFactor);
   addFactor("plane sharpness", noise.planeSharpnessFactor);
   addFactor("contrast", noise.contrastFactor);
+  if (noise.tileRotation)
+    add(*noise.tileRotation == kFreeTileRotation ? "tile rotation free"
+        : *noise.tileRotation == 0               ? "tile rotation none"
+                                   : fmt::format("tile rotation {}", *noise.tileRotation));
   if (look_.exposureEv != 0.0f)
     add(fmt::format("exposure {:+g}", look_.exposureEv));
   if (!look_.debugView.empty())
@@ -149,6 +166,7 @@ std::string_view Controls::help() {
          "  B  sharper borders between tiles\n"
          "  P  sharper borders between the planes of triplanar mapping\n"
          "  C  more contrast\n"
+         "  O  tiles turned: as in the file, not, by half turns, quarter turns, freely\n"
          "  M  mapping: the file's, uv, triplanar\n"
          "  T  noise: the file's, then each of the bundle's\n"
          "  D  the next debug view\n"

@@ -90,7 +90,8 @@ struct LichenNoise {
   int cellK;            // of surface noise: the third of cellI and cellJ
   float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
   float tileAspect;     // width over height of a tile in space
-  uint reserved0, reserved1;
+  uint tileRotation;    // [0, 65536] of tiling: steps of a turn that tiles lie in; 0 and 1: none
+  uint reserved0;       // 0: to a multiple of 16 bytes
   LichenPlane planeX, planeY, planeZ; // of triplanar noise: looking along x, y, z
 };
 

@@ -45,4 +45,11 @@ uvec2 lichenTileOffsetIndex(int i, int j, uint seedWord, uvec2 counts) {
   return ((hash.xy >> 16u) * counts) >> 16u;
 }
 
+/// Which of `steps` steps of a turn vertex (i, j)'s tile has, [0, steps), steps up to 2^16.
+uint lichenTileRotationStep(int i, int j, uint seedWord, uint steps) {
+  // The word that the offset leaves over.
+  uvec3 hash = lichenPcg3d(uvec3(uint(i), uint(j), seedWord));
+  return ((hash.z >> 16u) * steps) >> 16u;
+}
+
 #endif

@@ -16,6 +16,8 @@
 struct LichenTriangle {
   ivec3 i, j;   // the vertices (i[k], j[k]), not yet reduced to a period
   vec3 weights; // barycentric, [0, 1]
+  ivec2 cell;   // that holds the point
+  vec2 inside;  // where in it, [0, 1), skewed as the cells are
 };
 
 /// The triangle that holds `position` [tiles, relative to the host's integer tile origin].
@@ -33,8 +35,20 @@ LichenTriangle lichenTriangleAt(vec2 position, LichenNoise noise) {
   LichenTriangle triangle;
   triangle.i = base.x + ivec3(upper ? 1 : 0, 1, 0);
   triangle.j = base.y + ivec3(upper ? 1 : 0, 0, 1);
+  triangle.cell = base;
+  triangle.inside = inside;
   triangle.weights = upper ? vec3(-third, 1.0 - inside.y, 1.0 - inside.x) : vec3(third, inside);
   return triangle;
+}
+
+/// The way to the point from each vertex, not yet reduced to a period: as exact far from the
+/// origin as near it. [tiles]
+void lichenWaysFromVertices(LichenTriangle triangle, LichenNoise noise, out vec3 wayX,
+                            out vec3 wayY) {
+  vec3 column = vec3(triangle.cell.x - triangle.i) + triangle.inside.x;
+  vec3 row = vec3(triangle.cell.y - triangle.j) + triangle.inside.y;
+  wayX = (column + 0.5 * row) / noise.columnsPerTile;
+  wayY = row / noise.rowsPerTile;
 }
 
 /// floor(value / period) per component, for |value| < 2^22 and period > 0. Integer division is slow

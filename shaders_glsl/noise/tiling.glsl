@@ -12,6 +12,7 @@
 #include "hash.glsl"
 #include "mip_variance.glsl"
 #include "simplex_lattice.glsl"
+#include "tile_rotation.glsl"
 #include "tiling_decode.glsl"
 
 // 1 when the images' sampler is anisotropic. Otherwise the level of detail is computed once per map
@@ -34,6 +35,9 @@ struct LichenTaps {
   vec2 tap0, tap1, tap2; // [tiles] where each tile of the triangle is fetched
   vec3 weights;          // of the three tiles, sum 1; sorted where there are fewer taps
   float gain;            // contrast / sqrt(sum of squared weights)
+  vec2 turn0, turn1, turn2; // (cosine, sine) of each tile's angle; (1, 0) where none is turned
+  float tileAspect;         // width over height of a tile in space
+  bool shareTexels;         // the taps share their place between texels
 };
 
 /// The offset of vertex (i, j)'s tile. [tiles]
@@ -42,6 +46,24 @@ vec2 lichenTileOffset(int i, int j, LichenNoise noise) {
       lichenTileOffsetIndex(i, j, noise.seedWord, uvec2(noise.offsetCountX, noise.offsetCountY));
   // Through int, below 2^14: float of uint is slower on devices with only signed conversions.
   return vec2(ivec2(index)) * vec2(noise.offsetStepX, noise.offsetStepY);
+}
+
+/// Turns the tiles of a triangle that is reduced to a period. `wayX`, `wayY`: to the point from the
+/// vertices as they were before [tiles].
+void lichenTurnTaps(inout LichenTaps taps, LichenTriangle triangle, vec3 wayX, vec3 wayY,
+                    LichenNoise noise) {
+  taps.shareTexels = lichenTurnsKeepTexels(noise);
+  taps.turn0 = lichenTileTurn(triangle.i.x, triangle.j.x, noise);
+  taps.turn1 = lichenTileTurn(triangle.i.y, triangle.j.y, noise);
+  vec2 way0 = taps.shareTexels ? taps.tap0 : vec2(wayX.x, wayY.x);
+  vec2 way1 = taps.shareTexels ? taps.tap1 : vec2(wayX.y, wayY.y);
+  taps.tap0 = lichenTurned(way0, taps.turn0, taps.tileAspect);
+  taps.tap1 = lichenTurned(way1, taps.turn1, taps.tileAspect);
+  if (LICHEN_TILING_TAPS > 2) {
+    taps.turn2 = lichenTileTurn(triangle.i.z, triangle.j.z, noise);
+    vec2 way2 = taps.shareTexels ? taps.tap2 : vec2(wayX.z, wayY.z);
+    taps.tap2 = lichenTurned(way2, taps.turn2, taps.tileAspect);
+  }
 }
 
 /// Lattice, weights and tap positions of a noise at one point. The gradients are those of
@@ -55,6 +77,8 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   }
   if (lichenHasFewerTaps())
     lichenTakeFewerTaps(triangle, gradientX, gradientY);
+  vec3 wayX, wayY;
+  lichenWaysFromVertices(triangle, noise, wayX, wayY);
   vec3 shiftX, shiftY;
   lichenReduceToPeriod(triangle, noise, shiftX, shiftY);
   vec2 offset0 = lichenTileOffset(triangle.i.x, triangle.j.x, noise);
@@ -66,9 +90,17 @@ LichenTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY, Liche
   taps.position = position;
   taps.gradientX = gradientX;
   taps.gradientY = gradientY;
-  taps.tap0 = position - vec2(shiftX.x, shiftY.x) + offset0;
-  taps.tap1 = position - vec2(shiftX.y, shiftY.y) + offset1;
-  taps.tap2 = position - vec2(shiftX.z, shiftY.z) + offset2;
+  taps.tap0 = position - vec2(shiftX.x, shiftY.x);
+  taps.tap1 = position - vec2(shiftX.y, shiftY.y);
+  taps.tap2 = position - vec2(shiftX.z, shiftY.z);
+  taps.turn0 = taps.turn1 = taps.turn2 = vec2(1.0, 0.0);
+  taps.tileAspect = noise.tileAspect;
+  taps.shareTexels = true;
+  if (lichenTurnsTiles(noise))
+    lichenTurnTaps(taps, triangle, wayX, wayY, noise);
+  taps.tap0 += offset0;
+  taps.tap1 += offset1;
+  taps.tap2 += offset2;
   taps.weights = triangle.weights;
   taps.gain = noise.contrast * inversesqrt(dot(taps.weights, taps.weights));
   return taps;
@@ -93,10 +125,16 @@ float lichenTilingLevel(LichenTaps taps, LichenNoise noise, LichenMap map) {
 #endif
 }
 
-/// One tap of the Gaussian image.
-vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, LichenTaps taps, float level) {
+/// One tap of the Gaussian image, of a tile that is turned so.
+vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, vec2 turn, LichenTaps taps, float level) {
 #if LICHEN_ANISOTROPIC
-  return textureGrad(gaussian, tap, taps.gradientX, taps.gradientY).rgb;
+  vec2 gradientX = taps.gradientX;
+  vec2 gradientY = taps.gradientY;
+  if (bool(LICHEN_TILE_ROTATION)) {
+    gradientX = lichenTurned(gradientX, turn, taps.tileAspect);
+    gradientY = lichenTurned(gradientY, turn, taps.tileAspect);
+  }
+  return textureGrad(gaussian, tap, gradientX, gradientY).rgb;
 #else
   return textureLod(gaussian, tap, level).rgb;
 #endif
@@ -105,11 +143,11 @@ vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, LichenTaps taps, float leve
 /// The blended Gaussian value of a map: mean 1/2, standard deviation 1/6 where nothing is minified.
 vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
   // [HN18] eq. 8 on Gaussian values, about their mean 1/2.
-  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps, level);
+  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps.turn0, taps, level);
   if (lichenIsTaken(taps.weights.y))
-    blend += taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps, level);
+    blend += taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps.turn1, taps, level);
   if (LICHEN_TILING_TAPS > 2 && lichenIsTaken(taps.weights.z))
-    blend += taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps, level);
+    blend += taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps.turn2, taps, level);
   return 0.5 + taps.gain * (blend - 0.5);
 }
 
@@ -125,7 +163,8 @@ float lichenFetchKept(int mip, float magnified, LichenTaps taps, LichenMap map) 
   const float kAverage = 1.0 / 6.0;
   vec2 size = vec2(map.widthTexels, map.heightTexels) * exp2(-float(mip));
   vec2 inside = fract(taps.position * size - 0.5);
-  vec2 between = mip < int(map.alignedMips) ? inside * (1.0 - inside) : vec2(kAverage);
+  bool isShared = taps.shareTexels && mip < int(map.alignedMips);
+  vec2 between = isShared ? inside * (1.0 - inside) : vec2(kAverage);
   vec2 share = 1.0 - loss * mix(between, vec2(kAverage), magnified);
   return kept * kept * share.x * share.y;
 }
@@ -149,6 +188,33 @@ float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map)
   return lost < lostVariance ? lost / lostVariance : 1.0;
 }
 
+/// The slopes of turned tiles, of each of which `lost` of the variance is missing: decoded tile by
+/// tile, since a joint table knows them as they lie in the exemplar, turned back, and blended about
+/// 0, where turning leaves their mean. z is the variance of a slope over what is missing.
+vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, float level,
+                        float lost, LichenNoise noise, LichenMap map) {
+  vec3 shares = taps.weights * inversesqrt(dot(taps.weights, taps.weights));
+  vec4 blend = vec4(0.0, 0.0, 0.0, 1.0);
+  // A loop, for one copy of the decoder, which devices without a skip of branches skip where no
+  // tile is turned.
+  int count = lichenTurnsTiles(noise) ? LICHEN_TILING_TAPS : 0;
+  int tile = 0;
+  while (tile < count) {
+    vec2 tap = tile == 0 ? taps.tap0 : (tile == 1 ? taps.tap1 : taps.tap2);
+    vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
+    float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
+    if (lichenIsTaken(share)) {
+      vec3 value = lichenTilingFetch(gaussian, tap, turn, taps, level);
+      vec4 slopes =
+          lichenTilingDecode(table, 0.5 + noise.contrast * (value - 0.5), lost, map);
+      blend.xy += share * lichenSlopesTurnedBack(slopes.xy, turn);
+      blend.z += share * share * slopes.z;
+    }
+    ++tile;
+  }
+  return blend;
+}
+
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
 /// the variance of a slope that the footprint hides, for lichenRoughness.
 vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNoise noise,
@@ -158,8 +224,13 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   float lost = lichenTilingLostVariance(taps, level, map);
   // Contrast scales what is missing with what is there.
   float scaled = noise.contrast * noise.contrast * lost;
-  vec4 value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
+  vec4 value;
+  if (isSlope && lichenTurnsTiles(noise))
+    value = lichenTurnedSlopes(gaussian, table, taps, level, scaled, noise, map);
+  else
+    value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
+  if (isSlope)
     value.z *= lichenTilingFootprintShare(level, lost, map);
   return value;
 }
@@ -169,13 +240,21 @@ vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTaps ta
                               LichenNoise noise, LichenMap map) {
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, map);
-  vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps, level);
-  vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps, level);
-  vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps, level);
-  vec4 blend = taps.weights.x * lichenTilingDecode(table, tile0, lost, map) +
-               taps.weights.y * lichenTilingDecode(table, tile1, lost, map) +
-               taps.weights.z * lichenTilingDecode(table, tile2, lost, map);
-  return map.mean + gain * (blend - map.mean);
+  vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps.turn0, taps, level);
+  vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps.turn1, taps, level);
+  vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps.turn2, taps, level);
+  vec4 value0 = lichenTilingDecode(table, tile0, lost, map);
+  vec4 value1 = lichenTilingDecode(table, tile1, lost, map);
+  vec4 value2 = lichenTilingDecode(table, tile2, lost, map);
+  vec4 middle = map.mean;
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise)) {
+    value0.xy = lichenSlopesTurnedBack(value0.xy, taps.turn0);
+    value1.xy = lichenSlopesTurnedBack(value1.xy, taps.turn1);
+    value2.xy = lichenSlopesTurnedBack(value2.xy, taps.turn2);
+    middle.xy = vec2(0.0);
+  }
+  vec4 blend = taps.weights.x * value0 + taps.weights.y * value1 + taps.weights.z * value2;
+  return middle + gain * (blend - middle);
 }
 
 /// For comparison, [HN18] eq. 3, fig. 4: linear blending. Contrast is lost between vertices.

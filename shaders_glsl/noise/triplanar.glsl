@@ -118,20 +118,15 @@ vec4 lichenTriplanarSlopes(sampler2D image, sampler3D table, LichenTriplanar at,
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    vec3 lost;
-    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
-    vec3 scaled = noise.contrast * noise.contrast * lost;
     vec3 slopes;
 #ifndef LICHEN_OMIT_TEXTONS
     if (lichenIsTexton(noise)) {
-      slopes = lichenDecodeGaussian(gaussian, scaled, here).xyz;
+      vec3 lost;
+      vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+      slopes = lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here).xyz;
     } else
 #endif
-    {
-      slopes = lichenTilingDecode(table, gaussian, scaled.x, map).xyz;
-      float level = lichenTilingLevel(plane.taps, noise, map);
-      slopes.z *= lichenTilingFootprintShare(level, lost.x, map);
-    }
+      slopes = lichenTiling(image, table, plane.taps, noise, map).xyz;
     // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
     // slant, and its cosine's square along it.
     float cosine = lichenAlongAxis(at.normal, plane.axis);

@@ -15,6 +15,7 @@
 #include <plugin_host.h>
 #include <stdexcept>
 #include <surface.frag.h>
+#include <synthetic_noise.h>
 #include <synthetic_texton.h>
 #include <texton.frag.h>
 #include <texton.frag.mixed.h>
@@ -23,6 +24,7 @@
 #include <tiling.frag.one_tap.h>
 #include <tiling.frag.separable.h>
 #include <tiling.frag.sharp.h>
+#include <tiling.frag.turned.h>
 #include <tiling.frag.two_taps.h>
 #include <triplanar.frag.h>
 #include <view.vert.h>
@@ -52,12 +54,14 @@ std::vector<std::byte> exemplarGlb(const TilingOptions& options) {
 
 /// Uploads the bundle and writes its uniforms.
 void prepare(test::PluginHost& host, LichenMapping mapping = LICHEN_MAPPING_UV,
-             double blendSharpness = 1.0) {
+             double blendSharpness = 1.0, std::uint32_t tileRotation = 0) {
   LichenUniformInfo uniforms;
   LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-  uniforms.overrides = LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS;
+  uniforms.overrides = LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS |
+                       LICHEN_OVERRIDE_TILE_ROTATION;
   uniforms.mapping = mapping;
   uniforms.blendSharpness = blendSharpness;
+  uniforms.tileRotation = tileRotation;
   const std::vector<test::Point> point(1);
   (void)host.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
 }
@@ -216,6 +220,36 @@ void appendLevelRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& g
   row("tiling with blend sharpness 4 over 1, flat", kSharpTarget, tiling_frag_sharp, sharp, kFlat);
 }
 
+/// Tiles that are turned over tiles that are not; of colours, and of slopes, which are decoded tile
+/// by tile.
+void appendRotationRows(std::vector<Row>& rows, const Kind& colors, HeadlessDevice& gpu,
+                        const DeviceImage& image) {
+  constexpr double kUnusedTarget = 1.1, kColorTarget = 1.3, kSlopeTarget = 2.5;
+  const test::SyntheticMap slopeMap{2, kExemplarSide, kExemplarSide, false, 8};
+  const auto row = [&](const std::string& what, double target, const std::vector<std::byte>& glb,
+                       std::uint32_t steps) {
+    test::PluginHost plain(gpu, glb);
+    test::PluginHost turned(gpu, glb);
+    prepare(plain);
+    prepare(turned, LICHEN_MAPPING_UV, 1.0, steps);
+    ScreenPass without(gpu, view_vert, tiling_frag_joint, layoutOf(plain));
+    ScreenPass with(gpu, view_vert, tiling_frag_turned, layoutOf(turned));
+    rows.push_back(ratioRow(what, target, {what.c_str(), with, turned.set()},
+                            {"not turned", without, plain.set()}, image, kFlat,
+                            gpu.properties().deviceName));
+  };
+  const std::vector<std::byte> slopes = test::syntheticGlb(std::span(&slopeMap, 1));
+  row("colours, code of turned tiles that is not used, over none, 1920 x 1080, flat", kUnusedTarget,
+      colors.glb, 0);
+  row("colours, tiles turned in 2 steps over not turned", kColorTarget, colors.glb, 2);
+  row("colours, tiles turned in 4 steps", kColorTarget, colors.glb, 4);
+  row("colours, tiles turned freely", kColorTarget, colors.glb, kMostTileRotation);
+  row("slopes, code of turned tiles that is not used", kUnusedTarget, slopes, 0);
+  row("slopes, tiles turned in 2 steps", kSlopeTarget, slopes, 2);
+  row("slopes, tiles turned in 4 steps", kSlopeTarget, slopes, 4);
+  row("slopes, tiles turned freely", kSlopeTarget, slopes, kMostTileRotation);
+}
+
 std::vector<Row> measure() {
   Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
   if (!device)
@@ -248,6 +282,7 @@ std::vector<Row> measure() {
   appendSurfaceRows(rows, gpu, image.value());
   appendTriplanarRow(rows, kinds[0], gpu, image.value());
   appendLevelRows(rows, kinds[0], gpu, image.value());
+  appendRotationRows(rows, kinds[0], gpu, image.value());
   return rows;
 }
 

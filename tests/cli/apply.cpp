@@ -336,13 +336,14 @@ TEST_CASE("what a material may change without another bake is what the options s
   const std::string scene = writeScene(workplace, example::tableScene());
   static_cast<void>(applied(workplace, scene, wool, "0",
                             {"--scale", "2", "--rotation", "90", "--seed", "7", "--contrast", "0.5",
-                             "--sharpness", "4"}));
+                             "--sharpness", "4", "--tile-rotation", "free"}));
   const MaterialNoise use = *readBundle(workplace.path("out.glb")).value().materials[0];
   CHECK(use.scale == 2.0);
   CHECK(use.rotation == Approx(1.5707963267948966).epsilon(1e-12)); // a quarter turn in radians
   CHECK(use.seed == 7);
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
+  CHECK(use.tileRotation == kMostTileRotation);
 }
 
 TEST_CASE("how sharply planes give way is the option's") {

@@ -128,6 +128,10 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
   for (const std::string tiles : {"-1", "1e7", "nan"})
     checkSynthRefuses({"--one-tap", tiles}, kUsage,
                       {"--one-tap " + tiles + ": a number from 0 to 1000000"});
+  for (const std::string steps : {"1", "65537", "quarter"})
+    checkSynthRefuses({"--tile-rotation", steps}, kUsage,
+                      {"--tile-rotation " + steps +
+                       ": none, free or a number of steps from 2 to 65536 is accepted"});
   for (const std::string contrast : {"-1", "5", "nan"})
     checkSynthRefuses({"--contrast", contrast}, kUsage,
                       {"--contrast " + contrast + ": a number from 0 to 4"});

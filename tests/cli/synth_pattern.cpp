@@ -187,6 +187,18 @@ TEST_CASE("fewer taps change the pattern between its vertices, from the limit on
   CHECK((made({"--size", "64x64", "--one-tap", side, "--taps", "2"}).values == one.values));
 }
 
+TEST_CASE("turned tiles are another pattern for each number of steps, and none is the default") {
+  const SrgbImage none = made({"--size", "64x64"});
+  CHECK((made({"--size", "64x64", "--tile-rotation", "none"}).values == none.values));
+  const SrgbImage two = made({"--size", "64x64", "--tile-rotation", "2"});
+  const SrgbImage four = made({"--size", "64x64", "--tile-rotation", "4"});
+  const SrgbImage free = made({"--size", "64x64", "--tile-rotation", "free"});
+  CHECK((made({"--size", "64x64", "--tile-rotation", "65536"}).values == free.values));
+  CHECK(shareOfDifferent(two, none) > 0.3);
+  CHECK(shareOfDifferent(four, two) > 0.3);
+  CHECK(shareOfDifferent(free, four) > 0.3);
+}
+
 TEST_CASE("--texels-per-tile magnifies the same pattern") {
   const SrgbImage plain = made({"--size", "64x64"});
   const SrgbImage large = made({"--size", "128x128", "--texels-per-tile", "64"});

@@ -51,7 +51,8 @@ TEST_CASE("the shader's hash is the C++ hash, bit for bit, negative and wrapping
     const auto hash = pcg3d({i, j, word});
     const auto offset = tileOffsetIndex(i, j, word, 64u, 75u);
     REQUIRE(answers[3 * k] == Words{hash[0], hash[1], hash[2], 0u});
-    REQUIRE(answers[3 * k + 1] == Words{offset[0], offset[1], 0u, 0u});
+    REQUIRE(answers[3 * k + 1] == Words{offset[0], offset[1], tileRotationStep(i, j, word, 7u),
+                                        tileRotationStep(i, j, word, 65536u)});
     REQUIRE(answers[3 * k + 2] == Words{latticeSeed(seed, word & 3u), pcg(i), 0u, 0u});
   }
 }

@@ -90,6 +90,9 @@ TEST_CASE(
   changes.planeSharpnessFactor = 0.25;
   checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}});
   changes = {};
+  changes.tileRotation = 4;
+  checkAsFile(changes, {{"tileRotation", 4}});
+  changes = {};
   changes.noise = 1;
   checkAsFile(changes, {{"noise", 1}});
   session.renderer().setNoise({});

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -106,6 +107,14 @@ std::vector<LichenUniformInfo> manyUniforms() {
   all[5].periodTiles[0] = all[5].periodTiles[1] = 1.37;
   all[5].overrides = LICHEN_OVERRIDE_CONTRAST;
   all[5].contrast = 1.4;
+  // Each of them with its tiles turned.
+  constexpr std::array<std::uint32_t, 6> kSteps{4, 65536, 2, 7, 4, 65536};
+  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+    LichenUniformInfo info = all[k];
+    info.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
+    info.tileRotation = kSteps[k];
+    all.push_back(info);
+  }
   return all;
 }
 
@@ -221,7 +230,7 @@ TEST_CASE("the shader and its CPU twin agree in every operator") {
     const std::vector<Point> points = samplePoints(float(map.width), 1000);
     std::vector<LichenUniformInfo> uniforms = manyUniforms();
     if (map.table != joint) // lattice and taps are the same: one is enough, and contrast
-      uniforms = {uniforms[1], uniforms[5]};
+      uniforms = {uniforms[1], uniforms[5], uniforms[6], uniforms[7], uniforms[11]};
     for (const LichenUniformInfo& info : uniforms)
       for (const auto& [constant, blend] : operators) {
         const auto values = host.evaluate(committed, constant, info, points);

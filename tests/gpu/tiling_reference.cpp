@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
 
 namespace lichen::test {
 namespace {
@@ -63,6 +66,7 @@ Vec4 sampleClamp(const Volume& v, std::array<double, 3> at) {
 struct Vertex {
   int i = 0, j = 0;
   double weight = 0.0;
+  Vec2 place{}; // where it stands, in tiles from the tile origin
 };
 
 /// Steps 1 and 2.
@@ -79,6 +83,11 @@ std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
     vertices = {{{i, j, 1.0 - f - g}, {next(i), j, f}, {i, next(j), g}}};
   else
     vertices = {{{next(i), next(j), f + g - 1.0}, {next(i), j, 1.0 - g}, {i, next(j), 1.0 - f}}};
+  for (Vertex& v : vertices) {
+    const double column = std::floor(a) + double(v.i != i) - double(n.fractionI);
+    const double row = std::floor(b) + double(v.j != j) - double(n.fractionJ);
+    v.place = {(column + 0.5 * row) / double(n.columnsPerTile), row / double(n.rowsPerTile)};
+  }
   double sum = 0.0;
   for (Vertex& v : vertices)
     sum += v.weight = std::pow(v.weight, double(n.blendSharpness));
@@ -87,8 +96,19 @@ std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
   return vertices;
 }
 
+struct Tap {
+  Vec2 place;
+  std::complex<double> turn;
+};
+
+bool turnsTiles(const shader::LichenNoise& n) { return n.tileRotation > 1; }
+bool turnsAboutVertices(const shader::LichenNoise& n) {
+  return turnsTiles(n) && n.tileRotation != 2 && !(n.tileRotation == 4 && n.tileAspect == 1.0f);
+}
+
 /// Step 3.
-Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
+Tap tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
+  const Vec2 fromVertex{p[0] - v.place[0], p[1] - v.place[1]};
   if (n.periodRows > 0) {
     const auto floorDivide = [](std::int64_t value, std::int64_t by) {
       return value >= 0 ? value / by : -((-value + by - 1) / by);
@@ -103,8 +123,19 @@ Vec2 tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
   }
   const auto index = tileOffsetIndex(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord,
                                      n.offsetCountX, n.offsetCountY);
-  return {p[0] + double(index[0]) * double(n.offsetStepX),
-          p[1] + double(index[1]) * double(n.offsetStepY)};
+  Tap tap{p, 1.0};
+  if (turnsTiles(n)) {
+    const std::uint32_t step =
+        tileRotationStep(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord, n.tileRotation);
+    tap.turn = std::polar(1.0, 2.0 * std::numbers::pi * double(step) / double(n.tileRotation));
+    const Vec2 way = turnsAboutVertices(n) ? fromVertex : p;
+    const auto aspect = double(n.tileAspect);
+    const std::complex<double> there = tap.turn * std::complex<double>(way[0] * aspect, way[1]);
+    tap.place = {there.real() / aspect, there.imag()};
+  }
+  tap.place[0] += double(index[0]) * double(n.offsetStepX);
+  tap.place[1] += double(index[1]) * double(n.offsetStepY);
+  return tap;
 }
 
 double uniformOf(double gaussian) {
@@ -138,7 +169,8 @@ double levelOf(Vec2 x, Vec2 y, FetchedBy fetchedBy) {
 }
 
 /// Step 5: s, and what of it the mips lose at the centres of their texels.
-std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMap& m) {
+std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenNoise& n,
+                                   const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept0.x, m.mipKept0.y, m.mipKept0.z, m.mipKept0.w};
   const auto amplitude = [&](int mip) {
     mip = std::min(mip, 15);
@@ -152,7 +184,8 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenMa
     const double c = 4.0 * (1.0 - amplitude(mip + 1) / a);
     const auto share = [&](double position, float size) {
       const double x = position * double(size) / std::exp2(mip) - 0.5, f = x - std::floor(x);
-      const double here = mip < int(m.alignedMips) ? f * (1.0 - f) : 1.0 / 6.0;
+      const bool isShared = mip < int(m.alignedMips) && !turnsAboutVertices(n);
+      const double here = isShared ? f * (1.0 - f) : 1.0 / 6.0;
       return 1.0 - c * (here * (1.0 - magnified) + magnified / 6.0);
     };
     return a * a * share(p[0], m.widthTexels) * share(p[1], m.heightTexels);
@@ -287,24 +320,50 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   const std::size_t upper = std::min(lower + 1, levels_.size() - 1);
   Sample sample;
   double squares = 0.0;
+  std::vector<std::pair<Decoded, Tap>> taps;
+  std::vector<double> weights;
   for (const Vertex& vertex : triangleAt(p, n)) {
-    const Vec2 tap = tapOf(p, vertex, n);
-    const Vec4 low = sampleRepeat(levels_[lower], tap), high = sampleRepeat(levels_[upper], tap);
+    const Tap tap = tapOf(p, vertex, n);
+    const Vec4 low = sampleRepeat(levels_[lower], tap.place);
+    const Vec4 high = sampleRepeat(levels_[upper], tap.place);
     const double t = lod - double(lower);
-    for (std::size_t c = 0; c < 3; ++c)
-      sample.gaussian[c] += vertex.weight * (low[c] + t * (high[c] - low[c]) - 0.5);
+    Decoded fetched{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      fetched[c] = low[c] + t * (high[c] - low[c]);
+      sample.gaussian[c] += vertex.weight * (fetched[c] - 0.5);
+    }
+    taps.emplace_back(fetched, tap);
+    weights.push_back(vertex.weight);
     squares += vertex.weight * vertex.weight;
   }
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  const auto [lost, lostAtTexels] = lostVariance(p, lambda, m);
+  const auto [lost, lostAtTexels] = lostVariance(p, lambda, n, m);
   sample.gaussian[3] = lost;
 
   // Step 6.
   const double s = double(n.contrast) * double(n.contrast) * sample.gaussian[3];
-  sample.value = !map_.inverseTable         ? withoutTable(sample.gaussian, s)
-                 : map_.tableOffset.empty() ? fromTable(sample.gaussian, s, m.dimensions)
-                                            : fromTables(sample.gaussian, s, m.dimensions);
+  const auto decode = [&](const Decoded& gaussian) {
+    return !map_.inverseTable         ? withoutTable(gaussian, s)
+           : map_.tableOffset.empty() ? fromTable(gaussian, s, m.dimensions)
+                                      : fromTables(gaussian, s, m.dimensions);
+  };
+  if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
+    // Step 8, of turned tiles.
+    for (std::size_t k = 0; k < taps.size(); ++k) {
+      Decoded& gaussian = taps[k].first;
+      for (std::size_t c = 0; c < 3; ++c)
+        gaussian[c] = 0.5 + double(n.contrast) * (gaussian[c] - 0.5);
+      const Decoded slopes = decode(gaussian);
+      const double share = weights[k] / std::sqrt(squares);
+      const std::complex<double> turned =
+          taps[k].second.turn * std::complex<double>(slopes[0], slopes[1]);
+      sample.value[0] += share * turned.real();
+      sample.value[1] += share * turned.imag();
+      sample.value[2] += share * share * slopes[2];
+    }
+  else
+    sample.value = decode(sample.gaussian);
   if (m.encoding == LICHEN_ENCODING_SLOPE && lost > 0.0)
     sample.value[2] *= lostAtTexels / lost;
   return sample;

@@ -81,6 +81,13 @@ std::vector<LichenUniformInfo> manyUniforms() {
   all[3].overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
   all[3].blendSharpness = 3.0;
   all[3].planeSharpness = 64.0;
+  // Two of them with their tiles turned.
+  for (const auto& [k, steps] : {std::pair<std::size_t, std::uint32_t>{1, 4}, {2, 65536}}) {
+    LichenUniformInfo info = all[k];
+    info.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
+    info.tileRotation = steps;
+    all.push_back(info);
+  }
   return all;
 }
 

@@ -330,6 +330,11 @@ TEST_CASE("every fault of a material's use is found") {
       {"negative seed", "range", [](GlbParts& p) { p.use(0)["seed"] = -1; }},
       {"blunt weights", "range", [](GlbParts& p) { p.use(0)["blendSharpness"] = 0.1; }},
       {"blunt planes", "range", [](GlbParts& p) { p.use(0)["planeSharpness"] = 0.9; }},
+      {"more steps than the hash has", "range",
+       [](GlbParts& p) { p.use(0)["tileRotation"] = 65537; }},
+      {"negative steps", "range", [](GlbParts& p) { p.use(0)["tileRotation"] = -1; }},
+      {"half a step", "type", [](GlbParts& p) { p.use(0)["tileRotation"] = 2.5; }},
+      {"steps of text", "type", [](GlbParts& p) { p.use(0)["tileRotation"] = "free"; }},
       {"too much contrast", "range", [](GlbParts& p) { p.use(0)["contrast"] = 5.0; }},
   });
 }

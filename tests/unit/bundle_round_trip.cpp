@@ -88,6 +88,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(x.blendSharpness == y.blendSharpness);
     CHECK(x.planeSharpness == y.planeSharpness);
     CHECK(x.contrast == y.contrast);
+    CHECK(x.tileRotation == y.tileRotation);
     CHECK(x.impacts == y.impacts);
     CHECK(x.pointProcess == y.pointProcess);
     CHECK(x.mix == y.mix);

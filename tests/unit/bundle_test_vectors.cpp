@@ -76,6 +76,16 @@ TEST_CASE("tile offsets are those of the published test vectors") {
   }
 }
 
+TEST_CASE("the steps of turned tiles are those of the published test vectors") {
+  CHECK(vectors()["tileRotation"].size() > 20);
+  for (const nlohmann::json& v : vectors()["tileRotation"]) {
+    const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
+    CHECK(tileRotationStep(std::uint32_t(vertex[0]), std::uint32_t(vertex[1]),
+                           latticeSeed(v["seed"], v["plane"]),
+                           v["steps"]) == v["step"].get<std::uint32_t>());
+  }
+}
+
 TEST_CASE("tile origins and periodic lattices are those of the published test vectors") {
   for (const nlohmann::json& v : vectors()["latticeOrigin"]) {
     const auto tile = v["tile"].get<std::array<std::int64_t, 2>>();

@@ -170,7 +170,13 @@ TEST_CASE("each parameter outside its range is refused by name") {
        {1.0, -1.0, 0.5, 65537.0, nan}},
       {"overrides",
        [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
-       {2048.0, 2147483648.0}},
+       {4096.0, 2147483648.0}},
+      {"tileRotation",
+       [](LichenUniformInfo& i, double v) {
+         i.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
+         i.tileRotation = std::uint32_t(v);
+       },
+       {65537.0, 4294967295.0}},
       {"tileOriginZ",
        [](LichenUniformInfo& i, double v) { i.tileOriginZ = std::int64_t(v); },
        {1e13, -1e13}},

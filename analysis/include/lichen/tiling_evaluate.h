@@ -68,6 +68,8 @@ private:
   [[nodiscard]] Value blended(const Map& map, const shader::LichenNoise& noise,
                               const TileFootprint& at, BlendOperator blend, float lod,
                               float lost) const;
+  [[nodiscard]] Value turnedSlopes(const Map& map, const shader::LichenNoise& noise,
+                                   const TileFootprint& at, float lod, float lost) const;
   [[nodiscard]] static Value decoded(const Map& map, const shader::LichenNoise& noise,
                                      const TileFootprint& at, const Value& gaussian);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);

@@ -247,6 +247,8 @@ inline constexpr NumberRange kPlaneSharpnessRange{1.0, 64.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
+/// Of MaterialNoise::tileRotation: as many steps as the hash has, any angle.
+inline constexpr std::uint32_t kMostTileRotation = 65536;
 inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
 /// Between the two places of a direction, in texture coordinates: a sixtieth of a texel of the
 /// widest exemplar. The square of 1e-170 is 0, by which the weight would be divided.
@@ -283,6 +285,8 @@ struct MaterialNoise {
   double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
   double planeSharpness = 8.0; ///< of triplanar: exponent of the planes' weights, [1, 64]
   double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
+  /// Of tiling: how many steps of a turn tiles lie in, up to kMostTileRotation; 0 and 1: none.
+  std::uint32_t tileRotation = 0;
   /// Of texton noises: the mean number of impacts that a point sees, in kImpactsRange.
   double impacts = 30.0;
   PointProcess pointProcess = PointProcess::stratified;

@@ -64,6 +64,14 @@ tileOffsetIndex(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::u
   return {((h[0] >> 16u) * countX) >> 16u, ((h[1] >> 16u) * countY) >> 16u};
 }
 
+/// Which of `steps` steps of a turn a vertex's tile has, [0, steps), steps up to 2^16: of the word
+/// of the hash that the offset leaves over.
+[[nodiscard]] constexpr std::uint32_t tileRotationStep(std::uint32_t i, std::uint32_t j,
+                                                       std::uint32_t seedWord,
+                                                       std::uint32_t steps) {
+  return ((pcg3d({i, j, seedWord})[2] >> 16u) * steps) >> 16u;
+}
+
 /// The offset of a vertex's tile in whole texels: components in [0, width) x [0, height), multiples
 /// of the step.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>

@@ -360,7 +360,8 @@ typedef enum LichenOverride {
   LICHEN_OVERRIDE_IMPACTS = 128,
   LICHEN_OVERRIDE_POINT_PROCESS = 256,
   LICHEN_OVERRIDE_MAPPING = 512,
-  LICHEN_OVERRIDE_PLANE_SHARPNESS = 1024
+  LICHEN_OVERRIDE_PLANE_SHARPNESS = 1024,
+  LICHEN_OVERRIDE_TILE_ROTATION = 2048
 } LichenOverride;
 
 /* How the impacts of texton noise lie. */
@@ -406,7 +407,9 @@ typedef struct LichenUniformInfo {
    * LICHEN_PLACE_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for
    * LICHEN_MAPPING_SURFACE, which only textons have. */
   LichenMapping mapping;
-  uint32_t reserved;     /* 0 */
+  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536: any
+   * angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
+  uint32_t tileRotation;
   double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
 } LichenUniformInfo;
 

@@ -10,11 +10,13 @@ layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
 layout(constant_id = 6) const bool kTriplanar = true; // whether some are mapped onto three planes
+layout(constant_id = 7) const bool kTileRotation = true; // whether some turn their tiles
 #define LICHEN_TILING_NOISES kTilingNoises
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
 #endif
 #define LICHEN_MIXED_TEXTONS kMixedTextons
+#define LICHEN_TILE_ROTATION kTileRotation
 #define LICHEN_SEPARABLE_TABLES kOtherTables
 #define LICHEN_GAUSSIAN_ONLY kOtherTables
 #include "lichen.glsl"

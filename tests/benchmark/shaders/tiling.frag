@@ -4,11 +4,15 @@
 // Tiling and blending, as a material's base colour uses it. The build says which kinds of table
 // there are, and the quality.
 
-// The usual material: an infinite lattice and plain weights, known at compile time.
+// The usual material: an infinite lattice, plain weights and tiles that are not turned, known at
+// compile time.
 #define LICHEN_TEXTON_NOISES 0
 #define LICHEN_PERIODIC_LATTICE 0
 #ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 0
+#endif
+#ifndef LICHEN_TILE_ROTATION
+#define LICHEN_TILE_ROTATION 0
 #endif
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0

@@ -4,7 +4,7 @@
 // The parts of tiling and textons, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
 #include "lichen.glsl"
 
-const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset of 64 x 75, seed and pcg
+const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset and steps, seed and pcg
 const int kTriangle = 1;    // (position as float bits, cell) -> i, j, weights as float bits
 const int kCdf = 2;         // float bits -> float bits
 const int kFloorDivide = 3; // (value, period) -> quotient
@@ -25,6 +25,8 @@ void main() {
     first.xyz = lichenPcg3d(question.xyz);
     second.xy =
         lichenTileOffsetIndex(int(question.x), int(question.y), question.z, uvec2(64u, 75u));
+    second.z = lichenTileRotationStep(int(question.x), int(question.y), question.z, 7u);
+    second.w = lichenTileRotationStep(int(question.x), int(question.y), question.z, 65536u);
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
     LichenNoise noise;

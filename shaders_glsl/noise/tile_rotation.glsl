@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Tiles that each lie turned: vertex -> the (cosine, sine) of its tile's angle; a way on the plane
+// -> the way in the turned exemplar; slopes of the turned exemplar -> slopes on the plane.
+// Angles are in space, where texels are square. The CPU twin is analysis/tiling/tile_rotation;
+// docs/decisions/024-tile-rotation.md has what it is good for and what it costs.
+#ifndef LICHEN_TILE_ROTATION_GLSL
+#define LICHEN_TILE_ROTATION_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "hash.glsl"
+
+// 0 where no material's tileRotation is above 1. A literal, or the host's specialization constant.
+#ifndef LICHEN_TILE_ROTATION
+#define LICHEN_TILE_ROTATION 1
+#endif
+
+/// Whether tiles are turned; known at compile time where none are.
+bool lichenTurnsTiles(LichenNoise noise) {
+  return bool(LICHEN_TILE_ROTATION) && noise.tileRotation > 1u;
+}
+
+/// Whether turned tiles have their texels where tiles that are not turned have theirs: half turns,
+/// and quarter turns of square exemplars. They are turned about the origin, others about their
+/// vertices.
+bool lichenTurnsKeepTexels(LichenNoise noise) {
+  return noise.tileRotation <= 2u || (noise.tileRotation == 4u && noise.tileAspect == 1.0);
+}
+
+/// The (cosine, sine) of vertex (i, j)'s tile.
+vec2 lichenTileTurn(int i, int j, LichenNoise noise) {
+  int steps = int(noise.tileRotation);
+  int step = int(lichenTileRotationStep(i, j, noise.seedWord, noise.tileRotation));
+  // The nearest quarter turn, which is exact, and the rest of up to an eighth of a turn, by Taylor's
+  // series: a device's own sine may be 2^-11 off, a tenth of a texel.
+  int quarter = int(floor(4.0 * float(step) / float(steps) + 0.5));
+  const float kQuarterTurn = 1.5707963268;
+  float x = kQuarterTurn * float(4 * step - quarter * steps) / float(steps);
+  float xx = x * x;
+  vec2 turn = vec2(
+      1.0 - xx * (1.0 / 2.0 - xx * (1.0 / 24.0 - xx * (1.0 / 720.0 - xx * (1.0 / 40320.0)))),
+      x - x * xx * (1.0 / 6.0 - xx * (1.0 / 120.0 - xx * (1.0 / 5040.0 - xx * (1.0 / 362880.0)))));
+  if ((quarter & 1) != 0)
+    turn = vec2(-turn.y, turn.x);
+  return (quarter & 2) != 0 ? -turn : turn;
+}
+
+/// A way on the plane [tiles] -> in the exemplar of a tile that is turned so.
+vec2 lichenTurned(vec2 way, vec2 turn, float tileAspect) {
+  return vec2(turn.x * way.x - turn.y * way.y / tileAspect,
+              turn.x * way.y + turn.y * way.x * tileAspect);
+}
+
+/// Slopes in the exemplar of a tile that is turned so -> on the plane. Y points up, against v.
+vec2 lichenSlopesTurnedBack(vec2 slopes, vec2 turn) {
+  return vec2(turn.x * slopes.x - turn.y * slopes.y, turn.x * slopes.y + turn.y * slopes.x);
+}
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Turned tiles in the shader where other choices meet them: fewer taps, three planes, and hosts
+// that leave turning out. tiling_parity.cpp has them against the oracle.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+
+#include <lichen/tiling_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <tiling_evaluate.comp.fewest_taps.h>
+#include <tiling_evaluate.comp.no_rotation.h>
+#include <triplanar_evaluate.comp.fewest_taps.h>
+#include <triplanar_evaluate.comp.no_rotation.h>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr float kTexels = 64.0f;
+constexpr TilingQuality kFewest{2, 1.0 / 128.0}; // as the shaders are compiled with
+
+/// As triplanar_evaluate.comp reads it.
+struct SpacePoint {
+  std::array<float, 4> position{}, gradientX{}, gradientY{}, normal{};
+};
+
+std::vector<SpacePoint> samplePoints(std::size_t count) {
+  std::mt19937 generator(23u);
+  std::uniform_real_distribution<float> tiles(-6.0f, 6.0f), level(-3.0f, 6.0f);
+  std::normal_distribution<float> gaussian;
+  std::vector<SpacePoint> points(count);
+  for (SpacePoint& point : points) {
+    const float pixel = std::exp2(level(generator)) / kTexels;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.position[axis] = tiles(generator);
+      point.normal[axis] = gaussian(generator);
+      point.gradientX[axis] = pixel * gaussian(generator);
+      point.gradientY[axis] = pixel * gaussian(generator);
+    }
+  }
+  return points;
+}
+
+std::vector<Point> flattened(const std::vector<SpacePoint>& points) {
+  std::vector<Point> flat;
+  for (const SpacePoint& point : points)
+    flat.push_back({{point.position[0], point.position[1]},
+                    {point.gradientX[0], point.gradientX[1]},
+                    {point.gradientY[0], point.gradientY[1]},
+                    {}});
+  return flat;
+}
+
+TileFootprint footprintOf(const Point& point) {
+  return {point.uv, point.gradientX, point.gradientY};
+}
+
+TriplanarFootprint footprintOf(const SpacePoint& point) {
+  const auto three = [](const std::array<float, 4>& v) { return std::array{v[0], v[1], v[2]}; };
+  return {three(point.position), three(point.gradientX), three(point.gradientY),
+          three(point.normal)};
+}
+
+LichenUniformInfo turned(std::uint32_t steps, LichenMapping mapping = LICHEN_MAPPING_UV) {
+  LichenUniformInfo info = uniformInfo();
+  info.overrides = LICHEN_OVERRIDE_TILE_ROTATION | LICHEN_OVERRIDE_MAPPING;
+  info.tileRotation = steps;
+  info.mapping = mapping;
+  return info;
+}
+
+/// The fraction of values that are further off than 1/1024, and the greatest difference.
+struct Difference {
+  void note(const std::array<float, 4>& found, const std::array<float, 4>& expected) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double error = std::abs(double(found[c]) - double(expected[c]));
+      largest = std::max(largest, error);
+      beyond += error > 1.0 / 1024.0 ? 1 : 0;
+      ++count;
+    }
+  }
+  double largest = 0.0;
+  int beyond = 0, count = 0;
+};
+
+/// Colours, and slopes of an exemplar that is not square.
+constexpr std::array kMaps{SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, false, 3},
+                           SyntheticMap{2, 64, 64, false, 3}};
+
+} // namespace
+
+TEST_CASE("turned tiles with fewer taps, in the plane and in three, are the CPU twin's") {
+  const auto device = requireDevice();
+  for (const SyntheticMap& map : kMaps) {
+    const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
+    const Bundle bundle = parseBundle(glb, "synthetic").value();
+    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kFewest).value();
+    PluginHost host(*device, glb);
+    const std::vector<SpacePoint> points = samplePoints(1000);
+    const std::vector<Point> flat = flattened(points);
+    for (const std::uint32_t steps : {2u, 4u, 5u, 65536u}) {
+      const auto inPlane = host.evaluate(tiling_evaluate_comp_fewest_taps, 0, turned(steps), flat);
+      const shader::LichenNoise plane = host.uniforms().noise;
+      const auto inThree = host.evaluate(triplanar_evaluate_comp_fewest_taps, 0,
+                                         turned(steps, LICHEN_MAPPING_TRIPLANAR), points);
+      const shader::LichenNoise three = host.uniforms().noise;
+      Difference difference, differenceInThree;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        difference.note(inPlane[k], twin.evaluate(0, plane, footprintOf(flat[k])));
+        differenceInThree.note(inThree[k], twin.evaluate(0, three, footprintOf(points[k])));
+      }
+      INFO("D = " << map.dimensions << ", " << map.height << " rows, steps " << steps);
+      for (const Difference& one : {difference, differenceInThree}) {
+        CHECK(one.largest <= 1.0 / 255.0);
+        CHECK(one.beyond <= 0.001 * one.count);
+      }
+    }
+  }
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+TEST_CASE("a shader without turning shows tiles as they are, and one with it turns them") {
+  const auto device = requireDevice();
+  for (const SyntheticMap& map : kMaps) {
+    const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
+    PluginHost host(*device, glb);
+    const std::vector<SpacePoint> points = samplePoints(500);
+    const std::vector<Point> flat = flattened(points);
+    const auto differing = [&](const auto& a, const auto& b) {
+      int count = 0;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        count += std::abs(a[k][0] - b[k][0]) > 1.0f / 255.0f ? 1 : 0;
+      return double(count) / double(a.size());
+    };
+    const auto whole = committedShader("tiling_evaluate.comp");
+    const std::span<const std::uint32_t> without = tiling_evaluate_comp_no_rotation;
+    const auto plain = host.evaluate(whole, 0, turned(0), flat);
+    CHECK(differing(host.evaluate(without, 0, turned(0), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(without, 0, turned(4), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(whole, 0, turned(1), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(whole, 0, turned(4), flat), plain) > 0.2);
+    const auto wholeInThree = committedShader("triplanar_evaluate.comp");
+    const auto inThree =
+        host.evaluate(wholeInThree, 0, turned(0, LICHEN_MAPPING_TRIPLANAR), points);
+    CHECK(differing(host.evaluate(triplanar_evaluate_comp_no_rotation, 0,
+                                  turned(4, LICHEN_MAPPING_TRIPLANAR), points),
+                    inThree) == 0.0);
+    CHECK(differing(host.evaluate(wholeInThree, 0, turned(4, LICHEN_MAPPING_TRIPLANAR), points),
+                    inThree) > 0.2);
+  }
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
