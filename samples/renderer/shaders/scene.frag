@@ -48,7 +48,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
   float metallic = clamp(surface.metallic, 0.0, 1.0);
   s.diffuseColor = surface.baseColor.rgb * (1.0 - metallic);
   s.f0 = mix(vec3(kDielectricF0), surface.baseColor.rgb, metallic);
-  s.brdf = textureLod(brdfTable, vec2(s.nDotV, s.roughness), 0.0).xyz;
+  s.brdf = textureLod(brdfTable, vec2(s.nDotV, s.roughness), 0.0);
   return s;
 }
 
