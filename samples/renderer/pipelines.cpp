@@ -23,6 +23,7 @@
 #include <scene.vert.h>
 #include <sky.frag.h>
 #include <sky.vert.h>
+#include <span>
 
 namespace lichen::renderer {
 namespace {
@@ -159,15 +160,22 @@ VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-/// Which of the shaders' variants has all that a scene needs, and little more.
-enum class CodeNeeded { tiling, triplanarTiling, plane, surface, all };
+/// The shaders' variants that have all that a scene needs, and little more.
+struct FragmentCode {
+  std::span<const std::uint32_t> surface;
+  std::span<const std::uint32_t> depth;
+};
 
-CodeNeeded codeNeeded(const SurfaceConstants& shared) {
+FragmentCode fragmentCodeFor(const SurfaceConstants& shared) {
+  if (!shared.textonNoises && !shared.triplanarNoises)
+    return {scene_frag_tiling, depth_frag_tiling};
   if (!shared.textonNoises)
-    return shared.triplanarNoises ? CodeNeeded::triplanarTiling : CodeNeeded::tiling;
+    return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
   if (shared.triplanarNoises)
-    return CodeNeeded::all;
-  return shared.surfaceNoises ? CodeNeeded::surface : CodeNeeded::plane;
+    return {scene_frag, depth_frag};
+  if (shared.surfaceNoises)
+    return {scene_frag_surface, depth_frag_surface};
+  return {scene_frag_plane, depth_frag_plane};
 }
 
 void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
@@ -176,18 +184,17 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  const CodeNeeded needed = codeNeeded(shared);
-  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(scene_frag_tiling)
-               : needed == CodeNeeded::triplanarTiling ? objects.shader(scene_frag_triplanar_tiling)
-               : needed == CodeNeeded::plane           ? objects.shader(scene_frag_plane)
-               : needed == CodeNeeded::surface         ? objects.shader(scene_frag_surface)
-                                                       : objects.shader(scene_frag);
+  d.fragment = objects.shader(fragmentCodeFor(shared).surface);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     if (!used.surfaces[i])
       continue;
-    const Constants constants{(i & 4) != 0,          (i & 2) != 0,        shared.debugView,
-                              shared.otherTables,    shared.tilingNoises, shared.mixedTextons,
-                              shared.triplanarNoises};
+    const Constants constants{.hasNoise = (i & 4) != 0,
+                              .hasNormalMap = (i & 2) != 0,
+                              .debugView = shared.debugView,
+                              .otherTables = shared.otherTables,
+                              .tilingNoises = shared.tilingNoises,
+                              .mixedTextons = shared.mixedTextons,
+                              .triplanar = shared.triplanarNoises};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -206,12 +213,7 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  const CodeNeeded needed = codeNeeded(shared);
-  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(depth_frag_tiling)
-               : needed == CodeNeeded::triplanarTiling ? objects.shader(depth_frag_triplanar_tiling)
-               : needed == CodeNeeded::plane           ? objects.shader(depth_frag_plane)
-               : needed == CodeNeeded::surface         ? objects.shader(depth_frag_surface)
-                                                       : objects.shader(depth_frag);
+  d.fragment = objects.shader(fragmentCodeFor(shared).depth);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     if (!used.depthWithGaps[i])
       continue;
