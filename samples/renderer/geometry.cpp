@@ -8,8 +8,11 @@
 #include "thin_solids.h"
 #include "unit_vector.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace lichen::renderer {
@@ -69,11 +72,14 @@ Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
                              : asTriangleList(indices, source.mode);
 }
 
-/// Also of each vertex that no index has: tangents and thin solids are made of them as well.
-bool liesWithinReach(const std::vector<Vertex>& vertices) {
-  return std::all_of(vertices.begin(), vertices.end(), [](const Vertex& v) {
-    return glm::all(glm::lessThan(glm::abs(v.position), glm::vec3(kMaxSceneReach)));
-  });
+/// The largest coordinate. Also of each vertex that no index has: tangents and thin solids are made
+/// of them as well.
+float reachOf(const std::vector<Vertex>& vertices) {
+  float reach = 0.0f;
+  for (const Vertex& v : vertices)
+    for (int axis = 0; axis < 3; ++axis)
+      reach = std::max(reach, std::abs(v.position[axis]));
+  return reach;
 }
 
 /// Each triangle gets vertices of its own and its geometric normal.
@@ -202,10 +208,11 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   if (deforms(pose))
     if (Result<void> posed = applyRestPose(model, source, pose, target); !posed)
       return posed.error();
-  if (!liesWithinReach(target.vertices))
-    return Error{ErrorKind::badInput, "/accessors/" + std::to_string(position->second) +
-                                          ": puts a vertex beyond 1e15 units from its mesh's "
-                                          "origin; vertices within that are accepted"};
+  if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
+    return Error{ErrorKind::badInput,
+                 fmt::format("/accessors/{}: puts a vertex {:.3g} units from its mesh's origin; "
+                             "below {:.0e} is accepted",
+                             position->second, reach, kMaxSceneReach)};
   if (isThin(source.mode))
     makeThinSolids(target);
   else if (!hasNormals.value())

@@ -9,7 +9,6 @@
 #include "sky_cache.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace lichen::renderer {
 namespace {
