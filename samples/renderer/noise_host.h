@@ -48,8 +48,9 @@ public:
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
   /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
   [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
-  /// Whether some noise that is drawn is mapped onto three planes.
+  /// Whether some noise that is drawn is mapped onto three planes, and whether some is otherwise.
   [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
+  [[nodiscard]] bool hasOtherMappings() const { return hasOtherMappings_; }
   /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
@@ -102,6 +103,7 @@ private:
   bool hasTextonNoises_ = false;
   bool hasSurfaceNoises_ = false;
   bool hasTriplanarNoises_ = false;
+  bool hasOtherMappings_ = false;
   bool hasMixes_ = false;
 };
 

@@ -145,6 +145,7 @@ struct Constants {
   VkBool32 tilingNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
   VkBool32 triplanar = VK_FALSE;
+  VkBool32 otherMappings = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -154,7 +155,8 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
     VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
-    VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
+    VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -194,7 +196,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
                               .mixedTextons = shared.mixedTextons,
-                              .triplanar = shared.triplanarNoises};
+                              .triplanar = shared.triplanarNoises,
+                              .otherMappings = shared.otherMappings};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -221,7 +224,8 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
                               .otherTables = shared.otherTables,
                               .tilingNoises = shared.tilingNoises,
                               .mixedTextons = shared.mixedTextons,
-                              .triplanar = shared.triplanarNoises};
+                              .triplanar = shared.triplanarNoises,
+                              .otherMappings = shared.otherMappings};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

@@ -64,6 +64,7 @@ struct SurfaceConstants {
   bool textonNoises = false;  ///< some noise is one of textons
   bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
   bool triplanarNoises = false; ///< some noise is mapped onto three planes
+  bool otherMappings = false;   ///< some noise is mapped otherwise
   bool mixedTextons = false;    ///< some noise is a mix of textons
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };

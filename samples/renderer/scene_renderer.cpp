@@ -136,6 +136,7 @@ SurfaceConstants SceneRenderer::surfaceConstants() const {
           noises_.hasTextonNoises(),
           noises_.hasSurfaceNoises(),
           noises_.hasTriplanarNoises(),
+          noises_.hasOtherMappings(),
           noises_.hasMixes()};
 }
 

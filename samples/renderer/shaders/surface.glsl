@@ -10,9 +10,11 @@ layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
 layout(constant_id = 6) const bool kTriplanar = true; // whether some are mapped onto three planes
+layout(constant_id = 7) const bool kOtherMappings = true; // whether some are mapped otherwise
 #define LICHEN_TILING_NOISES kTilingNoises
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
+#define LICHEN_OTHER_MAPPINGS kOtherMappings
 #endif
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_SEPARABLE_TABLES kOtherTables
