@@ -65,6 +65,7 @@ struct SurfaceConstants {
   bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
   bool triplanarNoises = false; ///< some noise is mapped onto three planes
   bool mixedTextons = false;    ///< some noise is a mix of textons
+  bool objectSpaces = false;    ///< some noise is placed in the space of its objects
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 

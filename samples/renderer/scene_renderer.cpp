@@ -137,7 +137,8 @@ SurfaceConstants SceneRenderer::surfaceConstants() const {
           noises_.hasTextonNoises(),
           noises_.hasSurfaceNoises(),
           noises_.hasTriplanarNoises(),
-          noises_.hasMixes()};
+          noises_.hasMixes(),
+          noises_.hasObjectSpaces()};
 }
 
 void SceneRenderer::makePipelines() {
