@@ -100,6 +100,29 @@ void makeFlat(Primitive& primitive) {
   primitive.vertices = std::move(vertices);
 }
 
+/// The undeformed vertices, which are still as the file stores them, each to its vertex.
+void spreadUndeformed(Primitive& primitive, bool isFlat) {
+  if (primitive.undeformed.empty())
+    return;
+  std::vector<Vertex> spread;
+  spread.reserve(primitive.vertices.size());
+  for (const Vertex& v : primitive.vertices)
+    spread.push_back(primitive.undeformed[v.stored]);
+  primitive.undeformed = std::move(spread);
+  if (!isFlat)
+    return;
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) -> Vertex& {
+      return primitive.undeformed[primitive.indices[i + k]];
+    };
+    const glm::vec3 across =
+        glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
+    const glm::vec3 normal = normalizedOr(across, kUp);
+    for (std::size_t k = 0; k < 3; ++k)
+      at(k).normal = glm::length(at(k).normal) * normal;
+  }
+}
+
 /// Copies attribute `name` into the vertices by `assign(vertex, pointer to its components)`.
 template <class Assign>
 Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primitive& source,
@@ -176,14 +199,16 @@ std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive
   const std::size_t own = model.accessors[std::size_t(position->second)].count;
   const std::size_t stored =
       source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : own;
-  const std::size_t vertices = own * (1 + restPosePasses(source, pose));
+  // What a pose deforms is kept as it was too, where a noise may be placed by that.
+  const std::size_t copies = deforms(pose) && material.hasNoise ? 2 : 1;
+  const std::size_t vertices = own * (copies + restPosePasses(source, pose));
   if (isThin(source.mode))
-    return vertices + stored * (kThinSolidVertices + kThinSolidIndices);
+    return vertices + stored * (copies * kThinSolidVertices + kThinSolidIndices);
   const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
   // Flat normals take a vertex for each index, and tangents as many at most.
   const bool splits =
       source.attributes.count("NORMAL") == 0 || madeTangents(source, material).has_value();
-  return vertices + indices + (splits ? indices : 0);
+  return vertices + indices + (splits ? copies * indices : 0);
 }
 
 Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
@@ -196,6 +221,8 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   Vertex blank;
   blank.normal = kUp;
   target.vertices.assign(model.accessors[std::size_t(position->second)].count, blank);
+  for (std::size_t i = 0; i < target.vertices.size(); ++i)
+    target.vertices[i].stored = std::uint32_t(i);
   Result<std::vector<std::uint32_t>> elements = readElements(model, source, target.vertices.size());
   if (!elements)
     return elements.error();
@@ -205,9 +232,12 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   const Result<bool> hasNormals = readVertices(model, source, material, target);
   if (!hasNormals)
     return hasNormals.error();
-  if (deforms(pose))
+  if (deforms(pose)) {
+    if (material.hasNoise)
+      target.undeformed = target.vertices;
     if (Result<void> posed = applyRestPose(model, source, pose, target); !posed)
       return posed.error();
+  }
   if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
     return Error{ErrorKind::badInput,
                  fmt::format("/accessors/{}: puts a vertex {:.3g} units from its mesh's origin; "
@@ -219,6 +249,7 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
     makeFlat(target);
   if (const std::optional<int> texCoord = madeTangents(source, material))
     makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
+  spreadUndeformed(target, !isThin(source.mode) && !hasNormals.value());
   return std::optional<Primitive>(std::move(target));
 }
 

@@ -24,6 +24,7 @@ struct NoiseRoles {
   /// Which component of the ORM map's value is occlusion, roughness, metallic; -1 for none.
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
+  bool inObjectSpace = false;
 };
 
 class NoiseHost {
@@ -51,6 +52,8 @@ public:
   /// Whether some noise that is drawn is mapped onto three planes, and whether some is otherwise.
   [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
   [[nodiscard]] bool hasOtherMappings() const { return hasOtherMappings_; }
+  /// Whether some noise that is drawn is placed in the space of its objects.
+  [[nodiscard]] bool hasObjectSpaces() const { return hasObjectSpaces_; }
   /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
@@ -105,6 +108,7 @@ private:
   bool hasTriplanarNoises_ = false;
   bool hasOtherMappings_ = false;
   bool hasMixes_ = false;
+  bool hasObjectSpaces_ = false;
 };
 
 } // namespace lichen::renderer

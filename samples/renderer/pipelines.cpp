@@ -53,17 +53,23 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModul
 }
 
 constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat format,
-                                               std::size_t offset) {
-  return {location, 0, format, std::uint32_t(offset)};
+                                               std::size_t offset, std::uint32_t binding = 0) {
+  return {location, binding, format, std::uint32_t(offset)};
 }
 
-constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
-                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
-                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
-                                 at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
-                                 at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
-                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
-                                 at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight))};
+constexpr std::uint32_t kUndeformed = 1; // binding of the vertices before morph targets and skins
+
+constexpr std::array kAttributes{
+    at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+    at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+    at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
+    at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
+    at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
+    at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
+    at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight)),
+    at(7, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position), kUndeformed),
+    at(8, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal), kUndeformed),
+    at(9, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent), kUndeformed)};
 
 VkPipelineColorBlendAttachmentState blending(bool enabled) {
   VkPipelineColorBlendAttachmentState state{};
@@ -80,12 +86,14 @@ VkPipelineColorBlendAttachmentState blending(bool enabled) {
 VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, d.vertex),
                     stage(VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment)};
-  stages[1].pSpecializationInfo = d.specialization;
-  const VkVertexInputBindingDescription binding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+  stages[0].pSpecializationInfo = stages[1].pSpecializationInfo = d.specialization;
+  constexpr std::array kBindings{
+      VkVertexInputBindingDescription{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
+      VkVertexInputBindingDescription{kUndeformed, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX}};
   VkPipelineVertexInputStateCreateInfo input{
       VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : 1;
-  input.pVertexBindingDescriptions = &binding;
+  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : std::uint32_t(kBindings.size());
+  input.pVertexBindingDescriptions = kBindings.data();
   input.vertexAttributeDescriptionCount = std::uint32_t(d.attributes.size());
   input.pVertexAttributeDescriptions = d.attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{
@@ -136,7 +144,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-/// The specialization constants of surface.glsl and scene.frag.
+/// The specialization constants of surface.glsl, world_frame.glsl and scene.frag.
 struct Constants {
   VkBool32 hasNoise = VK_FALSE;
   VkBool32 hasNormalMap = VK_FALSE;
@@ -146,6 +154,7 @@ struct Constants {
   VkBool32 mixedTextons = VK_FALSE;
   VkBool32 triplanar = VK_FALSE;
   VkBool32 otherMappings = VK_FALSE;
+  VkBool32 objectSpaces = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -156,7 +165,8 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
     VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
     VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
-    VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)},
+    VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -197,7 +207,8 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
                               .tilingNoises = shared.tilingNoises,
                               .mixedTextons = shared.mixedTextons,
                               .triplanar = shared.triplanarNoises,
-                              .otherMappings = shared.otherMappings};
+                              .otherMappings = shared.otherMappings,
+                              .objectSpaces = shared.objectSpaces};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -225,7 +236,8 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
                               .tilingNoises = shared.tilingNoises,
                               .mixedTextons = shared.mixedTextons,
                               .triplanar = shared.triplanarNoises,
-                              .otherMappings = shared.otherMappings};
+                              .otherMappings = shared.otherMappings,
+                              .objectSpaces = shared.objectSpaces};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     pipelines.depthWithGaps[i] = graphics(objects, d);

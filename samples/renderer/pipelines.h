@@ -66,6 +66,7 @@ struct SurfaceConstants {
   bool triplanarNoises = false; ///< some noise is mapped onto three planes
   bool otherMappings = false;   ///< some noise is mapped otherwise
   bool mixedTextons = false;    ///< some noise is a mix of textons
+  bool objectSpaces = false;    ///< some noise is placed in the space of its objects
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 

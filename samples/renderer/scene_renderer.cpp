@@ -137,7 +137,8 @@ SurfaceConstants SceneRenderer::surfaceConstants() const {
           noises_.hasSurfaceNoises(),
           noises_.hasTriplanarNoises(),
           noises_.hasOtherMappings(),
-          noises_.hasMixes()};
+          noises_.hasMixes(),
+          noises_.hasObjectSpaces()};
 }
 
 void SceneRenderer::makePipelines() {

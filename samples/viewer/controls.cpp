@@ -58,6 +58,9 @@ Request Controls::press(Key key) {
   case 'M':
     nextMapping(step);
     break;
+  case 'O':
+    nextSpace(step);
+    break;
   case 'T':
     nextNoise(step);
     break;
@@ -107,6 +110,14 @@ void Controls::nextMapping(int step) {
   look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
 }
 
+void Controls::nextSpace(int step) {
+  std::optional<std::size_t> current; // the world's, the object's
+  if (look_.noise.inObjectSpace)
+    current = *look_.noise.inObjectSpace ? 1 : 0;
+  const std::optional<std::size_t> next = around(current, 2, step);
+  look_.noise.inObjectSpace = next ? std::optional(*next == 1) : std::nullopt;
+}
+
 void Controls::nextDebugView(int step) {
   const std::vector<std::string_view> names = debugViewNames();
   std::optional<std::size_t> current;
@@ -129,6 +140,8 @@ std::string Controls::summary() const {
                                                   : printable(noises_[*noise.noise])));
   if (noise.mapping)
     add(*noise.mapping == NoiseMapping::uv ? "mapping uv" : "mapping triplanar");
+  if (noise.inObjectSpace)
+    add(*noise.inObjectSpace ? "object space" : "world space");
   if (noise.seedStep != 0)
     add(fmt::format("seed {:+d}", std::int32_t(noise.seedStep)));
   addFactor("scale", noise.scaleFactor);
@@ -150,6 +163,7 @@ std::string_view Controls::help() {
          "  P  sharper borders between the planes of triplanar mapping\n"
          "  C  more contrast\n"
          "  M  mapping: the file's, uv, triplanar\n"
+         "  O  space of triplanar and surface: the file's, world, object\n"
          "  T  noise: the file's, then each of the bundle's\n"
          "  D  the next debug view\n"
          "  E  more exposure\n"

@@ -139,6 +139,10 @@ TEST_CASE("choices go around: the file's own, then each, then the file's own") {
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::uv);
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::triplanar);
   CHECK_FALSE(lookAfter(controls, "M").noise.mapping.has_value());
+  CHECK(lookAfter(controls, "O").noise.inObjectSpace == false);
+  CHECK(lookAfter(controls, "O").noise.inObjectSpace == true);
+  CHECK(controls.summary() == "object space");
+  CHECK_FALSE(lookAfter(controls, "O").noise.inObjectSpace.has_value());
   for (const std::string_view name : debugViewNames())
     CHECK(lookAfter(controls, "D").debugView == name);
   CHECK(lookAfter(controls, "D").debugView.empty());
