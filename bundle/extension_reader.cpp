@@ -198,6 +198,19 @@ Mapping readMapping(ObjectReader& reader, Method method) {
   return Mapping::uv;
 }
 
+/// Where the places of a mapping in space are.
+NoiseSpace readSpace(ObjectReader& reader, Mapping mapping) {
+  const std::string name = reader.text("space").value_or("world");
+  const std::optional<NoiseSpace> space = noiseSpaceFrom(name);
+  if (!space)
+    reader.error("material-space", "space", quoted(name) + "; world or object is accepted");
+  else if (!isInSpace(mapping))
+    reader.error("material-space", "space",
+                 quoted(name) + "; none is accepted for the mapping " +
+                     std::string(nameOf(mapping)) + ", which is not in space");
+  return space.value_or(NoiseSpace::world);
+}
+
 MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const Bundle& bundle,
                            std::size_t textures, FindingList& findings) {
   MaterialNoise use;
@@ -209,6 +222,8 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   const Method method = bundle.noises.empty() ? Method::tiling : bundle.noises[use.noise].method;
   if (reader.has("mapping"))
     use.mapping = readMapping(reader, method);
+  if (reader.has("space"))
+    use.space = readSpace(reader, use.mapping);
   if (reader.has("texCoord"))
     use.texCoord = int(reader.integer("texCoord", kMaxTexCoord).value_or(0));
   if (reader.has("seed"))

@@ -102,6 +102,8 @@ JsonTree describeMaterialNoise(const MaterialNoise& use) {
   JsonTree json = {{"noise", use.noise}};
   if (use.mapping != defaults.mapping)
     json["mapping"] = nameOf(use.mapping);
+  if (use.space != defaults.space)
+    json["space"] = nameOf(use.space);
   if (use.texCoord != defaults.texCoord)
     json["texCoord"] = use.texCoord;
   if (use.scale != defaults.scale)

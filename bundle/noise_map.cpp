@@ -34,6 +34,8 @@ bool mappingFits(Method method, Mapping mapping) {
   }
 }
 
+bool isInSpace(Mapping mapping) { return mapping != Mapping::uv; }
+
 std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
                                 std::size_t rows) {
   const std::size_t levels = mipLoss.size() / rows;

@@ -287,6 +287,7 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
     values.noise = std::uint32_t(source->noise);
     values.mapping = mappingOf(source->mapping);
     values.texCoord = std::uint32_t(source->texCoord);
+    values.space = source->space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD;
     values.mixSource = mixSourceOf(source->mix.source);
     values.mixTexture = std::uint32_t(source->mix.texture);
     values.mixSet = std::uint32_t(source->mix.source == MixSource::texture ? source->mix.texCoord

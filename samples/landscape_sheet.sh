@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # A landscape of a million triangles from the feet to the horizon: one exemplar on the ground, the
-# other on the rocks, both triplanar. Prints the time of a frame and the memory of the program.
+# other on the rocks and, blended, on their edges, all triplanar. Prints the time of a frame and the memory of the program.
 #   samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png
 # Needs a release build, a Vulkan device, ImageMagick and GNU time (Debian packages imagemagick, time).
 set -euo pipefail
@@ -16,6 +16,8 @@ output=$1
 "$bin/lichen" apply "$work/landscape.glb" --noise "$work/ground.glb" --material ground \
   --mapping triplanar --scale 1.5 -o "$work/half.glb" --quiet
 "$bin/lichen" apply "$work/half.glb" --noise "$work/rock.glb" --material rock \
+  --mapping triplanar --scale 1.5 -o "$work/most.glb" --quiet
+"$bin/lichen" apply "$work/most.glb" --noise "$work/rock.glb" --material "rock edge" \
   --mapping triplanar --scale 1.5 -o "$work/scene.glb" --quiet
 /usr/bin/time -f '%M KiB at most' "$bin/lichen-render" "$work/scene.glb" --camera view \
   --size 1600x900 --frames 4 -o "$work/landscape.png" --json

@@ -77,15 +77,20 @@ std::vector<std::string> notesOnNormals(const GltfScene& scene,
   return notes;
 }
 
-/// What a grain does not steer.
+/// What a grain does not steer: a note for each material, which may have thousands of meshes.
 std::vector<std::string> notesOnGrain(const GltfScene& scene,
                                       std::span<const std::size_t> materials) {
   std::vector<std::string> notes;
-  for (const std::size_t material : materials)
-    for (const PrimitivePlace place : scene.primitivesOf(material))
-      if (hasFrame(scene, place))
-        notes.push_back(fmt::format("{}: {}: has tangents, along which the noise lies, not --grain",
-                                    scene.path().string(), scene.primitiveTitle(place)));
+  for (const std::size_t material : materials) {
+    std::vector<PrimitivePlace> framed = scene.primitivesOf(material);
+    std::erase_if(framed, [&](PrimitivePlace place) { return !hasFrame(scene, place); });
+    if (framed.empty())
+      continue;
+    const std::string more =
+        framed.size() > 1 ? fmt::format(", like {} more of its material", framed.size() - 1) : "";
+    notes.push_back(fmt::format("{}: {}{}: has tangents, along which the noise lies, not --grain",
+                                scene.path().string(), scene.primitiveTitle(framed.front()), more));
+  }
   return notes;
 }
 

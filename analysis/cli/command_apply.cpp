@@ -29,6 +29,7 @@ struct Arguments {
   std::string noise;
   std::string material;
   Mapping mapping{};
+  std::optional<NoiseSpace> space;
   std::optional<double> scale;
   std::optional<double> rotationDegrees;
   std::optional<std::uint32_t> seed;
@@ -69,6 +70,7 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
       break;
     }
   use.mapping = arguments.mapping;
+  use.space = arguments.space.value_or(isInSpace(use.mapping) ? use.space : NoiseSpace::world);
   use.texCoord = 0;
   use.scale = arguments.scale.value_or(use.scale);
   if (arguments.rotationDegrees)
@@ -133,6 +135,16 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
                            "{} is accepted",
                            nameOf(mapping), noise.name, nameOf(noise.method),
                            alternatives(accepted))};
+}
+
+/// Whether the mapping has its places in space, of which --space says which.
+Result<void> checkSpace(const Arguments& arguments) {
+  if (!arguments.space || isInSpace(arguments.mapping))
+    return {};
+  return Error{ErrorKind::usage,
+               fmt::format("--space {}: the mapping {} is not in space; --mapping triplanar or "
+                           "surface is accepted with it",
+                           nameOf(*arguments.space), nameOf(arguments.mapping))};
 }
 
 /// Whether all that has one of the materials has the texture coordinates.
@@ -281,6 +293,8 @@ Result<int> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
+  if (Result<void> checked = checkSpace(arguments); !checked)
+    return checked.error();
   const Result<Outcome> outcome = apply(arguments);
   if (!outcome)
     return outcome.error();
@@ -306,6 +320,10 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
                                   {"solid", Mapping::solid}};
   addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
            "Where the noise is evaluated");
+  const Choices<NoiseSpace> spaces{{"world", NoiseSpace::world}, {"object", NoiseSpace::object}};
+  addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
+           "Of triplanar and surface: world, where one pattern runs from mesh to mesh, or object, "
+           "which it moves, turns and scales with [default: the bundle's]");
   addValue(verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
            "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
            "width [default: the bundle's]");

@@ -157,6 +157,7 @@ Json describe(const MaterialNoise& use, std::size_t index, const std::string& na
   return {{"index", index},
           {"name", name},
           {"mapping", nameOf(use.mapping)},
+          {"space", isInSpace(use.mapping) ? Json(nameOf(use.space)) : Json()},
           {"texCoord", use.texCoord},
           {"scale", use.scale},
           {"offset", use.offset},
@@ -280,7 +281,9 @@ std::string mixOf(const MixWeight& mix) {
 /// What differs from the format's defaults, after mapping and seed, which always matter.
 std::string parametersOf(const MaterialNoise& use) {
   const MaterialNoise defaults;
-  std::string text = fmt::format("{}, seed {}", nameOf(use.mapping), use.seed);
+  std::string text =
+      fmt::format("{}{}, seed {}", nameOf(use.mapping),
+                  use.space == NoiseSpace::object ? " in object space" : "", use.seed);
   const auto add = [&](bool isDefault, const std::string& parameter) {
     text += isDefault ? "" : ", " + parameter;
   };

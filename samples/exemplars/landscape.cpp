@@ -7,6 +7,7 @@
 #include "periodic.h"
 #include "space_noise.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -70,13 +71,28 @@ float patchesAt(float x, float z) {
   return sum;
 }
 
-bool isRock(const SceneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  float upright = 0.0f;
-  for (const std::uint32_t vertex : triangle)
-    upright += mesh.normals[vertex][1] / 3.0f;
-  const auto& place = mesh.positions[triangle[0]];
-  constexpr float kUpright = 0.9f; // y of the normal of ground that moss still holds on to
-  return upright < kUpright + 0.2f * patchesAt(place[0], place[2]);
+/// How much of a vertex is rock, 0 to 1.
+float rockAt(const SceneMesh& mesh, std::size_t vertex) {
+  const auto& place = mesh.positions[vertex];
+  constexpr float kUpright = 0.9f;  // y of the normal of ground that moss still holds on to
+  constexpr float kBorder = 0.012f; // within which it gets thin
+  const float limit = kUpright + 0.2f * patchesAt(place[0], place[2]);
+  return smoothStep(-kBorder, kBorder, limit - mesh.normals[vertex][1]);
+}
+
+/// Ground, rock, or ground below and a layer of rock above, where a triangle has both.
+void addTriangle(SceneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const auto [least, most] = std::minmax({mesh.alphas[a], mesh.alphas[b], mesh.alphas[c]});
+  const auto add = [&](std::vector<std::uint32_t>& triangles) {
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  };
+  if (least < 1.0f)
+    add(mesh.triangles);
+  else
+    add(mesh.otherParts[0].triangles);
+  if (least < 1.0f && most > 0.0f)
+    add(mesh.otherParts[1].triangles);
 }
 
 } // namespace
@@ -85,17 +101,18 @@ std::vector<std::byte> landscapeGlb() {
   SceneMesh mesh;
   mesh.name = "ground";
   addVertices(mesh);
-  mesh.otherParts.push_back({"rock", {}});
+  mesh.otherParts.push_back({"rock", {}, false});
+  mesh.otherParts.push_back({"rock edge", {}, true});
+  for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
+    mesh.alphas.push_back(rockAt(mesh, vertex));
   constexpr std::uint32_t kRow = kColumns + 1;
   for (std::uint32_t j = 0; j < kRows; ++j)
     for (std::uint32_t i = 0; i < kColumns; ++i) {
       const std::uint32_t corner = j * kRow + i;
       for (const std::array<std::uint32_t, 3>& triangle :
            {std::array{corner, corner + 1, corner + kRow},
-            std::array{corner + 1, corner + kRow + 1, corner + kRow}}) {
-        auto& part = isRock(mesh, triangle) ? mesh.otherParts[0].triangles : mesh.triangles;
-        part.insert(part.end(), triangle.begin(), triangle.end());
-      }
+            std::array{corner + 1, corner + kRow + 1, corner + kRow}})
+        addTriangle(mesh, triangle);
     }
   // Downwards by 5 degrees.
   const std::vector<SceneCamera> cameras{

@@ -5,6 +5,7 @@
 #include <lichen/gltf_container.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen::exemplars {
 namespace {
@@ -24,6 +25,19 @@ public:
                {{"componentType", kFloat},
                 {"count", values.size()},
                 {"type", "VEC" + std::to_string(kComponents)}});
+  }
+  /// White, with these alphas.
+  std::size_t addColors(const std::vector<float>& alphas) {
+    constexpr int kUnsignedByte = 5121, kVertices = 34962;
+    constexpr std::uint8_t kOne = 255;
+    std::vector<std::array<std::uint8_t, 4>> colors;
+    for (const float alpha : alphas)
+      colors.push_back({kOne, kOne, kOne, std::uint8_t(std::lround(alpha * float(kOne)))});
+    return add(std::as_bytes(std::span(colors)), kVertices,
+               {{"componentType", kUnsignedByte},
+                {"normalized", true},
+                {"count", alphas.size()},
+                {"type", "VEC4"}});
   }
   std::size_t addIndices(const std::vector<std::uint32_t>& values) {
     constexpr int kUnsignedInt = 5125, kIndices = 34963;
@@ -84,9 +98,11 @@ std::vector<std::byte> meshSceneGlb(const SceneMesh& mesh, std::span<const Scene
     attributes["NORMAL"] = accessors.addVertices(mesh.normals);
   if (!mesh.texCoords.empty())
     attributes["TEXCOORD_0"] = accessors.addVertices(mesh.texCoords);
+  if (!mesh.alphas.empty())
+    attributes["COLOR_0"] = accessors.addColors(mesh.alphas);
   json["meshes"][0]["name"] = mesh.name;
-  const auto addPart = [&](const std::string& material,
-                           const std::vector<std::uint32_t>& triangles) {
+  const auto addPart = [&](const std::string& material, const std::vector<std::uint32_t>& triangles,
+                           bool isBlended) {
     const std::size_t indices = accessors.addIndices(triangles);
     const std::size_t index = json["materials"].size(); // ahead: a new member moves the others
     json["meshes"][0]["primitives"].push_back(
@@ -95,10 +111,12 @@ std::vector<std::byte> meshSceneGlb(const SceneMesh& mesh, std::span<const Scene
         {{"name", material},
          {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}},
          {"doubleSided", mesh.isDoubleSided}});
+    if (isBlended)
+      json["materials"].back()["alphaMode"] = "BLEND";
   };
-  addPart(mesh.name, mesh.triangles);
+  addPart(mesh.name, mesh.triangles, false);
   for (const ScenePart& part : mesh.otherParts)
-    addPart(part.material, part.triangles);
+    addPart(part.material, part.triangles, part.isBlended);
   json["buffers"][0]["byteLength"] = accessors.binary().size();
   return frameGlb(json.dump(), accessors.binary());
 }

@@ -16,6 +16,7 @@ namespace lichen::exemplars {
 struct ScenePart {
   std::string material;
   std::vector<std::uint32_t> triangles; ///< as SceneMesh::triangles
+  bool isBlended = false;               ///< by SceneMesh::alphas
 };
 
 struct SceneMesh {
@@ -23,6 +24,7 @@ struct SceneMesh {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;   ///< of each position, or none
   std::vector<std::array<float, 2>> texCoords; ///< likewise
+  std::vector<float> alphas;                   ///< likewise, in [0, 1], of 8 bits in the file
   std::vector<std::uint32_t> triangles;        ///< three positions each, counter-clockwise
   std::vector<ScenePart> otherParts;           ///< of the same positions
   bool isDoubleSided = false;

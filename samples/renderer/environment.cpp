@@ -181,6 +181,28 @@ LinearImage asRgb(const LinearImage& image) {
   return rgb;
 }
 
+/// Of light from a uniform environment; their sum is at most 1.
+glm::vec2 scaleAndBiasOfF0(float nDotV, float alpha) {
+  const glm::vec3 v = onHemisphere(nDotV, 0.0f);
+  const float a2 = alpha * alpha;
+  glm::vec2 sum(0.0f);
+  for (std::uint32_t i = 0; i < kBrdfSamples; ++i) {
+    const glm::vec3 h = sampleGgx(hammersley(i, kBrdfSamples), alpha);
+    const float vDotH = glm::dot(v, h);
+    const glm::vec3 l = 2.0f * vDotH * h - v;
+    if (l.z <= 0.0f || vDotH <= 0.0f)
+      continue;
+    // Height-correlated Smith [Heitz 2014, eq. 99]; 4 n.l v.h / n.h is the sampling weight.
+    const float visibility = 0.5f / (l.z * std::sqrt(nDotV * nDotV * (1.0f - a2) + a2) +
+                                     nDotV * std::sqrt(l.z * l.z * (1.0f - a2) + a2));
+    const float weight = visibility * 4.0f * l.z * vDotH / h.z;
+    const float fresnel = std::pow(1.0f - vDotH, kSchlickPower);
+    sum += glm::vec2(1.0f - fresnel, fresnel) * weight;
+  }
+  sum /= float(kBrdfSamples);
+  return sum / std::max(sum.x + sum.y, 1.0f); // the samples' error must not make light
+}
+
 } // namespace
 
 float alphaOf(float roughness) { return std::max(roughness * roughness, kLeastAlpha); }
@@ -223,35 +245,20 @@ Environment prepareEnvironment(const LinearImage& panorama) {
   return environment;
 }
 
-std::vector<glm::vec3> environmentBrdf(int side) {
-  std::vector<glm::vec3> table;
+std::vector<glm::vec4> environmentBrdf(int side) {
+  std::vector<glm::vec4> table;
   for (int y = 0; y < side; ++y) {
-    float mean = 0.0f;
+    const float alpha = alphaOf((float(y) + 0.5f) / float(side));
+    float meanLoss = 0.0f;
     for (int x = 0; x < side; ++x) {
       const float nDotV = (float(x) + 0.5f) / float(side);
-      const float alpha = alphaOf((float(y) + 0.5f) / float(side));
-      const glm::vec3 v = onHemisphere(nDotV, 0.0f);
-      glm::vec2 sum(0.0f);
-      for (std::uint32_t i = 0; i < kBrdfSamples; ++i) {
-        const glm::vec3 h = sampleGgx(hammersley(i, kBrdfSamples), alpha);
-        const float vDotH = glm::dot(v, h);
-        const glm::vec3 l = 2.0f * vDotH * h - v;
-        if (l.z <= 0.0f || vDotH <= 0.0f)
-          continue;
-        // Height-correlated Smith [Heitz 2014, eq. 99]; 4 n.l v.h / n.h is the sampling weight.
-        const float a2 = alpha * alpha;
-        const float visibility = 0.5f / (l.z * std::sqrt(nDotV * nDotV * (1.0f - a2) + a2) +
-                                         nDotV * std::sqrt(l.z * l.z * (1.0f - a2) + a2));
-        const float weight = visibility * 4.0f * l.z * vDotH / h.z;
-        const float fresnel = std::pow(1.0f - vDotH, kSchlickPower);
-        sum += glm::vec2(1.0f - fresnel, fresnel) * weight;
-      }
-      sum /= float(kBrdfSamples);
-      mean += 2.0f * nDotV * (sum.x + sum.y) / float(side);
-      table.emplace_back(sum, 0.0f);
+      const glm::vec2 scaleAndBias = scaleAndBiasOfF0(nDotV, alpha);
+      const float loss = std::max(1.0f - scaleAndBias.x - scaleAndBias.y, 0.0f);
+      meanLoss += 2.0f * nDotV * loss / float(side);
+      table.emplace_back(scaleAndBias, loss, 0.0f);
     }
     for (int x = 0; x < side; ++x)
-      table[std::size_t(y * side + x)].z = mean;
+      table[std::size_t(y * side + x)].w = meanLoss;
   }
   return table;
 }

@@ -28,7 +28,7 @@ struct Environment {
   /// along its axis [Karis 2013, "split sum"].
   std::vector<CubeLevel> specular;
   CubeLevel diffuse;           ///< irradiance / pi by normal
-  std::vector<glm::vec3> brdf; ///< environmentBrdf(kBrdfSide)
+  std::vector<glm::vec4> brdf; ///< environmentBrdf(kBrdfSide)
 };
 
 /// A latitude-longitude panorama as light: EXR, PNG or JPEG. Errors as readImage().
@@ -41,9 +41,10 @@ struct Environment {
 [[nodiscard]] Environment prepareEnvironment(const LinearImage& panorama);
 
 /// Scale and bias of F0 for light from a uniform environment under GGX and Smith: texel (x, y) of a
-/// side x side table is for n.v = (x + 1/2) / side and perceptual roughness (y + 1/2) / side. Their
-/// sum is the albedo of a white metal; z is its mean over a row, weighted with the cosine.
-[[nodiscard]] std::vector<glm::vec3> environmentBrdf(int side);
+/// side x side table is for n.v = (x + 1/2) / side and perceptual roughness (y + 1/2) / side. z is
+/// what single scattering loses of a white metal, 1 - scale - bias, at least 0 and by itself since
+/// half floats near 1 would not tell it; w is its mean over a row, weighted with the cosine.
+[[nodiscard]] std::vector<glm::vec4> environmentBrdf(int side);
 
 /// GGX's alpha of a perceptual roughness, kept from 0 so that the lobe stays finite. The shaders
 /// have the same function.

@@ -6,6 +6,8 @@
 #include "orthonormal_frame.h"
 #include "printable.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,7 +85,10 @@ Result<Sphere> subjectOf(const Scene& scene) {
       subject.add(box);
   const float extent = std::max(glm::length(all.low), glm::length(all.high));
   if (!(extent < kMaxSceneReach))
-    return Error{ErrorKind::badInput, "the scene reaches beyond 1e15 units from its origin"};
+    return Error{
+        ErrorKind::badInput,
+        fmt::format("the scene reaches {:.3g} units from its origin; below {:.0e} is accepted",
+                    extent, kMaxSceneReach)};
   constexpr float kLeastRadius = 1e-6f;
   return Sphere{(subject.low + subject.high) * 0.5f,
                 std::max(glm::length(subject.size()) * 0.5f, kLeastRadius)};

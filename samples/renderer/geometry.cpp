@@ -8,8 +8,11 @@
 #include "thin_solids.h"
 #include "unit_vector.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace lichen::renderer {
@@ -69,11 +72,14 @@ Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
                              : asTriangleList(indices, source.mode);
 }
 
-/// Also of each vertex that no index has: tangents and thin solids are made of them as well.
-bool liesWithinReach(const std::vector<Vertex>& vertices) {
-  return std::all_of(vertices.begin(), vertices.end(), [](const Vertex& v) {
-    return glm::all(glm::lessThan(glm::abs(v.position), glm::vec3(kMaxSceneReach)));
-  });
+/// The largest coordinate. Also of each vertex that no index has: tangents and thin solids are made
+/// of them as well.
+float reachOf(const std::vector<Vertex>& vertices) {
+  float reach = 0.0f;
+  for (const Vertex& v : vertices)
+    for (int axis = 0; axis < 3; ++axis)
+      reach = std::max(reach, std::abs(v.position[axis]));
+  return reach;
 }
 
 /// Each triangle gets vertices of its own and its geometric normal.
@@ -92,6 +98,29 @@ void makeFlat(Primitive& primitive) {
     }
   }
   primitive.vertices = std::move(vertices);
+}
+
+/// The undeformed vertices, which are still as the file stores them, each to its vertex.
+void spreadUndeformed(Primitive& primitive, bool isFlat) {
+  if (primitive.undeformed.empty())
+    return;
+  std::vector<Vertex> spread;
+  spread.reserve(primitive.vertices.size());
+  for (const Vertex& v : primitive.vertices)
+    spread.push_back(primitive.undeformed[v.stored]);
+  primitive.undeformed = std::move(spread);
+  if (!isFlat)
+    return;
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) -> Vertex& {
+      return primitive.undeformed[primitive.indices[i + k]];
+    };
+    const glm::vec3 across =
+        glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
+    const glm::vec3 normal = normalizedOr(across, kUp);
+    for (std::size_t k = 0; k < 3; ++k)
+      at(k).normal = glm::length(at(k).normal) * normal;
+  }
 }
 
 /// Copies attribute `name` into the vertices by `assign(vertex, pointer to its components)`.
@@ -170,14 +199,16 @@ std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive
   const std::size_t own = model.accessors[std::size_t(position->second)].count;
   const std::size_t stored =
       source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : own;
-  const std::size_t vertices = own * (1 + restPosePasses(source, pose));
+  // What a pose deforms is kept as it was too, where a noise may be placed by that.
+  const std::size_t copies = deforms(pose) && material.hasNoise ? 2 : 1;
+  const std::size_t vertices = own * (copies + restPosePasses(source, pose));
   if (isThin(source.mode))
-    return vertices + stored * (kThinSolidVertices + kThinSolidIndices);
+    return vertices + stored * (copies * kThinSolidVertices + kThinSolidIndices);
   const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
   // Flat normals take a vertex for each index, and tangents as many at most.
   const bool splits =
       source.attributes.count("NORMAL") == 0 || madeTangents(source, material).has_value();
-  return vertices + indices + (splits ? indices : 0);
+  return vertices + indices + (splits ? copies * indices : 0);
 }
 
 Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
@@ -190,6 +221,8 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   Vertex blank;
   blank.normal = kUp;
   target.vertices.assign(model.accessors[std::size_t(position->second)].count, blank);
+  for (std::size_t i = 0; i < target.vertices.size(); ++i)
+    target.vertices[i].stored = std::uint32_t(i);
   Result<std::vector<std::uint32_t>> elements = readElements(model, source, target.vertices.size());
   if (!elements)
     return elements.error();
@@ -199,19 +232,24 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   const Result<bool> hasNormals = readVertices(model, source, material, target);
   if (!hasNormals)
     return hasNormals.error();
-  if (deforms(pose))
+  if (deforms(pose)) {
+    if (material.hasNoise)
+      target.undeformed = target.vertices;
     if (Result<void> posed = applyRestPose(model, source, pose, target); !posed)
       return posed.error();
-  if (!liesWithinReach(target.vertices))
-    return Error{ErrorKind::badInput, "/accessors/" + std::to_string(position->second) +
-                                          ": puts a vertex beyond 1e15 units from its mesh's "
-                                          "origin; vertices within that are accepted"};
+  }
+  if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
+    return Error{ErrorKind::badInput,
+                 fmt::format("/accessors/{}: puts a vertex {:.3g} units from its mesh's origin; "
+                             "below {:.0e} is accepted",
+                             position->second, reach, kMaxSceneReach)};
   if (isThin(source.mode))
     makeThinSolids(target);
   else if (!hasNormals.value())
     makeFlat(target);
   if (const std::optional<int> texCoord = madeTangents(source, material))
     makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
+  spreadUndeformed(target, !isThin(source.mode) && !hasNormals.value());
   return std::optional<Primitive>(std::move(target));
 }
 

@@ -12,8 +12,8 @@ namespace {
 constexpr float kHalfMax = 65504.0f;
 
 /// Appends RGB as RGBA of half floats, a format that every device filters.
-void appendHalf(std::vector<glm::u16vec4>& out, glm::vec3 value) {
-  out.push_back(glm::packHalf(glm::vec4(glm::min(value, kHalfMax), 1.0f)));
+void appendHalf(std::vector<glm::u16vec4>& out, glm::vec3 light) {
+  out.push_back(glm::packHalf(glm::vec4(glm::min(light, kHalfMax), 1.0f)));
 }
 
 DeviceImageInfo halfImage(std::uint32_t width, std::uint32_t height) {
@@ -53,8 +53,8 @@ GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
   gpu.specular = uploadCube(device, environment.specular);
   gpu.diffuse = uploadCube(device, std::span(&environment.diffuse, 1));
   texels.clear();
-  for (const glm::vec3 value : environment.brdf)
-    appendHalf(texels, value);
+  for (const glm::vec4 value : environment.brdf)
+    texels.push_back(glm::packHalf(value));
   gpu.brdf =
       uploadImage(device, halfImage(kBrdfSide, kBrdfSide), std::as_bytes(std::span(texels)), false);
 

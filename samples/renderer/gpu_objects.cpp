@@ -167,8 +167,8 @@ std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height) {
   return std::uint32_t(std::bit_width(std::max(width, height)));
 }
 
-void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
-                const ImageState& to, std::uint32_t level, std::uint32_t levels) {
+void transition(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRange& range,
+                const ImageState& from, const ImageState& to) {
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = from.stages;
   barrier.srcAccessMask = from.access;
@@ -177,12 +177,18 @@ void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageS
   barrier.oldLayout = from.layout;
   barrier.newLayout = to.layout;
   barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image.handle;
-  barrier.subresourceRange = {image.info.aspect, level, levels, 0, VK_REMAINING_ARRAY_LAYERS};
+  barrier.image = image;
+  barrier.subresourceRange = range;
   VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   dependency.imageMemoryBarrierCount = 1;
   dependency.pImageMemoryBarriers = &barrier;
   vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
+                const ImageState& to, std::uint32_t level, std::uint32_t levels) {
+  transition(commands, image.handle,
+             {image.info.aspect, level, levels, 0, VK_REMAINING_ARRAY_LAYERS}, from, to);
 }
 
 DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,

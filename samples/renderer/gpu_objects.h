@@ -115,7 +115,11 @@ inline constexpr ImageState kStorage{
     VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
-/// Records a barrier for `levels` mip levels from `level`, all layers.
+/// Records a barrier for that part of the image.
+void transition(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRange& range,
+                const ImageState& from, const ImageState& to);
+
+/// Likewise, for `levels` mip levels from `level`, all layers.
 void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
                 const ImageState& to, std::uint32_t level = 0,
                 std::uint32_t levels = VK_REMAINING_MIP_LEVELS);

@@ -24,10 +24,12 @@ void uploadGeometry(HeadlessDevice& device, const Scene& scene, GpuScene& gpu) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const Primitive& primitive : scene.primitives) {
-    gpu.primitives.push_back({std::uint32_t(indices.size()),
-                              std::uint32_t(primitive.indices.size()),
-                              std::int32_t(vertices.size())});
+    gpu.primitives.push_back(
+        {std::uint32_t(indices.size()), std::uint32_t(primitive.indices.size()),
+         std::int32_t(vertices.size()),
+         primitive.undeformed.empty() ? 0 : primitive.vertices.size() * sizeof(Vertex)});
     vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+    vertices.insert(vertices.end(), primitive.undeformed.begin(), primitive.undeformed.end());
     indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
   }
   gpu.vertices =
@@ -145,7 +147,7 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   data.mixSource = {material.mixTexture.image ? MIX_FROM_MASK
                     : material.mixColorSet    ? MIX_FROM_VERTICES
                                               : MIX_FROM_BLOCK,
-                    material.mixTexture.texCoord, material.mixChannel, 0};
+                    material.mixTexture.texCoord, material.mixChannel, noise.inObjectSpace ? 1 : 0};
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
     // KHR_texture_transform: translation * rotation * scale.
     const TextureSlot& slot = *slots[k];

@@ -13,6 +13,8 @@ struct GpuPrimitive {
   std::uint32_t firstIndex = 0;
   std::uint32_t indexCount = 0;
   std::int32_t vertexOffset = 0;
+  /// From the vertices to those before morph targets and skins; 0 where they are the same.
+  VkDeviceSize undeformedBytes = 0;
 };
 
 struct GpuScene {

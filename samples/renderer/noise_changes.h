@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kFreeTileRotation = 65536;
 struct NoiseChanges {
   std::optional<std::uint32_t> noise;  ///< of the bundle, in place of each material's own
   std::optional<NoiseMapping> mapping; ///< uv or triplanar, in place of each material's own
+  std::optional<bool> inObjectSpace;   ///< of mappings in space, in place of each material's own
   std::uint32_t seedStep = 0;          ///< added to the seed, modulo 2^32
   double scaleFactor = 1.0;
   double blendSharpnessFactor = 1.0;

@@ -264,7 +264,7 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
                                          " is not in the bundle, which has " +
                                          std::to_string(names_.size())}};
   hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
-      hasMixes_ = hasTileRotation_ = false;
+      hasOtherMappings_ = hasMixes_ = hasObjectSpaces_ = hasTileRotation_ = false;
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
@@ -276,6 +276,11 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
           info.overrides & LICHEN_OVERRIDE_MAPPING ? info.mapping : materials_[m].mapping;
       hasSurfaceNoises_ = hasSurfaceNoises_ || mapping == LICHEN_MAPPING_SURFACE;
       hasTriplanarNoises_ = hasTriplanarNoises_ || mapping == LICHEN_MAPPING_TRIPLANAR;
+      hasOtherMappings_ = hasOtherMappings_ || mapping != LICHEN_MAPPING_TRIPLANAR;
+      roles_[m].inObjectSpace =
+          mapping != LICHEN_MAPPING_UV &&
+          changes.inObjectSpace.value_or(materials_[m].space == LICHEN_SPACE_OBJECT);
+      hasObjectSpaces_ = hasObjectSpaces_ || roles_[m].inObjectSpace;
       hasTileRotation_ = hasTileRotation_ || changes.tileRotation.value_or(use.tileRotation) > 1;
       check(lichenFillUniforms(bundle_.get(), &info,
                                uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * m,

@@ -24,6 +24,7 @@ struct NoiseRoles {
   /// Which component of the ORM map's value is occlusion, roughness, metallic; -1 for none.
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
+  bool inObjectSpace = false;
 };
 
 class NoiseHost {
@@ -48,8 +49,11 @@ public:
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
   /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
   [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
-  /// Whether some noise that is drawn is mapped onto three planes.
+  /// Whether some noise that is drawn is mapped onto three planes, and whether some is otherwise.
   [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
+  [[nodiscard]] bool hasOtherMappings() const { return hasOtherMappings_; }
+  /// Whether some noise that is drawn is placed in the space of its objects.
+  [[nodiscard]] bool hasObjectSpaces() const { return hasObjectSpaces_; }
   /// Whether some texton noise that is drawn is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
   /// Whether some noise that is drawn turns its tiles.
@@ -104,7 +108,9 @@ private:
   bool hasTextonNoises_ = false;
   bool hasSurfaceNoises_ = false;
   bool hasTriplanarNoises_ = false;
+  bool hasOtherMappings_ = false;
   bool hasMixes_ = false;
+  bool hasObjectSpaces_ = false;
   bool hasTileRotation_ = false;
 };
 

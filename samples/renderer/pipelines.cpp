@@ -23,6 +23,7 @@
 #include <scene.vert.h>
 #include <sky.frag.h>
 #include <sky.vert.h>
+#include <span>
 
 namespace lichen::renderer {
 namespace {
@@ -52,17 +53,23 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModul
 }
 
 constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat format,
-                                               std::size_t offset) {
-  return {location, 0, format, std::uint32_t(offset)};
+                                               std::size_t offset, std::uint32_t binding = 0) {
+  return {location, binding, format, std::uint32_t(offset)};
 }
 
-constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
-                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
-                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
-                                 at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
-                                 at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
-                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
-                                 at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight))};
+constexpr std::uint32_t kUndeformed = 1; // binding of the vertices before morph targets and skins
+
+constexpr std::array kAttributes{
+    at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+    at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+    at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
+    at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
+    at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
+    at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
+    at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight)),
+    at(7, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position), kUndeformed),
+    at(8, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal), kUndeformed),
+    at(9, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent), kUndeformed)};
 
 VkPipelineColorBlendAttachmentState blending(bool enabled) {
   VkPipelineColorBlendAttachmentState state{};
@@ -79,12 +86,14 @@ VkPipelineColorBlendAttachmentState blending(bool enabled) {
 VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, d.vertex),
                     stage(VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment)};
-  stages[1].pSpecializationInfo = d.specialization;
-  const VkVertexInputBindingDescription binding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+  stages[0].pSpecializationInfo = stages[1].pSpecializationInfo = d.specialization;
+  constexpr std::array kBindings{
+      VkVertexInputBindingDescription{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
+      VkVertexInputBindingDescription{kUndeformed, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX}};
   VkPipelineVertexInputStateCreateInfo input{
       VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : 1;
-  input.pVertexBindingDescriptions = &binding;
+  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : std::uint32_t(kBindings.size());
+  input.pVertexBindingDescriptions = kBindings.data();
   input.vertexAttributeDescriptionCount = std::uint32_t(d.attributes.size());
   input.pVertexAttributeDescriptions = d.attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{
@@ -135,7 +144,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-/// The specialization constants of surface.glsl and scene.frag.
+/// The specialization constants of surface.glsl, world_frame.glsl and scene.frag.
 struct Constants {
   VkBool32 hasNoise = VK_FALSE;
   VkBool32 hasNormalMap = VK_FALSE;
@@ -144,6 +153,8 @@ struct Constants {
   VkBool32 tilingNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
   VkBool32 triplanar = VK_FALSE;
+  VkBool32 otherMappings = VK_FALSE;
+  VkBool32 objectSpaces = VK_FALSE;
   VkBool32 tileRotation = VK_FALSE;
 };
 
@@ -155,21 +166,30 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
     VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
     VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
-    VkSpecializationMapEntry{7, offsetof(Constants, tileRotation), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)},
+    VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)},
+    VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-/// Which of the shaders' variants has all that a scene needs, and little more.
-enum class CodeNeeded { tiling, triplanarTiling, plane, surface, all };
+/// The shaders' variants that have all that a scene needs, and little more.
+struct FragmentCode {
+  std::span<const std::uint32_t> surface;
+  std::span<const std::uint32_t> depth;
+};
 
-CodeNeeded codeNeeded(const SurfaceConstants& shared) {
+FragmentCode fragmentCodeFor(const SurfaceConstants& shared) {
+  if (!shared.textonNoises && !shared.triplanarNoises)
+    return {scene_frag_tiling, depth_frag_tiling};
   if (!shared.textonNoises)
-    return shared.triplanarNoises ? CodeNeeded::triplanarTiling : CodeNeeded::tiling;
+    return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
   if (shared.triplanarNoises)
-    return CodeNeeded::all;
-  return shared.surfaceNoises ? CodeNeeded::surface : CodeNeeded::plane;
+    return {scene_frag, depth_frag};
+  if (shared.surfaceNoises)
+    return {scene_frag_surface, depth_frag_surface};
+  return {scene_frag_plane, depth_frag_plane};
 }
 
 void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
@@ -178,18 +198,20 @@ void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceCon
   d.layout = pipelines.sceneLayout;
   d.attributes = kAttributes;
   d.vertex = objects.shader(scene_vert);
-  const CodeNeeded needed = codeNeeded(shared);
-  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(scene_frag_tiling)
-               : needed == CodeNeeded::triplanarTiling ? objects.shader(scene_frag_triplanar_tiling)
-               : needed == CodeNeeded::plane           ? objects.shader(scene_frag_plane)
-               : needed == CodeNeeded::surface         ? objects.shader(scene_frag_surface)
-                                                       : objects.shader(scene_frag);
+  d.fragment = objects.shader(fragmentCodeFor(shared).surface);
   for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
     if (!used.surfaces[i])
       continue;
-    const Constants constants{(i & 4) != 0,           (i & 2) != 0,        shared.debugView,
-                              shared.otherTables,     shared.tilingNoises, shared.mixedTextons,
-                              shared.triplanarNoises, shared.tileRotation};
+    const Constants constants{.hasNoise = (i & 4) != 0,
+                              .hasNormalMap = (i & 2) != 0,
+                              .debugView = shared.debugView,
+                              .otherTables = shared.otherTables,
+                              .tilingNoises = shared.tilingNoises,
+                              .mixedTextons = shared.mixedTextons,
+                              .triplanar = shared.triplanarNoises,
+                              .otherMappings = shared.otherMappings,
+                              .objectSpaces = shared.objectSpaces,
+                              .tileRotation = shared.tileRotation};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;
     d.blends = (i & 1) != 0;
@@ -208,12 +230,7 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   pipelines.depthOpaque = graphics(objects, d);
-  const CodeNeeded needed = codeNeeded(shared);
-  d.fragment = needed == CodeNeeded::tiling            ? objects.shader(depth_frag_tiling)
-               : needed == CodeNeeded::triplanarTiling ? objects.shader(depth_frag_triplanar_tiling)
-               : needed == CodeNeeded::plane           ? objects.shader(depth_frag_plane)
-               : needed == CodeNeeded::surface         ? objects.shader(depth_frag_surface)
-                                                       : objects.shader(depth_frag);
+  d.fragment = objects.shader(fragmentCodeFor(shared).depth);
   for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
     if (!used.depthWithGaps[i])
       continue;
@@ -222,6 +239,8 @@ void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConst
                               .tilingNoises = shared.tilingNoises,
                               .mixedTextons = shared.mixedTextons,
                               .triplanar = shared.triplanarNoises,
+                              .otherMappings = shared.otherMappings,
+                              .objectSpaces = shared.objectSpaces,
                               .tileRotation = shared.tileRotation};
     const VkSpecializationInfo specialization = specializationOf(constants);
     d.specialization = &specialization;

@@ -64,7 +64,9 @@ struct SurfaceConstants {
   bool textonNoises = false;  ///< some noise is one of textons
   bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
   bool triplanarNoises = false; ///< some noise is mapped onto three planes
+  bool otherMappings = false;   ///< some noise is mapped otherwise
   bool mixedTextons = false;    ///< some noise is a mix of textons
+  bool objectSpaces = false;    ///< some noise is placed in the space of its objects
   bool tileRotation = false;    ///< some noise turns its tiles
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };

@@ -110,6 +110,15 @@ Result<BlendedJoints> blendJoints(const tinygltf::Model& model, const tinygltf::
   return blended;
 }
 
+/// By how much space is stretched along a unit normal: as shaders/world_frame.glsl has it.
+float stretchAlong(glm::vec3 normal, const glm::mat4& matrix) {
+  const glm::mat3 linear(matrix);
+  const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                            glm::cross(linear[0], linear[1]));
+  const float area = glm::length(cofactors * normal);
+  return area > 0.0f ? std::abs(glm::dot(linear[0], cofactors[0])) / area : 0.0f;
+}
+
 /// As shaders/world_frame.glsl does it. Returns whether the matrix mirrors.
 bool transformVertex(Vertex& v, const glm::mat4& matrix) {
   const glm::mat3 linear(matrix);
@@ -128,6 +137,8 @@ Result<void> applySkin(const tinygltf::Model& model, const tinygltf::Primitive& 
   const Result<BlendedJoints> blended = blendJoints(model, source, joints, target.vertices.size());
   if (!blended)
     return blended.error();
+  for (std::size_t i = 0; i < target.undeformed.size(); ++i)
+    target.undeformed[i].normal *= stretchAlong(target.vertices[i].normal, blended.value().sums[i]);
   std::vector<bool> mirrored(target.vertices.size());
   for (std::size_t i = 0; i < target.vertices.size(); ++i)
     mirrored[i] = transformVertex(target.vertices[i], blended.value().sums[i]);

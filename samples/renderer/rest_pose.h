@@ -24,7 +24,8 @@ struct RestPose {
 
 /// Moves positions, normals and tangents, which are those of `source` in its order, by the morph
 /// targets and then by the skin, after which they are in the world. Triangles that a skin mirrors
-/// are turned round. Errors: badInput for a joint outside the skin, or values that are not finite.
+/// are turned round, and normals of `undeformed`, where it has vertices, get the length that
+/// Primitive states. Errors: badInput for a joint outside the skin, or values that are not finite.
 [[nodiscard]] Result<void> applyRestPose(const tinygltf::Model& model,
                                          const tinygltf::Primitive& source, const RestPose& pose,
                                          Primitive& target);

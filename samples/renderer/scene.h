@@ -22,13 +22,17 @@ struct Vertex {
   glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; unset without a normal map
   glm::vec2 texCoord0{0.0f};
   glm::vec2 texCoord1{0.0f};
-  glm::vec4 color{1.0f};  ///< linear
-  float mixWeight = 0.0f; ///< of a noise's mix, where its material takes it from vertex colours
+  glm::vec4 color{1.0f};    ///< linear
+  float mixWeight = 0.0f;   ///< of a noise's mix, where its material takes it from vertex colours
+  std::uint32_t stored = 0; ///< its place among those of the file's accessors
 };
 
 /// Triangles of one material. Never empty; every index is below vertices.size().
 struct Primitive {
   std::vector<Vertex> vertices;
+  /// As many, before morph targets and skins, where these move them and the material has a noise;
+  /// else none. The length of a normal is by how much the skin stretches space along it.
+  std::vector<Vertex> undeformed;
   std::vector<std::uint32_t> indices; ///< three per triangle
   std::size_t material = 0;           ///< into Scene::materials
 };
@@ -164,7 +168,7 @@ struct Scene {
 [[nodiscard]] Result<Scene> parseScene(std::vector<std::byte> bytes,
                                        const std::filesystem::path& path);
 
-/// Vertices and indices of all primitives after their expansion: 64 Mi, at most 4.5 GiB of memory.
+/// Vertices and indices of all primitives after their expansion: 64 Mi, at most 5 GiB of memory.
 inline constexpr std::size_t kMaxSceneVertices = std::size_t(1) << 26;
 /// Of vertices from the origin of their mesh and of the world: squares, times a few, are floats.
 inline constexpr float kMaxSceneReach = 1e15f;

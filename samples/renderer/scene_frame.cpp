@@ -73,6 +73,7 @@ void SceneRenderer::bindGeometry(VkCommandBuffer commands) const {
 
 void SceneRenderer::drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
   const GpuPrimitive& range = gpu_.primitives[primitive];
+  vkCmdBindVertexBuffers(commands, 1, 1, &gpu_.vertices.handle, &range.undeformedBytes);
   vkCmdDrawIndexed(commands, range.indexCount, 1, range.firstIndex, range.vertexOffset, 0);
 }
 

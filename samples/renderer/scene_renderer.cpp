@@ -9,7 +9,6 @@
 #include "sky_cache.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace lichen::renderer {
 namespace {
@@ -137,7 +136,9 @@ SurfaceConstants SceneRenderer::surfaceConstants() const {
           noises_.hasTextonNoises(),
           noises_.hasSurfaceNoises(),
           noises_.hasTriplanarNoises(),
+          noises_.hasOtherMappings(),
           noises_.hasMixes(),
+          noises_.hasObjectSpaces(),
           noises_.hasTileRotation()};
 }
 

@@ -55,11 +55,14 @@ Request Controls::press(Key key) {
   case 'C':
     noise.contrastFactor = stepped(noise.contrastFactor, step);
     break;
-  case 'O':
+  case 'A':
     nextTileRotation(step);
     break;
   case 'M':
     nextMapping(step);
+    break;
+  case 'O':
+    nextSpace(step);
     break;
   case 'T':
     nextNoise(step);
@@ -110,6 +113,14 @@ void Controls::nextMapping(int step) {
   look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
 }
 
+void Controls::nextSpace(int step) {
+  std::optional<std::size_t> current; // the world's, the object's
+  if (look_.noise.inObjectSpace)
+    current = *look_.noise.inObjectSpace ? 1 : 0;
+  const std::optional<std::size_t> next = around(current, 2, step);
+  look_.noise.inObjectSpace = next ? std::optional(*next == 1) : std::nullopt;
+}
+
 void Controls::nextTileRotation(int step) {
   constexpr std::array<std::uint32_t, 4> kSteps{0, 2, 4, kFreeTileRotation};
   std::optional<std::size_t> current;
@@ -142,6 +153,8 @@ std::string Controls::summary() const {
                                                   : printable(noises_[*noise.noise])));
   if (noise.mapping)
     add(*noise.mapping == NoiseMapping::uv ? "mapping uv" : "mapping triplanar");
+  if (noise.inObjectSpace)
+    add(*noise.inObjectSpace ? "object space" : "world space");
   if (noise.seedStep != 0)
     add(fmt::format("seed {:+d}", std::int32_t(noise.seedStep)));
   addFactor("scale", noise.scaleFactor);
@@ -166,8 +179,9 @@ std::string_view Controls::help() {
          "  B  sharper borders between tiles\n"
          "  P  sharper borders between the planes of triplanar mapping\n"
          "  C  more contrast\n"
-         "  O  tiles turned: as in the file, not, by half turns, quarter turns, freely\n"
+         "  A  tiles turned: as in the file, not, by half turns, quarter turns, freely\n"
          "  M  mapping: the file's, uv, triplanar\n"
+         "  O  space of triplanar and surface: the file's, world, object\n"
          "  T  noise: the file's, then each of the bundle's\n"
          "  D  the next debug view\n"
          "  E  more exposure\n"

@@ -49,6 +49,7 @@ public:
 private:
   void nextNoise(int step);
   void nextMapping(int step);
+  void nextSpace(int step);
   void nextTileRotation(int step);
   void nextDebugView(int step);
 

@@ -4,6 +4,7 @@
 #include "swapchain.h"
 
 #include "failure.h"
+#include "gpu_objects.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,33 +16,10 @@ namespace {
 constexpr std::uint32_t kWhateverTheWindow = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
-struct Use {
-  VkImageLayout layout;
-  VkPipelineStageFlags2 stages;
-  VkAccessFlags2 access;
-};
 // The stage is that of the wait for the semaphore, so that the barrier comes after it.
-constexpr Use kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0};
-constexpr Use kCopied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                      VK_ACCESS_2_TRANSFER_WRITE_BIT};
-constexpr Use kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
-
-void barrier(VkCommandBuffer commands, VkImage image, const Use& from, const Use& to) {
-  VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  change.srcStageMask = from.stages;
-  change.srcAccessMask = from.access;
-  change.dstStageMask = to.stages;
-  change.dstAccessMask = to.access;
-  change.oldLayout = from.layout;
-  change.newLayout = to.layout;
-  change.srcQueueFamilyIndex = change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  change.image = image;
-  change.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  info.imageMemoryBarrierCount = 1;
-  info.pImageMemoryBarriers = &change;
-  vkCmdPipelineBarrier2(commands, &info);
-}
+constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0};
+constexpr ImageState kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
+constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
 
 VkSemaphore makeSemaphore(VkDevice device) {
   const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
@@ -168,15 +146,15 @@ void Swapchain::recordCopy(const DeviceImage& picture, VkImage target) {
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands_, &begin), "a command buffer cannot be begun");
-  barrier(commands_, target, kAcquired, kCopied);
+  transition(commands_, target, kWholeImage, kAcquired, kCopyTarget);
   VkImageBlit region{};
   region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.srcOffsets[1] = {std::int32_t(picture.info.extent.width),
                           std::int32_t(picture.info.extent.height), 1};
   region.dstOffsets[1] = {std::int32_t(extent_.width), std::int32_t(extent_.height), 1};
   vkCmdBlitImage(commands_, picture.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
-                 kCopied.layout, 1, &region, VK_FILTER_NEAREST);
-  barrier(commands_, target, kCopied, kPresented);
+                 kCopyTarget.layout, 1, &region, VK_FILTER_NEAREST);
+  transition(commands_, target, kWholeImage, kCopyTarget, kPresented);
   check(vkEndCommandBuffer(commands_), "a command buffer cannot be ended");
 }
 

@@ -62,7 +62,7 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
   LichenPlace place;
   place.triplanar.normal = normalize(normal);
   place.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
-  int rank = 0;
+  int rank = 0; // tested at both ends, as in lichenTriplanarBlend
   while (rank < place.triplanar.count) {
     int axis = rank == 0 ? first : (rank == 1 ? second : third);
     LichenPlanePlace plane =
@@ -75,6 +75,8 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
     else
       place.triplanar.plane2 = plane;
     ++rank;
+    if (rank >= place.triplanar.count)
+      break;
   }
   // Right for a constant. For a direction, which texture coordinates have:
   // lichenSetMix(place.impacts, lichenMixWeight(uv, texton), vec2(0.0)).

@@ -36,6 +36,10 @@
 #ifndef LICHEN_TRIPLANAR
 #define LICHEN_TRIPLANAR 1
 #endif
+// 0 where every material's mapping is triplanar. Likewise.
+#ifndef LICHEN_OTHER_MAPPINGS
+#define LICHEN_OTHER_MAPPINGS 1
+#endif
 
 /// Whether this is texton noise; known at compile time where a method is left out.
 bool lichenIsTexton(LichenNoise noise) {
@@ -50,9 +54,11 @@ bool lichenIsSurface(LichenTexton texton) {
   return bool(LICHEN_SURFACE_TEXTONS) && texton.surfaceCubeTexels > 0.0;
 }
 
-/// Whether the mapping is triplanar; likewise.
+/// Whether the mapping is triplanar; known at compile time where none is, or all are.
 bool lichenIsTriplanar(LichenNoise noise) {
-  return bool(LICHEN_TRIPLANAR) && noise.planeSharpness > 0.0;
+  bool hasTriplanar = bool(LICHEN_TRIPLANAR); // in variables, as above
+  bool hasOther = bool(LICHEN_OTHER_MAPPINGS);
+  return hasTriplanar && (!hasOther || noise.planeSharpness > 0.0);
 }
 
 #endif

@@ -191,8 +191,11 @@ float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map)
 /// The slopes of turned tiles, of each of which `lost` of the variance is missing: decoded tile by
 /// tile, since a joint table knows them as they lie in the exemplar, turned back, and blended about
 /// 0, where turning leaves their mean. z is the variance of a slope over what is missing.
-vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, float level,
-                        float lost, LichenNoise noise, LichenMap map) {
+vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, float lost,
+                        LichenNoise noise, LichenMap map) {
+  float level = lichenTilingLevel(taps, noise, map);
+  // Contrast scales what is missing with what is there.
+  float scaled = noise.contrast * noise.contrast * lost;
   vec3 shares = taps.weights * inversesqrt(dot(taps.weights, taps.weights));
   vec4 blend = vec4(0.0, 0.0, 0.0, 1.0);
   // A loop, for one copy of the decoder, which devices without a skip of branches skip where no
@@ -206,7 +209,7 @@ vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, fl
     if (lichenIsTaken(share)) {
       vec3 value = lichenTilingFetch(gaussian, tap, turn, taps, level);
       vec4 slopes =
-          lichenTilingDecode(table, 0.5 + noise.contrast * (value - 0.5), lost, map);
+          lichenTilingDecode(table, 0.5 + noise.contrast * (value - 0.5), scaled, map);
       blend.xy += share * lichenSlopesTurnedBack(slopes.xy, turn);
       blend.z += share * share * slopes.z;
     }
@@ -222,14 +225,15 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   // [HN18] eq. 18.
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, map);
-  // Contrast scales what is missing with what is there.
-  float scaled = noise.contrast * noise.contrast * lost;
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
   vec4 value;
-  if (isSlope && lichenTurnsTiles(noise))
-    value = lichenTurnedSlopes(gaussian, table, taps, level, scaled, noise, map);
-  else
+  if (isSlope && lichenTurnsTiles(noise)) {
+    value = lichenTurnedSlopes(gaussian, table, taps, lost, noise, map);
+  } else {
+    // Contrast scales what is missing with what is there.
+    float scaled = noise.contrast * noise.contrast * lost;
     value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
+  }
   if (isSlope)
     value.z *= lichenTilingFootprintShare(level, lost, map);
   return value;

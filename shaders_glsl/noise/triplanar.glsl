@@ -86,55 +86,82 @@ vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plan
   return lichenTilingGaussian(image, plane.taps, level);
 }
 
-/// The Gaussian value of all planes that count, as lichenPlaneGaussian has it.
-vec3 lichenTriplanarGaussian(sampler2D image, sampler3D table, LichenTriplanar at,
-                             LichenNoise noise, LichenMap map, LichenMap here,
-                             LichenTexton texton, out vec3 lost) {
-  // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
-  // distribution.
-  vec3 blend = vec3(0.0);
-  lost = vec3(0.0);
-  // A loop, in which pixels of other planes run together, and devices without a skip of branches
-  // stop when none of them has more.
-  int rank = 0;
-  while (rank < at.count) {
-    LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    vec3 lostOfPlane;
-    vec3 gaussian =
-        lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lostOfPlane);
-    blend += plane.weight * (gaussian - 0.5);
-    lost += plane.weight * plane.weight * lostOfPlane;
-    ++rank;
-  }
-  return 0.5 + blend;
+/// The value that a Gaussian value stands for, of one plane or of all. `here` as above.
+vec4 lichenTriplanarDecode(sampler3D table, vec3 gaussian, vec3 lost, LichenNoise noise,
+                           LichenMap map, LichenMap here) {
+  // Contrast scales what is missing with what is there.
+  vec3 scaled = noise.contrast * noise.contrast * lost;
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    return lichenDecodeGaussian(gaussian, scaled, here);
+#endif
+  return lichenTilingDecode(table, gaussian, scaled.x, map);
 }
 
-/// The gradient in space of what slopes are those of, and the variance of a slope that the
-/// footprint hides. Slopes are decoded plane by plane: a joint table knows them as they lie in the
-/// exemplar, and those of three planes point in other directions.
-vec4 lichenTriplanarSlopes(sampler2D image, sampler3D table, LichenTriplanar at, LichenNoise noise,
-                           LichenMap map, LichenMap here, LichenTexton texton) {
-  vec4 blend = vec4(0.0);
+/// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
+/// slope that the footprint hides.
+vec4 lichenPlaneSlopes(vec3 slopes, vec3 lost, LichenPlanePlace plane, vec3 normal,
+                       LichenNoise noise, LichenMap map) {
+  if (!lichenIsTexton(noise)) {
+    float level = lichenTilingLevel(plane.taps, noise, map);
+    slopes.z *= lichenTilingFootprintShare(level, lost.x, map);
+  }
+  // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
+  // slant, and its cosine's square along it.
+  float cosine = lichenAlongAxis(normal, plane.axis);
+  float seen = 0.5 + 0.5 * cosine * cosine;
+  return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, noise),
+              plane.weight * plane.weight * seen * slopes.z);
+}
+
+/// What all planes that count show of one map.
+struct LichenPlanesBlend {
+  vec3 gaussian; // mean 1/2, standard deviation 1/6 where nothing is lost
+  vec3 lost;     // shares of the variance of its channels
+  vec4 value;    // decoded
+};
+
+/// All planes that count. `here` as above.
+LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenTriplanar at,
+                                       LichenNoise noise, LichenMap map, LichenMap here,
+                                       LichenTexton texton) {
+  // Slopes are decoded plane by plane: a joint table knows them as they lie in the exemplar, and
+  // those of three planes point in other directions.
+  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
+  vec3 sum = vec3(0.0);
+  LichenPlanesBlend blend;
+  blend.lost = vec3(0.0);
+  blend.value = vec4(0.0);
+  // A loop, in which pixels of other planes run together, and devices without a skip of branches
+  // stop when none of them has more. They run each loop once at least, so slopes have none of their
+  // own. It is tested at both ends: at its beginning alone, they would run it once more for no
+  // pixel, and at its end alone, Mesa 22.3's lavapipe gives some pixels what others have.
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    vec3 slopes;
-#ifndef LICHEN_OMIT_TEXTONS
-    if (lichenIsTexton(noise)) {
-      vec3 lost;
-      vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
-      slopes = lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here).xyz;
-    } else
-#endif
-      slopes = lichenTiling(image, table, plane.taps, noise, map).xyz;
-    // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
-    // slant, and its cosine's square along it.
-    float cosine = lichenAlongAxis(at.normal, plane.axis);
-    float seen = 0.5 + 0.5 * cosine * cosine;
-    blend.xyz += plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, noise);
-    blend.w += plane.weight * plane.weight * seen * slopes.z;
+    vec3 lost;
+    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+    // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
+    // distribution.
+    sum += plane.weight * (gaussian - 0.5);
+    blend.lost += plane.weight * plane.weight * lost;
     ++rank;
+    bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
+    if (isSlope || isLast) {
+      vec4 value;
+      if (isSlope && lichenTurnsTiles(noise))
+        value = lichenTurnedSlopes(image, table, plane.taps, lost.x, noise, map);
+      else
+        value = lichenTriplanarDecode(table, isSlope ? gaussian : 0.5 + sum,
+                                      isSlope ? lost : blend.lost, noise, map, here);
+      if (isSlope)
+        value = blend.value + lichenPlaneSlopes(value.xyz, lost, plane, at.normal, noise, map);
+      blend.value = value;
+    }
+    if (isLast)
+      break;
   }
+  blend.gaussian = 0.5 + sum;
   return blend;
 }
 
@@ -162,17 +189,7 @@ vec4 lichenTriplanarValue(sampler2D image, sampler3D table, LichenTriplanar at, 
                           LichenNoise noise, LichenMap map, LichenTexton texton) {
   lichenSetTriplanarMix(at, mixWeight);
   LichenMap here = lichenTriplanarMap(table, at, noise, map, texton);
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
-    return lichenTriplanarSlopes(image, table, at, noise, map, here, texton);
-  vec3 lost;
-  vec3 gaussian = lichenTriplanarGaussian(image, table, at, noise, map, here, texton, lost);
-  // Contrast scales what is missing with what is there.
-  vec3 scaled = noise.contrast * noise.contrast * lost;
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise))
-    return lichenDecodeGaussian(gaussian, scaled, here);
-#endif
-  return lichenTilingDecode(table, gaussian, scaled.x, map);
+  return lichenTriplanarBlend(image, table, at, noise, map, here, texton).value;
 }
 
 #endif

@@ -6,6 +6,7 @@
 // or of slopes their gradient in space and variance).
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
 
+#define LICHEN_OTHER_MAPPINGS 0
 #define LICHEN_OMIT_SURFACE_TEXTONS
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
@@ -44,10 +45,9 @@ void main() {
     lichenSetTriplanarMix(place.triplanar, place.impacts.mixWeight);
     LichenMap map = lichenUniforms.maps[0];
     LichenMap here = lichenTriplanarMap(lichenTable0, place.triplanar, noise, map, texton);
-    vec3 lost;
-    vec3 gaussian = lichenTriplanarGaussian(lichenImage0, lichenTable0, place.triplanar, noise,
-                                            map, here, texton, lost);
-    values[index] = vec4(gaussian, lost.x);
+    LichenPlanesBlend blend = lichenTriplanarBlend(lichenImage0, lichenTable0, place.triplanar,
+                                                   noise, map, here, texton);
+    values[index] = vec4(blend.gaussian, blend.lost.x);
   } else {
     values[index] = LICHEN_NOISE(0, place);
   }

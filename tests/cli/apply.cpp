@@ -356,6 +356,32 @@ TEST_CASE("how sharply planes give way is the option's") {
   CHECK(readBundle(workplace.path("out.glb")).value().materials[0]->planeSharpness == 4.0);
 }
 
+TEST_CASE("the space of a mapping is the option's, then the bundle's, and inspect tells it") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const auto spaceIn = [](const json& document) {
+    return document["materials"][0]["extensions"][kExtension].value("space", "none");
+  };
+  const json inObject =
+      applied(workplace, scene, wool, "0", {"--mapping", "triplanar", "--space", "object"});
+  CHECK(spaceIn(inObject) == "object");
+  const std::string made = workplace.path("object.glb");
+  std::filesystem::rename(workplace.path("out.glb"), made);
+  CHECK(readBundle(made).value().materials[0]->space == NoiseSpace::object);
+  CHECK_THAT(runLichen({"inspect", made}).output,
+             Catch::Contains("triplanar in object space, seed"));
+  CHECK(json::parse(runLichen({"inspect", made, "--json"}).output)
+            .at(json::json_pointer("/noises/0/materials/0/space")) == "object");
+  CHECK(spaceIn(applied(workplace, scene, made, "0", {"--mapping", "triplanar"})) == "object");
+  CHECK(spaceIn(applied(workplace, scene, made, "0",
+                        {"--mapping", "triplanar", "--space", "world"})) == "none");
+  CHECK(spaceIn(applied(workplace, scene, made, "0")) == "none"); // of the mapping uv
+  checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--space", "object", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"--space object", "uv", "--mapping triplanar or surface"});
+}
+
 TEST_CASE("the same call gives the same bytes") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);

@@ -27,12 +27,16 @@ SrgbImage picture(const std::string& path) {
   return std::get<SrgbImage>(std::move(file).value().pixels);
 }
 
+Arguments joined(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 SrgbImage rendered(const Workplace& workplace, const std::string& scene, const std::string& size,
                    const Arguments& more = {}) {
-  Arguments arguments{
-      scene, "-o", workplace.path("reference.png"), "--size", size, "--frames", kFrames, "--quiet"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Ended ended = run(LICHEN_RENDER, arguments);
+  const Ended ended = run(LICHEN_RENDER, joined({scene, "-o", workplace.path("reference.png"),
+                                                 "--size", size, "--frames", kFrames, "--quiet"},
+                                                more));
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
   return picture(workplace.path("reference.png"));
@@ -41,11 +45,13 @@ SrgbImage rendered(const Workplace& workplace, const std::string& scene, const s
 /// The viewer in its window, and the pictures that it has been asked for.
 class View {
 public:
-  View(const Workplace& workplace, XServer& server, const std::string& scene)
+  View(const Workplace& workplace, XServer& server, const std::string& scene,
+       const Arguments& more = {})
       : workplace_(workplace), server_(server),
         program_(LICHEN_VIEW,
-                 {scene, "--size", "96x64", "--frames", kFrames, "--output", workplace.path("."),
-                  "--validate"},
+                 joined({scene, "--size", "96x64", "--frames", kFrames, "--output",
+                         workplace.path("."), "--validate"},
+                        more),
                  server.name(), workplace.path("view.out"), workplace.path("view.err")) {
     server.awaitWindow("scene.glb");
   }
@@ -160,6 +166,28 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   const std::string errors = view.errors();
   INFO(errors);
   CHECK(std::count(errors.begin(), errors.end(), '\n') == 1); // of the broken file
+}
+
+TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {
+  if (run(LICHEN_RENDER, {"--list-devices"}).code != 0) {
+    WARN("skipped: no Vulkan device");
+    return;
+  }
+  const Workplace workplace;
+  replace(workplace, LICHEN_SOURCE_DIR "/tests/scenes/blender/interior.glb");
+  XServer server;
+  View view(workplace, server, workplace.path("scene.glb"), {"--camera", "room"});
+  const SrgbImage before = view.shot();
+  const std::string plane = bake(workplace, workplace.write("grain.png", smoothGrey(32)),
+                                 "plane.glb", {"--preview", "plane"});
+  replace(workplace, plane);
+  CHECK(eventually([&] { return !same(view.shot(), before); }));
+  view.press('f');
+  const SrgbImage framed = rendered(workplace, plane, "96x64", {"--camera", "auto"});
+  CHECK(eventually([&] { return same(view.shot(), framed); }));
+  server.closeWindow();
+  CHECK(view.wait() == 0);
+  CHECK(view.errors().empty());
 }
 
 TEST_CASE("the viewer refuses what it cannot show in one line") {

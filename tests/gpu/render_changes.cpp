@@ -89,6 +89,8 @@ TEST_CASE(
   changes.mapping = renderer::NoiseMapping::triplanar;
   changes.planeSharpnessFactor = 0.25;
   checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}});
+  changes.inObjectSpace = true;
+  checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}, {"space", "object"}});
   changes = {};
   changes.tileRotation = 4;
   checkAsFile(changes, {{"tileRotation", 4}});

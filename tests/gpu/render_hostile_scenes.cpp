@@ -335,7 +335,7 @@ const std::vector<Fault> kFaults{
        s.json["meshes"][0]["weights"] = {1e30};
      }},
     {"a line so long that the square of its length is no float",
-     "1e15 units from its mesh's origin",
+     "puts a vertex 1e+20 units from its mesh's origin; below 1e+15 is accepted",
      [](GltfScene& s) {
        s.json["meshes"][0]["primitives"][0]["mode"] = 1;
        const float far = 1e20f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Noise in three planes, drawn: each pixel against the CPU twin at the place in the world that it
-// sees, for normals along all axes and askew, on meshes that stand in the scene in different ways.
+// Noise in three planes, drawn: each pixel against the CPU twin at the place that it sees, in the
+// world or on the object, for normals along all axes and askew, on meshes that stand in the scene
+// in different ways.
 #include "rendered.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
@@ -133,6 +134,19 @@ Vec3 solved(const std::array<std::array<double, 3>, 3>& m, const std::array<doub
   return x;
 }
 
+nlohmann::json matrixOf(const Stand& stand) {
+  nlohmann::json matrix = nlohmann::json::array();
+  for (std::size_t column = 0; column < 3; ++column) {
+    for (std::size_t row = 0; row < 3; ++row)
+      matrix.push_back(stand.linear()[row][column]);
+    matrix.push_back(0.0);
+  }
+  for (const double along : stand.move)
+    matrix.push_back(along);
+  matrix.push_back(1.0);
+  return matrix;
+}
+
 /// A picture of a plane that the camera at `origin` faces, whose left and right halves are meshes
 /// that stand in these ways and meet in the middle.
 LinearImage halves(const BundleFile& file, const std::array<Stand, 2>& stands,
@@ -163,18 +177,9 @@ LinearImage halves(const BundleFile& file, const std::array<Stand, 2>& stands,
       for (std::size_t k = 0; k < 3; ++k)
         normals[normals.size() - 3 + k] /= float(std::sqrt(squares));
     }
-    nlohmann::json matrix = nlohmann::json::array();
-    for (std::size_t column = 0; column < 3; ++column) {
-      for (std::size_t row = 0; row < 3; ++row)
-        matrix.push_back(m[row][column]);
-      matrix.push_back(0.0);
-    }
-    for (const double along : stands[side].move)
-      matrix.push_back(along);
-    matrix.push_back(1.0);
     const std::size_t at = scene.addFloats(positions, 3), along = scene.addFloats(normals, 3);
     scene.addMesh({{"POSITION", at}, {"NORMAL", along}}, scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0,
-                  {{"matrix", matrix}});
+                  {{"matrix", matrixOf(stands[side])}});
   }
   scene.addCamera(kDistance, kFieldOfView);
   scene.json["nodes"].back()["translation"] = {origin[0], origin[1], origin[2] + double(kDistance)};
@@ -183,7 +188,198 @@ LinearImage halves(const BundleFile& file, const std::array<Stand, 2>& stands,
   return render(scene.glb(), settings);
 }
 
+/// How an object comes to stand as it does.
+enum class Mover { node, skin, morphTarget };
+
+/// Where a pixel sees a plane that faces the camera, in the space of an object that stands so.
+TriplanarFootprint onObject(const Stand& stand, int x, int y) {
+  const auto m = stand.linear();
+  const double pixel = double(pixelSide());
+  TriplanarFootprint at;
+  at.position = solved(m, {(x + 0.5 - kWidth / 2) * pixel - stand.move[0],
+                           (kHeight / 2 - y - 0.5) * pixel - stand.move[1], -stand.move[2]});
+  at.dx = solved(m, {pixel, 0.0, 0.0});
+  at.dy = solved(m, {0.0, -pixel, 0.0});
+  const double length = std::hypot(m[2][0], m[2][1], m[2][2]);
+  for (std::size_t k = 0; k < 3; ++k) // the inverse transpose takes it to (0, 0, 1)
+    at.normal[k] = float(m[2][k] / length);
+  return at;
+}
+
+/// A skin of one joint that holds all of a mesh's four vertices and stands so.
+void addSkin(GltfScene& scene, const Stand& stand) {
+  const std::vector<std::uint8_t> joints(16, 0);
+  scene.json["accessors"].push_back(
+      {{"bufferView", scene.addView(std::as_bytes(std::span(joints)))},
+       {"componentType", 5121},
+       {"type", "VEC4"},
+       {"count", 4}});
+  auto& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = scene.json["accessors"].size() - 1;
+  attributes["WEIGHTS_0"] = scene.addFloats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 4);
+  scene.json["nodes"][0]["skin"] = 0;
+  scene.json["nodes"].push_back({{"matrix", matrixOf(stand)}});
+  const std::size_t joint = scene.json["nodes"].size() - 1;
+  scene.json["scenes"][0]["nodes"].push_back(joint);
+  scene.json["skins"] = {{{"joints", {joint}}}};
+}
+
+/// A picture of a plane that the camera faces, on an object of its own space.
+LinearImage onObject(BundleFile file, const Stand& stand, Mover mover, const char* view) {
+  file.bundle.materials[0]->space = NoiseSpace::object;
+  GltfScene scene(encodeGlb(file).value());
+  const auto& [a, b] = std::pair{2.0 * double(halfHeight()), double(halfHeight())};
+  std::vector<float> positions, normals, moves, turns;
+  for (const auto& [x, y] : {std::pair{-a, -b}, {a, -b}, {a, b}, {-a, b}}) {
+    const Vec3 own = solved(stand.linear(), {x - stand.move[0], y - stand.move[1], -stand.move[2]});
+    const Vec3 normal = onObject(stand, 0, 0).normal;
+    const Vec3 world{float(x), float(y), 0.0f};
+    for (std::size_t k = 0; k < 3; ++k) {
+      positions.push_back(own[k]);
+      normals.push_back(normal[k]);
+      moves.push_back(world[k] - own[k]);
+      turns.push_back((k == 2 ? 1.0f : 0.0f) - normal[k]);
+    }
+  }
+  const bool mirrors = stand.scale[0] * stand.scale[1] * stand.scale[2] < 0.0f;
+  const std::vector<std::uint32_t> corners = mirrors && mover != Mover::morphTarget
+                                                 ? std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2}
+                                                 : std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3};
+  const std::size_t at = scene.addFloats(positions, 3), along = scene.addFloats(normals, 3);
+  nlohmann::json node = nlohmann::json::object();
+  if (mover == Mover::node)
+    node["matrix"] = matrixOf(stand);
+  scene.addMesh({{"POSITION", at}, {"NORMAL", along}}, scene.addIndices(corners, 1), 0, node);
+  if (mover == Mover::skin)
+    addSkin(scene, stand);
+  if (mover == Mover::morphTarget) {
+    scene.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", scene.addFloats(moves, 3)}, {"NORMAL", scene.addFloats(turns, 3)}}};
+    scene.json["meshes"][0]["weights"] = {1.0};
+  }
+  scene.addCamera(kDistance, kFieldOfView);
+  renderer::RenderSettings settings = settingsOf(kWidth, kHeight, 1);
+  settings.debugView = view;
+  return render(scene.glb(), settings);
+}
+
+const std::array<Stand, 5> kStands{{{},
+                                    {1.1f, {1.0f, 1.0f, 1.0f}, {0.4, -0.3, 0.2}},
+                                    {-0.8f, {2.0f, 2.0f, 2.0f}, {0.0, 1.0, -0.5}},
+                                    {0.7f, {0.5f, 1.6f, 1.0f}, {0.1, 0.2, 0.3}},
+                                    {2.3f, {-1.0f, 0.7f, 1.5f}, {-0.2, 0.0, 0.6}}}};
+
+/// The normal of a relief on the plane, in the world: what becomes of two directions on the relief.
+Vec3 reliefNormal(const Stand& stand, const Vec3& normal, const std::array<float, 4>& gradient) {
+  const auto cross = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return std::array<double, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                 a[0] * b[1] - a[1] * b[0]};
+  };
+  const std::array<double, 3> n{double(normal[0]), double(normal[1]), double(normal[2])};
+  const std::array<double, 3> first = cross(n, {0.3, -0.5, 0.8}), second = cross(n, first);
+  const auto m = stand.linear();
+  const auto moved = [&](const std::array<double, 3>& along) {
+    double rise = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      rise += along[k] * double(gradient[k]);
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        result[i] += m[i][k] * (along[k] + rise * n[k]);
+    return result;
+  };
+  const std::array<double, 3> out = cross(moved(first), moved(second));
+  const double length = std::hypot(out[0], out[1], out[2]) * (out[2] < 0.0 ? -1.0 : 1.0);
+  return {float(out[0] / length), float(out[1] / length), float(out[2] / length)};
+}
+
 } // namespace
+
+TEST_CASE("colours in an object's space are those of the place on it, however it stands") {
+  const SyntheticMap map{3, 64, 48};
+  BundleFile file = syntheticBundle(std::span(&map, 1));
+  setParameters(file);
+  const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
+  const shader::LichenNoise noise = shaderNoise(file.bundle, *file.bundle.materials[0], {});
+  for (const Mover mover : {Mover::node, Mover::skin, Mover::morphTarget})
+    for (std::size_t i = mover == Mover::node ? 0 : 3; i < kStands.size(); ++i) {
+      const LinearImage drawn = onObject(file, kStands[i], mover, "base-color");
+      double spread = 0.0;
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+          const auto expected = twin.evaluate(0, noise, onObject(kStands[i], x, y));
+          INFO("mover " << int(mover) << ", stand " << i << ", pixel " << x << ", " << y);
+          for (std::size_t c = 0; c < 3; ++c)
+            REQUIRE(drawn.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
+          spread += std::pow(double(expected[0]) - 0.5, 2) / (kWidth * kHeight);
+        }
+      CHECK(spread > 1e-3); // there is something to see
+    }
+}
+
+TEST_CASE("relief in an object's space is turned, stretched and mirrored with the object") {
+  BundleFile file = syntheticTextonBundle({.channels = 2, .wholeFloats = true});
+  setParameters(file);
+  const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
+  const MaterialNoise& use = *file.bundle.materials[0];
+  const shader::LichenNoise noise = shaderNoise(file.bundle, use, {});
+  const shader::LichenTexton texton = shaderTexton(file.bundle, use, {});
+  for (const Mover mover : {Mover::node, Mover::skin})
+    for (std::size_t i = mover == Mover::node ? 0 : 2; i < kStands.size(); ++i) {
+      const LinearImage drawn = onObject(file, kStands[i], mover, "normals");
+      double tilt = 0.0;
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+          const TriplanarFootprint at = onObject(kStands[i], x, y);
+          const auto gradient = twin.evaluate(0, noise, texton, at);
+          const Vec3 expected = reliefNormal(kStands[i], at.normal, gradient);
+          // A vertex knows of its skin how far it moves a normal, not whether also sideways.
+          const bool isSkewed = mover == Mover::skin && i >= 3;
+          const float margin = isSkewed ? 0.05f : 1.0f / 255.0f;
+          INFO("mover " << int(mover) << ", stand " << i << ", pixel " << x << ", " << y);
+          for (std::size_t k = 0; k < 3; ++k)
+            REQUIRE(drawn.pixel(x, y)[k] == Approx(0.5f + 0.5f * expected[k]).margin(margin));
+          tilt += double(1.0f - expected[2]) / (kWidth * kHeight);
+        }
+      CHECK(tilt > 0.002); // 3.6 degrees: there is something to see
+    }
+}
+
+TEST_CASE("a noise in its object's space is seen the same as object and camera turn, in the world "
+          "it is not") {
+  BundleFile file = syntheticTextonBundle({.channels = 3});
+  for (const Mapping mapping : {Mapping::triplanar, Mapping::surface})
+    for (const NoiseSpace space : {NoiseSpace::object, NoiseSpace::world}) {
+      file.bundle.materials[0]->mapping = mapping;
+      file.bundle.materials[0]->space = space;
+      std::array<LinearImage, 2> drawn;
+      for (std::size_t turned = 0; turned < 2; ++turned) {
+        GltfScene scene(encodeGlb(file).value());
+        scene.addBox(0, {{"rotation", {0.5, 0.1, 0.1, 0.85}}});
+        scene.addCamera(6.0f, 0.5f);
+        const std::size_t nodes = scene.json["nodes"].size();
+        if (turned == 1) { // all of it
+          scene.json["nodes"].push_back(
+              {{"matrix", matrixOf(kStands[1])}, {"children", scene.json["scenes"][0]["nodes"]}});
+          scene.json["scenes"][0]["nodes"] = {nodes};
+        }
+        renderer::RenderSettings settings = settingsOf(64, 64, 1);
+        settings.debugView = "base-color";
+        drawn[turned] = render(scene.glb(), settings);
+      }
+      int different = 0, all = 0;
+      for (std::size_t i = 0; i < drawn[0].values.size(); ++i) {
+        all += drawn[0].values[i] > 0.0f;
+        different += std::abs(drawn[0].values[i] - drawn[1].values[i]) > 4.0f / 255.0f;
+      }
+      INFO(nameOf(mapping) << ", " << nameOf(space) << ": " << different << " of " << all);
+      CHECK(all > 3 * 64 * 64 / 8);
+      if (space == NoiseSpace::object)
+        CHECK(different < all / 100); // at edges, pixels that one of the two misses
+      else
+        CHECK(different > all / 2);
+    }
+}
 
 TEST_CASE("colours in three planes are those of the place in the world, whatever the mesh") {
   const SyntheticMap map{3, 64, 48};

@@ -315,6 +315,16 @@ TEST_CASE("every fault of a material's use is found") {
       {"no noise", "required", [](GlbParts& p) { p.use(0).erase("noise"); }},
       {"use is a string", "type", [](GlbParts& p) { p.use(0) = "felt"; }},
       {"unknown mapping", "material-mapping", [](GlbParts& p) { p.use(0)["mapping"] = "sphere"; }},
+      {"unknown space", "material-space",
+       [](GlbParts& p) {
+         p.use(0)["mapping"] = "triplanar";
+         p.use(0)["space"] = "tangent";
+       }},
+      {"a space without a mapping in space", "material-space",
+       [](GlbParts& p) {
+         p.use(0).erase("mapping");
+         p.use(0)["space"] = "object";
+       }},
       {"a mapping that tiling lacks", "material-mapping",
        [](GlbParts& p) { p.use(0)["mapping"] = "solid"; }},
       {"texture coordinates out of range", "range", [](GlbParts& p) { p.use(0)["texCoord"] = 16; }},

@@ -80,6 +80,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     const MaterialNoise& y = *b.materials[i];
     CHECK(x.noise == y.noise);
     CHECK(x.mapping == y.mapping);
+    CHECK(x.space == y.space);
     CHECK(x.texCoord == y.texCoord);
     CHECK(x.scale == y.scale);
     CHECK(x.offset == y.offset);

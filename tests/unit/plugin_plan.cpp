@@ -343,6 +343,20 @@ TEST_CASE(
   CHECK(material.mixChannel == 2);
 }
 
+TEST_CASE("a material tells the space of its positions") {
+  for (const NoiseSpace space : {NoiseSpace::world, NoiseSpace::object}) {
+    BundleFile file = example::smallest();
+    file.bundle.materials[0]->mapping = Mapping::triplanar;
+    file.bundle.materials[0]->space = space;
+    const OwnedBundle bundle(file);
+    LichenMaterialProperties material;
+    LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+    REQUIRE(lichenGetMaterialProperties(bundle.handle, 0, &material) == LICHEN_SUCCESS);
+    CHECK(material.space ==
+          (space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD));
+  }
+}
+
 TEST_CASE("what is no bundle is refused") {
   const std::vector<std::byte> noise(100, std::byte(7));
   CHECK(parse(parseInfo(noise)).result == LICHEN_ERROR_BAD_BUNDLE);

@@ -139,10 +139,14 @@ TEST_CASE("choices go around: the file's own, then each, then the file's own") {
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::uv);
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::triplanar);
   CHECK_FALSE(lookAfter(controls, "M").noise.mapping.has_value());
+  CHECK(lookAfter(controls, "O").noise.inObjectSpace == false);
+  CHECK(lookAfter(controls, "O").noise.inObjectSpace == true);
+  CHECK(controls.summary() == "object space");
+  CHECK_FALSE(lookAfter(controls, "O").noise.inObjectSpace.has_value());
   for (const std::uint32_t steps : {0u, 2u, 4u, kFreeTileRotation})
-    CHECK(lookAfter(controls, "O").noise.tileRotation == steps);
+    CHECK(lookAfter(controls, "A").noise.tileRotation == steps);
   CHECK(controls.summary() == "tile rotation free");
-  CHECK_FALSE(lookAfter(controls, "O").noise.tileRotation.has_value());
+  CHECK_FALSE(lookAfter(controls, "A").noise.tileRotation.has_value());
   for (const std::string_view name : debugViewNames())
     CHECK(lookAfter(controls, "D").debugView == name);
   CHECK(lookAfter(controls, "D").debugView.empty());

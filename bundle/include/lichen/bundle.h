@@ -94,6 +94,9 @@ enum class MapChannel {
 /// holds light for srgb, the decoded value for the others.
 enum class ValueEncoding { srgb, linear, slope, log2 };
 enum class Mapping { uv, triplanar, surface, solid };
+/// Where the places of a mapping in space are: in the world, or on each object, which the noise
+/// then moves, turns and scales with.
+enum class NoiseSpace { world, object };
 /// How a noise is evaluated: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
 enum class Method { tiling, texton };
 /// How the impacts of a texton noise lie: one in each cell of a grid, or a Poisson process.
@@ -107,6 +110,7 @@ enum class MixSource { constant, direction, texture, vertexColor };
 [[nodiscard]] std::string_view nameOf(MapChannel value);
 [[nodiscard]] std::string_view nameOf(ValueEncoding value);
 [[nodiscard]] std::string_view nameOf(Mapping value);
+[[nodiscard]] std::string_view nameOf(NoiseSpace value);
 [[nodiscard]] std::string_view nameOf(Method value);
 [[nodiscard]] std::string_view nameOf(PointProcess value);
 [[nodiscard]] std::string_view nameOf(MixSource value);
@@ -114,6 +118,7 @@ enum class MixSource { constant, direction, texture, vertexColor };
 [[nodiscard]] std::optional<MapChannel> mapChannelFrom(std::string_view name);
 [[nodiscard]] std::optional<ValueEncoding> valueEncodingFrom(std::string_view name);
 [[nodiscard]] std::optional<Mapping> mappingFrom(std::string_view name);
+[[nodiscard]] std::optional<NoiseSpace> noiseSpaceFrom(std::string_view name);
 [[nodiscard]] std::optional<Method> methodFrom(std::string_view name);
 [[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
 [[nodiscard]] std::optional<MixSource> mixSourceFrom(std::string_view name);
@@ -229,6 +234,9 @@ struct Bundle;
 /// for textons; none has a solid form.
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 
+/// Whether a mapping has its places in space, not on texture coordinates.
+[[nodiscard]] bool isInSpace(Mapping mapping);
+
 /// Inclusive bounds of a number.
 struct NumberRange {
   double least = std::numeric_limits<double>::lowest();
@@ -275,6 +283,7 @@ struct MixWeight {
 struct MaterialNoise {
   std::size_t noise = 0;
   Mapping mapping = Mapping::uv;
+  NoiseSpace space = NoiseSpace::world; ///< of mappings that are in space; world of others
   int texCoord = 0;
   /// Tile coordinate = offset + R(rotation) uv / scale, with the rotation of KHR_texture_transform:
   /// x' = cos x + sin y, y' = -sin x + cos y. One unit of tile space is one exemplar.

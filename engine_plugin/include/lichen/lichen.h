@@ -229,6 +229,15 @@ typedef enum LichenMapping {
   LICHEN_MAPPING_MAX_ENUM = 0x7FFFFFFF
 } LichenMapping;
 
+/* Of LICHEN_MAPPING_TRIPLANAR and LICHEN_MAPPING_SURFACE, the space of the positions, normals and
+ * tangents that the host gives the shader: the uniform block is the same for both. */
+typedef enum LichenSpace {
+  LICHEN_SPACE_WORLD = 0,  /* one pattern runs from mesh to mesh */
+  LICHEN_SPACE_OBJECT = 1, /* the mesh's own, before morph targets and skins: the pattern moves,
+                            * turns and scales with the object */
+  LICHEN_SPACE_MAX_ENUM = 0x7FFFFFFF
+} LichenSpace;
+
 /* Where a material takes the weight of a mix from. LICHEN_PLACE knows the first two; a host gives
  * the others by lichenMixByMask or lichenSetMix. */
 typedef enum LichenMixSource {
@@ -254,6 +263,8 @@ typedef struct LichenMaterialProperties {
                         * whatever KHR_texture_transform it has is the host's to read */
   uint32_t mixSet;     /* [0, 15] of LICHEN_MIX_TEXTURE the TEXCOORD_n, of vertex colours COLOR_n */
   uint32_t mixChannel; /* [0, 3] of the texture or the colour, red to alpha */
+  LichenSpace space;   /* world for LICHEN_MAPPING_UV */
+  uint32_t reserved;   /* 0 */
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */

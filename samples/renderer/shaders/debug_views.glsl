@@ -127,9 +127,9 @@ vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {
   lichenSetTriplanarMix(triplanar, mixWeight);
   LichenMap here =
       lichenTriplanarMap(baseColorTable, triplanar, noiseData.noise, map, noiseData.texton);
-  vec3 lost;
-  return shownGaussian(lichenTriplanarGaussian(baseColorImage, baseColorTable, triplanar,
-                                               noiseData.noise, map, here, noiseData.texton, lost));
+  return shownGaussian(lichenTriplanarBlend(baseColorImage, baseColorTable, triplanar,
+                                            noiseData.noise, map, here, noiseData.texton)
+                           .gaussian);
 }
 #endif
 

@@ -15,6 +15,10 @@ layout(location = 2) in vec4 worldTangent;
 layout(location = 3) in vec4 texCoords;
 layout(location = 4) in vec4 vertexColor;
 layout(location = 5) in float mixWeight;
+layout(location = 6) in vec3 objectPosition;
+layout(location = 7) in vec3 objectNormal;
+layout(location = 8) in vec4 objectTangent;
+layout(location = 9) in vec3 worldOutward;
 layout(location = 0) out vec4 color;
 
 vec3 shadingNormal(vec3 n, Surface surface) {
@@ -48,7 +52,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
   float metallic = clamp(surface.metallic, 0.0, 1.0);
   s.diffuseColor = surface.baseColor.rgb * (1.0 - metallic);
   s.f0 = mix(vec3(kDielectricF0), surface.baseColor.rgb, metallic);
-  s.brdf = textureLod(brdfTable, vec2(s.nDotV, s.roughness), 0.0).xyz;
+  s.brdf = textureLod(brdfTable, vec2(s.nDotV, s.roughness), 0.0);
   return s;
 }
 
@@ -67,9 +71,15 @@ vec3 lit(Shading s, Surface surface) {
 void main() {
   float scale = frame.environment.z;
   Footprint footprint =
-      Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale, worldPosition,
-                dFdx(worldPosition) * scale, dFdy(worldPosition) * scale, worldNormal, worldTangent,
-                mixWeight);
+      Footprint(texCoords, dFdx(texCoords) * scale, dFdy(texCoords) * scale,
+                Spot(worldPosition, dFdx(worldPosition) * scale, dFdy(worldPosition) * scale,
+                     worldNormal, worldTangent),
+                Spot(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0)), vec3(0.0), mixWeight);
+  if (kObjectSpaces) {
+    footprint.object = Spot(objectPosition, dFdx(objectPosition) * scale,
+                            dFdy(objectPosition) * scale, objectNormal, objectTangent);
+    footprint.worldOutward = worldOutward;
+  }
   vec3 normal = normalize(worldNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   Surface surface = surfaceAt(footprint, vertexColor);
   if (material.flags.y == ALPHA_OPAQUE)

@@ -15,6 +15,9 @@ layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
 layout(location = 6) in float vertexMixWeight;
+layout(location = 7) in vec3 undeformedPosition;
+layout(location = 8) in vec3 undeformedNormal;
+layout(location = 9) in vec4 undeformedTangent;
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
@@ -22,10 +25,16 @@ layout(location = 2) out vec4 worldTangent;
 layout(location = 3) out vec4 texCoords;
 layout(location = 4) out vec4 vertexColor;
 layout(location = 5) out float mixWeight;
+layout(location = 6) out vec3 objectPosition;
+layout(location = 7) out vec3 objectNormal;
+layout(location = 8) out vec4 objectTangent;
+layout(location = 9) out vec3 worldOutward;
 
 void main() {
   vec4 world = draw.worldFromObject * vec4(position, 1.0);
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
+  inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
+           objectPosition, objectNormal, objectTangent, worldOutward);
   worldPosition = world.xyz;
   texCoords = vec4(texCoord0, texCoord1);
   vertexColor = color;

@@ -105,7 +105,8 @@ struct MaterialData {
   ivec4 noiseMaps;     // map of each other role, -1 for none
   ivec4 ormComponents; // of the noise's value: occlusion, roughness, metallic;
                        // -1 for none
-  ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel
+  ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel;
+                       // w 1 for a noise in the space of the object, 0 in the world
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
 };
 

@@ -33,7 +33,7 @@ struct Shading {
   vec3 f0;
   float roughness;
   float alpha;
-  vec3 brdf; // scale and bias of f0 under a uniform environment; mean of their sum
+  vec4 brdf; // scale and bias of f0 under a uniform environment; loss; its mean
 };
 
 float alphaOf(float roughness) { return max(roughness * roughness, kLeastAlpha); }
@@ -45,11 +45,10 @@ vec3 meanFresnel(vec3 f0) { return f0 + (1.0 - f0) * kMeanSchlick; }
 /// [Kulla and Conty 2017, "Multiple scattering"]: the lobe of what single scattering loses. The same
 /// when light and view change places, which a factor to single scattering would not be.
 vec3 scatteredAgain(Shading s, float nDotL) {
-  const float kLeastLost = 1e-4; // of a mirror, where the table's rounding is larger than the loss
-  vec2 toLight = textureLod(brdfTable, vec2(nDotL, s.roughness), 0.0).xy;
-  float lostOfLight = max(1.0 - toLight.x - toLight.y, 0.0);
-  float lostOfView = max(1.0 - s.brdf.x - s.brdf.y, 0.0);
-  float lost = max(1.0 - s.brdf.z, kLeastLost);
+  const float kLeastLost = 1e-5; // of a mirror
+  float lostOfLight = textureLod(brdfTable, vec2(nDotL, s.roughness), 0.0).z;
+  float lostOfView = s.brdf.z;
+  float lost = max(s.brdf.w, kLeastLost);
   vec3 average = meanFresnel(s.f0);
   vec3 color = average * average * (1.0 - lost) / (1.0 - average * lost);
   return color * (lostOfLight * lostOfView / (kPi * lost));
@@ -145,9 +144,8 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
   vec3 radiance = textureLod(specularCube, r, s.roughness * frame.environment.y).rgb;
   vec3 irradiance = textureLod(diffuseCube, s.normal, 0.0).rgb;
   // [Fdez-Aguera 2019] listing 1.
-  float single = s.brdf.x + s.brdf.y;
   vec3 singleScatter = s.f0 * s.brdf.x + s.brdf.y;
-  float lost = 1.0 - single;
+  float lost = s.brdf.z;
   vec3 average = meanFresnel(s.f0);
   vec3 multiScatter = lost * singleScatter * average / (1.0 - average * lost);
   vec3 diffuse = s.diffuseColor * (1.0 - singleScatter - multiScatter);

@@ -10,10 +10,13 @@ layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
 layout(constant_id = 6) const bool kTriplanar = true; // whether some are mapped onto three planes
-layout(constant_id = 7) const bool kTileRotation = true; // whether some turn their tiles
+layout(constant_id = 7) const bool kOtherMappings = true; // whether some are mapped otherwise
+layout(constant_id = 8) const bool kObjectSpaces = true; // whether some are in object space
+layout(constant_id = 9) const bool kTileRotation = true; // whether some turn their tiles
 #define LICHEN_TILING_NOISES kTilingNoises
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
+#define LICHEN_OTHER_MAPPINGS kOtherMappings
 #endif
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_TILE_ROTATION kTileRotation
@@ -68,15 +71,22 @@ struct Surface {
   vec3 gradient;      // of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
 };
 
-struct Footprint {
-  vec4 texCoords; // two sets
-  vec4 dx;        // their screen-space gradients, scaled for averaging frames
-  vec4 dy;
-  vec3 position; // in the world, and its gradients likewise
-  vec3 positionDx, positionDy;
+/// A place in a space of three dimensions.
+struct Spot {
+  vec3 position;
+  vec3 dx, dy; // its screen-space gradients, scaled for averaging frames
   vec3 normal; // of the side that is front, not normalised
   vec4 tangent;
-  float mixWeight; // of the vertices
+};
+
+struct Footprint {
+  vec4 texCoords; // two sets
+  vec4 dx;        // their screen-space gradients, likewise
+  vec4 dy;
+  Spot world;
+  Spot object;       // unset where kObjectSpaces is false, and what follows too
+  vec3 worldOutward; // what a unit step along the object's normal becomes
+  float mixWeight;   // of the vertices
 };
 
 /// A texture's own coordinates and, as columns, their gradients.
@@ -124,13 +134,20 @@ void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
 #endif
 }
 
+bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
+
 /// The place in the noise, which all its maps share.
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
+#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS)
+  Spot spot = f.world;
+  if (isInObject())
+    spot = f.object;
+#endif
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(noiseData.noise)) {
-    LichenPlace place = lichenPlaceTriplanarGrad(f.position, f.positionDx, f.positionDy, f.normal,
+    LichenPlace place = lichenPlaceTriplanarGrad(spot.position, spot.dx, spot.dy, spot.normal,
                                                  noiseData.noise, noiseData.texton);
     setMixInSpace(place.impacts, f, uv);
     return place;
@@ -139,7 +156,7 @@ LichenPlace noisePlace(Footprint f) {
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton)) {
     LichenPlace place =
-        lichenPlaceSurfaceGrad(f.position, f.positionDx, f.positionDy, f.normal, f.tangent,
+        lichenPlaceSurfaceGrad(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent,
                                noiseData.noise, noiseData.texton);
     setMixInSpace(place.impacts, f, uv);
     return place;
@@ -210,12 +227,36 @@ vec3 ormAt(Footprint f, LichenPlace place) {
   return orm;
 }
 
+/// A gradient in the object's space becomes one in the world over whose surface the normal is what
+/// the object's normal with relief becomes, transformed as normals are.
+vec3 gradientInWorld(vec3 gradient, Footprint f) {
+  vec3 objectNormal = normalize(f.object.normal);
+  vec3 along = gradient - dot(gradient, objectNormal) * objectNormal;
+  // Whatever node, morph targets and skin have made of the surface, three directions tell the map:
+  // two along the screen [Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU] and the
+  // normal's. Of its inverse transpose, the gradient has no part along the normal.
+  float volume = dot(cross(f.world.dx, f.world.dy), f.worldOutward);
+  if (volume == 0.0)
+    return vec3(0.0);
+  vec3 inWorld = (dot(along, f.object.dx) * cross(f.world.dy, f.worldOutward) +
+                  dot(along, f.object.dy) * cross(f.worldOutward, f.world.dx)) /
+                 volume;
+  // The normal itself becomes one of length 1 / height.
+  vec3 normal = normalize(f.world.normal);
+  float height = dot(f.worldOutward, normal);
+  float outward = height * dot(inWorld, normal) * (gl_FrontFacing ? 1.0 : -1.0);
+  const float kLeastRest = 1e-3; // of a normal that relief nearly turns over
+  return height * inWorld / max(1.0 - outward, kLeastRest);
+}
+
 /// The gradient of triplanar slopes, and in w the variance of the slopes that a pixel hides.
-vec4 gradientAt(LichenPlace place) {
+vec4 gradientAt(Footprint f, LichenPlace place) {
   if (!kHasNoise || !lichenIsTriplanar(noiseData.noise) || !noiseHas(NOISE_NORMAL))
     return vec4(0.0);
   float scale = material.factors.z;
   vec4 value = NOISE_VALUE(NOISE_NORMAL, normal, place);
+  if (isInObject())
+    value.xyz = gradientInWorld(value.xyz, f);
   return vec4(scale * value.xyz, scale * scale * value.w);
 }
 
@@ -246,7 +287,7 @@ Surface surfaceAt(Footprint f, vec4 vertexColor) {
   s.emissive = material.emissive.rgb * emissiveAt(f, place);
   s.occlusion = mix(1.0, orm.x, material.factors.w);
   vec4 normal = tangentNormalAt(f, place);
-  vec4 gradient = gradientAt(place);
+  vec4 gradient = gradientAt(f, place);
   s.roughness = material.factors.y * orm.y;
   float slopeVariance = normal.w + gradient.w;
   if (slopeVariance > 0.0)

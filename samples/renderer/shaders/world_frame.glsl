@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A vertex's directions in the world. Normals transform by the cofactors, which a singular matrix
-// has too; mirroring turns them.
+// has too; mirroring turns them. And its place in the space of its object.
 #ifndef WORLD_FRAME_GLSL
 #define WORLD_FRAME_GLSL
+
+// Whether some noise of the scene is placed in the space of its objects.
+layout(constant_id = 8) const bool kObjectSpaces = false;
 
 void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNormal,
              out vec4 worldTangent) {
@@ -12,6 +15,25 @@ void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNorm
   float mirror = dot(linear[0], cofactors[0]) < 0.0 ? -1.0 : 1.0;
   worldNormal = mirror * (cofactors * normal);
   worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
+}
+
+/// A vertex in the space of its object, before morph targets and skins, and what becomes of a unit
+/// step along its normal: `undeformedNormal` is as long as the skin stretches it. All 0 where no
+/// noise of the scene needs it.
+void inObject(vec3 undeformedPosition, vec3 undeformedNormal, vec4 undeformedTangent, vec3 normal,
+              mat4 worldFromObject, out vec3 objectPosition, out vec3 objectNormal,
+              out vec4 objectTangent, out vec3 worldOutward) {
+  objectPosition = objectNormal = worldOutward = vec3(0.0);
+  objectTangent = vec4(0.0);
+  if (!kObjectSpaces)
+    return;
+  float stretch = length(undeformedNormal);
+  objectPosition = undeformedPosition;
+  objectNormal = undeformedNormal;
+  if (stretch > 0.0)
+    objectNormal /= stretch;
+  objectTangent = undeformedTangent;
+  worldOutward = mat3(worldFromObject) * (stretch * normal);
 }
 
 #endif

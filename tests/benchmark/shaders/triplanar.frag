@@ -4,7 +4,8 @@
 // Triplanar tiling on a sphere, unrolled over the screen so that each part of it has as many pixels
 // as any other of the same area. A pixel sees a texel, as in tiling.frag on a flat screen.
 
-// The usual material, as in tiling.frag.
+// The usual material, as in tiling.frag; all materials triplanar, as there none is.
+#define LICHEN_OTHER_MAPPINGS 0
 #define LICHEN_OMIT_TEXTONS
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
