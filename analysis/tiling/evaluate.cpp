@@ -87,9 +87,21 @@ float footprintShare(const shader::LichenMap& map, float level, float lostVarian
   return lost < lostVariance ? lost / lostVariance : 1.0f;
 }
 
-/// The level of the table that is prefiltered for this loss.
-float tableLevel(const shader::LichenMap& map, float lost) {
-  return float(map.tableLevels - 1) * (1.0f - std::sqrt(1.0f - std::min(1.0f, lost)));
+/// The level of the table that is prefiltered for this loss: lichenTableLevel.
+float tableLevel(const shader::LichenMap& map, float lost, float contrast) {
+  const auto last = float(map.tableLevels - 1);
+  const float beforeLast = 1.0f / std::max(last * last, 1.0f);
+  const float least = std::min(std::max(0.0f, 1.0f - lost), beforeLast);
+  return last * (1.0f - std::sqrt(std::max(1.0f - contrast * contrast * lost, least)));
+}
+
+/// lichenWithinTable.
+Value withinTable(const Value& gaussian, float lost, float contrast) {
+  const float scale = 1.0f / std::sqrt(std::max(1.0f, contrast * contrast * lost));
+  Value within = gaussian;
+  for (std::size_t c = 0; c < 3; ++c)
+    within[c] = 0.5f + scale * (gaussian[c] - 0.5f);
+  return within;
 }
 
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
@@ -161,7 +173,7 @@ std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
   std::vector<float> values;
   values.reserve(map.image.texels(0).size() * map.channels);
   for (const Value& texel : map.image.texels(0)) {
-    const Value value = decode(map, texel, 0.0f);
+    const Value value = decode(map, texel, 0.0f, 1.0f);
     values.insert(values.end(), value.begin(), value.begin() + std::ptrdiff_t(map.channels));
   }
   return values;
@@ -195,20 +207,18 @@ Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::siz
   return dimensions == 2 ? square(0) : mix(square(0), square(step[2]), fraction[2]);
 }
 
-Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float lost) {
+Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float level) {
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
     uniform[axis] = uniformFromGaussian(gaussian[axis]);
-  const float level = tableLevel(map.constants, lost);
   const auto slab = std::size_t(level);
   const Value value = slabLookup(map, uniform, slab);
   const float t = level - float(slab);
   return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
 }
 
-Value TilingEvaluator::decodeSeparable(const Map& map, const Value& gaussian, float lost) {
+Value TilingEvaluator::decodeSeparable(const Map& map, const Value& gaussian, float level) {
   const auto side = std::size_t(map.tableSide);
-  const float level = tableLevel(map.constants, lost);
   const auto slab = std::size_t(level);
   const std::size_t next = std::min(slab + 1, std::size_t(map.constants.tableLevels) - 1);
   std::array<float, 3> along{};
@@ -227,13 +237,16 @@ Value TilingEvaluator::decodeSeparable(const Map& map, const Value& gaussian, fl
   return decodedSeparable(map.constants, along);
 }
 
-Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost) {
-  if (map.constants.decoding == LICHEN_DECODING_JOINT)
-    return decodeJoint(map, gaussian, lost);
-  if (map.constants.decoding == LICHEN_DECODING_SEPARABLE)
-    return decodeSeparable(map, gaussian, lost);
-  return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
-                         {lost, lost, lost});
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost, float contrast) {
+  if (map.constants.decoding == LICHEN_DECODING_GAUSSIAN) {
+    const float scaled = contrast * contrast * lost;
+    return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
+                           {scaled, scaled, scaled});
+  }
+  const Value within = withinTable(gaussian, lost, contrast);
+  const float level = tableLevel(map.constants, lost, contrast);
+  return map.constants.decoding == LICHEN_DECODING_SEPARABLE ? decodeSeparable(map, within, level)
+                                                             : decodeJoint(map, within, level);
 }
 
 Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
@@ -253,7 +266,7 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
       continue;
     Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
     if (decodeFirst)
-      tap = decode(map, tap, lost);
+      tap = decode(map, tap, lost, 1.0f);
     if (decodeFirst && turnsSlopes)
       turnSlopesBack(tap, taps.turn[k]);
     for (std::size_t c = 0; c < 3; ++c)
@@ -279,7 +292,7 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& n
     Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
     for (std::size_t c = 0; c < 3; ++c)
       tap[c] = 0.5f + noise.contrast * (tap[c] - 0.5f);
-    Value slopes = decode(map, tap, lost);
+    Value slopes = decode(map, tap, lost, noise.contrast);
     turnSlopesBack(slopes, taps.turn[k]);
     const float share = taps.weight[k] / taps.norm;
     sum[0] += share * slopes[0];
@@ -292,7 +305,7 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& n
 /// The value that a Gaussian value of one plane stands for.
 Value TilingEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
                                const TileFootprint& at, const Value& gaussian) {
-  Value result = decode(map, gaussian, noise.contrast * noise.contrast * gaussian[3]);
+  Value result = decode(map, gaussian, gaussian[3], noise.contrast);
   if (isSlope(map.constants))
     result[2] *= footprintShare(map.constants, levelOfDetail(map.constants, at), gaussian[3]);
   return result;
@@ -318,7 +331,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
   const float lost = lostVariance(map.constants, noise, at, lod);
   if (blend != BlendOperator::histogramPreserving)
     return blended(map, noise, at, blend, lod, lost);
-  Value slopes = turnedSlopes(map, noise, at, lod, noise.contrast * noise.contrast * lost);
+  Value slopes = turnedSlopes(map, noise, at, lod, lost);
   slopes[2] *= footprintShare(map.constants, lod, lost);
   return slopes;
 }
@@ -338,7 +351,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
       return evaluate(mapIndex, plane.noise, plane.at);
     });
   const Value blend = gaussian(mapIndex, noise, at);
-  return decode(map, blend, noise.contrast * noise.contrast * blend[3]);
+  return decode(map, blend, blend[3], noise.contrast);
 }
 
 } // namespace lichen

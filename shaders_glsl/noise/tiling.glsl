@@ -194,8 +194,6 @@ float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map)
 vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, float lost,
                         LichenNoise noise, LichenMap map) {
   float level = lichenTilingLevel(taps, noise, map);
-  // Contrast scales what is missing with what is there.
-  float scaled = noise.contrast * noise.contrast * lost;
   vec3 shares = taps.weights * inversesqrt(dot(taps.weights, taps.weights));
   vec4 blend = vec4(0.0, 0.0, 0.0, 1.0);
   // A loop, for one copy of the decoder, which devices without a skip of branches skip where no
@@ -208,8 +206,8 @@ vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, fl
     float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
     if (lichenIsTaken(share)) {
       vec3 value = lichenTilingFetch(gaussian, tap, turn, taps, level);
-      vec4 slopes =
-          lichenTilingDecode(table, 0.5 + noise.contrast * (value - 0.5), scaled, map);
+      value = 0.5 + noise.contrast * (value - 0.5);
+      vec4 slopes = lichenTilingDecode(table, value, lost, noise.contrast, map);
       blend.xy += share * lichenSlopesTurnedBack(slopes.xy, turn);
       blend.z += share * share * slopes.z;
     }
@@ -227,13 +225,11 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   float lost = lichenTilingLostVariance(taps, level, map);
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
   vec4 value;
-  if (isSlope && lichenTurnsTiles(noise)) {
+  if (isSlope && lichenTurnsTiles(noise))
     value = lichenTurnedSlopes(gaussian, table, taps, lost, noise, map);
-  } else {
-    // Contrast scales what is missing with what is there.
-    float scaled = noise.contrast * noise.contrast * lost;
-    value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), scaled, map);
-  }
+  else
+    value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost,
+                               noise.contrast, map);
   if (isSlope)
     value.z *= lichenTilingFootprintShare(level, lost, map);
   return value;
@@ -247,9 +243,9 @@ vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTaps ta
   vec3 tile0 = lichenTilingFetch(gaussian, taps.tap0, taps.turn0, taps, level);
   vec3 tile1 = lichenTilingFetch(gaussian, taps.tap1, taps.turn1, taps, level);
   vec3 tile2 = lichenTilingFetch(gaussian, taps.tap2, taps.turn2, taps, level);
-  vec4 value0 = lichenTilingDecode(table, tile0, lost, map);
-  vec4 value1 = lichenTilingDecode(table, tile1, lost, map);
-  vec4 value2 = lichenTilingDecode(table, tile2, lost, map);
+  vec4 value0 = lichenTilingDecode(table, tile0, lost, 1.0, map);
+  vec4 value1 = lichenTilingDecode(table, tile1, lost, 1.0, map);
+  vec4 value2 = lichenTilingDecode(table, tile2, lost, 1.0, map);
   vec4 middle = map.mean;
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise)) {
     value0.xy = lichenSlopesTurnedBack(value0.xy, taps.turn0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a map's blended Gaussian value (float3) stands for, where filtering has taken the fraction
-// `lostVariance` of its variance: the mean of the decoded quantity over what is missing. Of slopes,
-// z is the variance of a slope over what is missing. `lostVariance` is above 1 where contrast is.
+// What a map's blended Gaussian value (float3), of this contrast, stands for, where filtering has
+// taken the fraction `lostVariance` of its variance: the mean of the decoded quantity over what is
+// missing. Of slopes, z is the variance of a slope over what is missing.
 // [HN18] section 4.3; the three ways to decode are those of docs/gltf_extension/README.md, step 6.
 #ifndef LICHEN_TILING_DECODE_GLSL
 #define LICHEN_TILING_DECODE_GLSL
@@ -25,17 +25,26 @@
 #define LICHEN_TABLE_CELLS 32.0
 
 /// The level of the table that is prefiltered for this loss. Levels are equidistant in kept
-/// amplitude.
-float lichenTableLevel(float lostVariance, LichenMap map) {
-  return (float(int(map.tableLevels)) - 1.0) * (1.0 - sqrt(max(0.0, 1.0 - lostVariance)));
+/// amplitude. The last is the mean: nothing is kept. More contrast has more missing than that, but
+/// comes there no sooner (lichenWithinTable).
+float lichenTableLevel(float lostVariance, float contrast, LichenMap map) {
+  float last = float(int(map.tableLevels)) - 1.0;
+  float beforeLast = 1.0 / max(last * last, 1.0); // the variance that this level keeps
+  float least = min(max(0.0, 1.0 - lostVariance), beforeLast);
+  return last * (1.0 - sqrt(max(1.0 - contrast * contrast * lostVariance, least)));
+}
+
+/// The Gaussian value to look up, nearer to the mean where more is missing than the table averages
+/// over: of a step the average is the same, and with such contrast a table is one.
+vec3 lichenWithinTable(vec3 gaussian, float lostVariance, float contrast) {
+  return 0.5 + (gaussian - 0.5) * inversesqrt(max(1.0, contrast * contrast * lostVariance));
 }
 
 /// One inverse table over all dimensions.
-vec4 lichenDecodeJoint(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+vec4 lichenDecodeJoint(sampler3D table, vec3 gaussian, float level, LichenMap map) {
   // T^-1 as a table over the Gaussian's distribution function, eq. 22.
   vec3 uniformValue = lichenGaussianCdf(gaussian);
   float levels = float(int(map.tableLevels));
-  float level = lichenTableLevel(lostVariance, map);
   // One and two channels: the third coordinate is the level, and one fetch filters it too. Three: a
   // volume for each level, one behind the other; interpolation stays half a cell inside each.
   bool isVolume = map.dimensions == 3u;
@@ -58,9 +67,9 @@ vec3 lichenDecodeRows(vec3 value, LichenMap map) {
 }
 
 /// A table for each dimension, in a basis in which they are not correlated.
-vec4 lichenDecodeSeparable(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+vec4 lichenDecodeSeparable(sampler3D table, vec3 gaussian, float level, LichenMap map) {
   vec3 uniformValue = lichenGaussianCdf(gaussian);
-  float depth = (lichenTableLevel(lostVariance, map) + 0.5) / float(int(map.tableLevels));
+  float depth = (level + 0.5) / float(int(map.tableLevels));
   vec3 along;
   along.x = textureLod(table, vec3(uniformValue.x, 0.5, depth), 0.0).x;
   along.y = textureLod(table, vec3(uniformValue.y, 0.5, depth), 0.0).y;
@@ -143,7 +152,8 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lostVariance, LichenMap map) {
 
 /// The decoded value at a Gaussian value of which the fraction `lostVariance` is missing. `table`
 /// is not fetched where the map has none.
-vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, LichenMap map) {
+vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, float contrast,
+                        LichenMap map) {
   // In variables: of specialization constants negated below, glslang 11 makes invalid SPIR-V.
   bool hasJoint = bool(LICHEN_JOINT_TABLES);
   bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
@@ -151,11 +161,14 @@ vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, Lich
   bool isSeparable =
       map.decoding == uint(LICHEN_DECODING_SEPARABLE) || !(hasJoint || hasGaussian);
   bool isGaussian = map.decoding == uint(LICHEN_DECODING_GAUSSIAN) || !hasJoint;
+  // Contrast scales what is missing with what is there.
+  if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian && !isSeparable)
+    return lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lostVariance), map);
+  vec3 within = lichenWithinTable(gaussian, lostVariance, contrast);
+  float level = lichenTableLevel(lostVariance, contrast, map);
   if (bool(LICHEN_SEPARABLE_TABLES) && isSeparable)
-    return lichenDecodeSeparable(table, gaussian, lostVariance, map);
-  if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian)
-    return lichenDecodeGaussian(gaussian, vec3(lostVariance), map);
-  return lichenDecodeJoint(table, gaussian, lostVariance, map);
+    return lichenDecodeSeparable(table, within, level, map);
+  return lichenDecodeJoint(table, within, level, map);
 }
 
 #endif

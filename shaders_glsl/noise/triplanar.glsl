@@ -89,13 +89,11 @@ vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plan
 /// The value that a Gaussian value stands for, of one plane or of all. `here` as above.
 vec4 lichenTriplanarDecode(sampler3D table, vec3 gaussian, vec3 lost, LichenNoise noise,
                            LichenMap map, LichenMap here) {
-  // Contrast scales what is missing with what is there.
-  vec3 scaled = noise.contrast * noise.contrast * lost;
 #ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise))
-    return lichenDecodeGaussian(gaussian, scaled, here);
+  if (lichenIsTexton(noise)) // contrast scales what is missing with what is there
+    return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here);
 #endif
-  return lichenTilingDecode(table, gaussian, scaled.x, map);
+  return lichenTilingDecode(table, gaussian, lost.x, noise.contrast, map);
 }
 
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a

@@ -215,9 +215,8 @@ TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, Fetc
             std::size_t(channelCount(table.format)), decodeLevel(table, 0)};
 }
 
-TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double lost,
+TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double level,
                                                     unsigned dimensions) const {
-  const double level = double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - std::min(1.0, lost)));
   std::array<double, 3> u{};
   for (std::size_t c = 0; c < 3; ++c)
     u[c] = uniformOf(gaussian[c]);
@@ -242,16 +241,16 @@ TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, dou
   return value;
 }
 
-TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, double lost,
+TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, double level,
                                                      unsigned dimensions) const {
-  const double row = 0.5 + double(slabs_ - 1) * (1.0 - std::sqrt(1.0 - std::min(1.0, lost)));
   Decoded value{0.0, 0.0, 0.0, 1.0};
   const std::size_t n = map_.channels.size();
   for (std::size_t c = 0; c < n; ++c) {
     value[c] = map_.tableOffset[c];
     for (unsigned axis = 0; axis < dimensions; ++axis) {
       const double u = uniformOf(gaussian[axis]) * table_.width;
-      value[c] += map_.tableBasis[c * dimensions + axis] * sampleClamp(table_, {u, row, 0.5})[axis];
+      value[c] +=
+          map_.tableBasis[c * dimensions + axis] * sampleClamp(table_, {u, level + 0.5, 0.5})[axis];
     }
     value[c] = std::clamp(value[c], 0.0, map_.encoding == ValueEncoding::log2 ? 65504.0 : 1.0);
   }
@@ -342,11 +341,17 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   sample.gaussian[3] = lost;
 
   // Step 6.
-  const double s = double(n.contrast) * double(n.contrast) * sample.gaussian[3];
-  const auto decode = [&](const Decoded& gaussian) {
-    return !map_.inverseTable         ? withoutTable(gaussian, s)
-           : map_.tableOffset.empty() ? fromTable(gaussian, s, m.dimensions)
-                                      : fromTables(gaussian, s, m.dimensions);
+  const double missing = double(n.contrast) * double(n.contrast) * lost;
+  const double last = double(slabs_) - 1.0;
+  const double kept = std::max(1.0 - missing, std::min(1.0 - lost, 1.0 / (last * last)));
+  const double level = last * (1.0 - std::sqrt(kept));
+  const auto decode = [&](Decoded gaussian) {
+    if (!map_.inverseTable)
+      return withoutTable(gaussian, missing);
+    for (double& value : gaussian)
+      value = 0.5 + (value - 0.5) / std::sqrt(std::max(1.0, missing));
+    return map_.tableOffset.empty() ? fromTable(gaussian, level, m.dimensions)
+                                    : fromTables(gaussian, level, m.dimensions);
   };
   if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
     // Step 8, of turned tiles.

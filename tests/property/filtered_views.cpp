@@ -86,8 +86,9 @@ double FilteredView::difference() const {
 }
 
 Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement,
-                 const TilingQuality& quality) {
+                 const TilingQuality& quality, double contrast) {
   MaterialNoise material;
+  material.contrast = contrast;
   material.mapping = mapping;
   const shader::LichenNoise noise = shaderNoise(bundle, material, placement);
   const shader::LichenTexton texton = shaderTexton(bundle, material, placement);

@@ -23,7 +23,8 @@ using Plane = std::function<Light(const TileFootprint&)>;
 /// The first map of a bundle's first noise, on texture coordinates or, with Mapping::triplanar, on
 /// a plane that lies askew to all three. The quality is that of tiling.
 [[nodiscard]] Plane noisePlane(const Bundle& bundle, Mapping mapping,
-                               const Placement& placement = {}, const TilingQuality& quality = {});
+                               const Placement& placement = {}, const TilingQuality& quality = {},
+                               double contrast = 1.0);
 
 /// Pixels against the averages of points in them. Variances, their covariance and the squared
 /// difference are sums over the channels; of the averages, without what their few points add.

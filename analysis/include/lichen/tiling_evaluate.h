@@ -73,9 +73,10 @@ private:
   [[nodiscard]] static Value decoded(const Map& map, const shader::LichenNoise& noise,
                                      const TileFootprint& at, const Value& gaussian);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
-  [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float lost);
-  [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float lost);
-  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost);
+  [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float level);
+  [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float level);
+  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost,
+                                    float contrast);
 
   TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps, const TilingQuality& quality)
       : maps_(std::move(maps)), quality_(quality) {}
