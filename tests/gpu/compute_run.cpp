@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace lichen::test {
 namespace {
@@ -24,40 +25,23 @@ T require(Result<T> result) {
   return std::move(result).value();
 }
 
-/// What one run creates, destroyed in the end.
-struct Objects {
-  explicit Objects(VkDevice d) : device(d) {}
-  Objects(const Objects&) = delete;
-  Objects& operator=(const Objects&) = delete;
-  ~Objects() {
-    vkDestroyPipeline(device, pipeline, nullptr);
-    vkDestroyPipelineLayout(device, pipelineLayout, nullptr);
-    vkDestroyShaderModule(device, module, nullptr);
-    vkDestroyDescriptorPool(device, pool, nullptr);
-    vkDestroyDescriptorSetLayout(device, setLayout, nullptr);
-  }
+/// The pool and the set of one run's buffers.
+struct BufferSet {
+  explicit BufferSet(VkDevice d) : device(d) {}
+  BufferSet(const BufferSet&) = delete;
+  BufferSet& operator=(const BufferSet&) = delete;
+  ~BufferSet() { vkDestroyDescriptorPool(device, pool, nullptr); }
 
   VkDevice device;
-  VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
-  VkShaderModule module = VK_NULL_HANDLE;
-  VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
-  VkPipeline pipeline = VK_NULL_HANDLE;
 };
 
-void createBufferSet(Objects& objects, const DeviceBuffer& input, const DeviceBuffer& output) {
-  std::array<VkDescriptorSetLayoutBinding, 2> bindings{};
+void createBufferSet(BufferSet& objects, VkDescriptorSetLayout setLayout, const DeviceBuffer& input,
+                     const DeviceBuffer& output) {
   std::array<VkWriteDescriptorSet, 2> writes{};
   const std::array<VkDescriptorBufferInfo, 2> buffers{
       {{input.handle, 0, VK_WHOLE_SIZE}, {output.handle, 0, VK_WHOLE_SIZE}}};
-  for (std::uint32_t i = 0; i < 2; ++i)
-    bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-  VkDescriptorSetLayoutCreateInfo layout{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  layout.bindingCount = 2;
-  layout.pBindings = bindings.data();
-  require(vkCreateDescriptorSetLayout(objects.device, &layout, nullptr, &objects.setLayout),
-          "a set layout");
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   pool.maxSets = 1;
@@ -67,7 +51,7 @@ void createBufferSet(Objects& objects, const DeviceBuffer& input, const DeviceBu
   VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocation.descriptorPool = objects.pool;
   allocation.descriptorSetCount = 1;
-  allocation.pSetLayouts = &objects.setLayout;
+  allocation.pSetLayouts = &setLayout;
   require(vkAllocateDescriptorSets(objects.device, &allocation, &objects.set), "a set");
   for (std::uint32_t i = 0; i < 2; ++i) {
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -80,51 +64,106 @@ void createBufferSet(Objects& objects, const DeviceBuffer& input, const DeviceBu
   vkUpdateDescriptorSets(objects.device, 2, writes.data(), 0, nullptr);
 }
 
-void createPipeline(Objects& objects, const ComputeRun& run) {
-  VkShaderModuleCreateInfo module{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  module.codeSize = run.spirv.size_bytes();
-  module.pCode = run.spirv.data();
-  require(vkCreateShaderModule(objects.device, &module, nullptr, &objects.module), "a shader");
-  const std::array<VkDescriptorSetLayout, 2> layouts{run.layout, objects.setLayout};
-  const bool hasOther = run.layout != VK_NULL_HANDLE;
-  VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  layout.setLayoutCount = hasOther ? 2 : 1;
-  layout.pSetLayouts = hasOther ? layouts.data() : &objects.setLayout;
-  require(vkCreatePipelineLayout(objects.device, &layout, nullptr, &objects.pipelineLayout),
-          "a pipeline layout");
-  const VkSpecializationMapEntry entry{0, 0, sizeof run.constant};
-  const VkSpecializationInfo specialization{1, &entry, sizeof run.constant, &run.constant};
-  VkComputePipelineCreateInfo pipeline{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-  pipeline.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  pipeline.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  pipeline.stage.module = objects.module;
-  pipeline.stage.pName = "main";
-  pipeline.stage.pSpecializationInfo = &specialization;
-  pipeline.layout = objects.pipelineLayout;
-  require(vkCreateComputePipelines(objects.device, VK_NULL_HANDLE, 1, &pipeline, nullptr,
-                                   &objects.pipeline),
-          "a pipeline");
+} // namespace
+
+/// A pipeline, what it is made of, and what it is found by.
+struct ComputePipeline {
+  ComputePipeline(VkDevice d, const ComputeRun& run)
+      : device(d), spirv(run.spirv.begin(), run.spirv.end()), constant(run.constant),
+        otherLayout(run.layout) {
+    createSetLayout();
+    createPipeline();
+  }
+  ComputePipeline(const ComputePipeline&) = delete;
+  ComputePipeline& operator=(const ComputePipeline&) = delete;
+  ~ComputePipeline() {
+    vkDestroyPipeline(device, pipeline, nullptr);
+    vkDestroyPipelineLayout(device, pipelineLayout, nullptr);
+    vkDestroyShaderModule(device, module, nullptr);
+    vkDestroyDescriptorSetLayout(device, setLayout, nullptr);
+  }
+
+  [[nodiscard]] bool serves(const ComputeRun& run) const {
+    return constant == run.constant && otherLayout == run.layout &&
+           std::equal(spirv.begin(), spirv.end(), run.spirv.begin(), run.spirv.end());
+  }
+
+  void createSetLayout() {
+    std::array<VkDescriptorSetLayoutBinding, 2> bindings{};
+    for (std::uint32_t i = 0; i < 2; ++i)
+      bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    VkDescriptorSetLayoutCreateInfo layout{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    layout.bindingCount = 2;
+    layout.pBindings = bindings.data();
+    require(vkCreateDescriptorSetLayout(device, &layout, nullptr, &setLayout), "a set layout");
+  }
+
+  void createPipeline() {
+    VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    moduleInfo.codeSize = spirv.size() * sizeof(std::uint32_t);
+    moduleInfo.pCode = spirv.data();
+    require(vkCreateShaderModule(device, &moduleInfo, nullptr, &module), "a shader");
+    const std::array<VkDescriptorSetLayout, 2> layouts{otherLayout, setLayout};
+    const bool hasOther = otherLayout != VK_NULL_HANDLE;
+    VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    layout.setLayoutCount = hasOther ? 2 : 1;
+    layout.pSetLayouts = hasOther ? layouts.data() : &setLayout;
+    require(vkCreatePipelineLayout(device, &layout, nullptr, &pipelineLayout), "a pipeline layout");
+    const VkSpecializationMapEntry entry{0, 0, sizeof constant};
+    const VkSpecializationInfo specialization{1, &entry, sizeof constant, &constant};
+    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = module;
+    info.stage.pName = "main";
+    info.stage.pSpecializationInfo = &specialization;
+    info.layout = pipelineLayout;
+    require(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+            "a pipeline");
+  }
+
+  VkDevice device;
+  std::vector<std::uint32_t> spirv;
+  std::int32_t constant;
+  VkDescriptorSetLayout otherLayout; // the caller's
+  VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+  VkShaderModule module = VK_NULL_HANDLE;
+  VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+};
+
+ComputePipelines::ComputePipelines(VkDevice device) : device_(device) {}
+
+ComputePipelines::~ComputePipelines() = default;
+
+const ComputePipeline& ComputePipelines::of(const ComputeRun& run) {
+  for (const auto& pipeline : all_)
+    if (pipeline->serves(run))
+      return *pipeline;
+  all_.push_back(std::make_unique<ComputePipeline>(device_, run));
+  return *all_.back();
 }
+
+namespace {
 
 /// A run with its buffers, set and pipeline.
 struct Prepared {
   Prepared(HeadlessDevice& device, const ComputeRun& r)
       : run(r), input(require(device.createBuffer(r.input.size(), kUsage, true))),
-        output(require(device.createBuffer(r.outputBytes, kUsage, true))),
-        objects(device.device()) {
+        output(require(device.createBuffer(r.outputBytes, kUsage, true))), own(device.device()),
+        pipeline((run.pipelines ? *run.pipelines : own).of(run)), buffers(device.device()) {
     std::copy(run.input.begin(), run.input.end(), input.mapped);
-    createBufferSet(objects, input, output);
-    createPipeline(objects, run);
+    createBufferSet(buffers, pipeline.setLayout, input, output);
   }
 
   void record(VkCommandBuffer commands) const {
     if (run.before)
       run.before(commands);
-    const std::array<VkDescriptorSet, 2> sets{run.set, objects.set};
+    const std::array<VkDescriptorSet, 2> sets{run.set, buffers.set};
     const bool hasOther = run.set != VK_NULL_HANDLE;
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipelineLayout, 0,
-                            hasOther ? 2 : 1, hasOther ? sets.data() : &objects.set,
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipelineLayout, 0,
+                            hasOther ? 2 : 1, hasOther ? sets.data() : &buffers.set,
                             std::uint32_t(run.dynamicOffsets.size()), run.dynamicOffsets.data());
     vkCmdDispatch(commands, (run.items + kWorkgroup - 1) / kWorkgroup, 1, 1);
   }
@@ -133,7 +172,9 @@ struct Prepared {
   const ComputeRun& run;
   DeviceBuffer input;
   DeviceBuffer output;
-  Objects objects;
+  ComputePipelines own;
+  const ComputePipeline& pipeline;
+  BufferSet buffers;
 };
 
 } // namespace

@@ -6,10 +6,27 @@
 
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace lichen::test {
+
+struct ComputePipeline;
+struct ComputeRun;
+
+/// Pipelines for several runs on one device: software devices compile for most of a small run.
+class ComputePipelines {
+public:
+  explicit ComputePipelines(VkDevice device);
+  ~ComputePipelines();
+  /// That of the run's shader, constant and layout; made the first time.
+  const ComputePipeline& of(const ComputeRun& run);
+
+private:
+  VkDevice device_;
+  std::vector<std::unique_ptr<ComputePipeline>> all_;
+};
 
 struct ComputeRun {
   std::span<const std::uint32_t> spirv;
@@ -23,6 +40,7 @@ struct ComputeRun {
   std::vector<std::uint32_t> dynamicOffsets; ///< of that set
   /// Records before the dispatch, in the same command buffer.
   std::function<void(VkCommandBuffer)> before;
+  ComputePipelines* pipelines = nullptr; ///< of the same device; null: made for this run
 };
 
 /// The output buffer's bytes. Throws std::runtime_error with the device's message.

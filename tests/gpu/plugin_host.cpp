@@ -61,7 +61,7 @@ LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device) {
 
 PluginHost::PluginHost(HeadlessDevice& device, std::span<const std::byte> glb,
                        const LichenVulkanInfo& info)
-    : device_(device), bundle_(parseOrThrow(glb)) {
+    : device_(device), bundle_(parseOrThrow(glb)), pipelines_(device.device()) {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   require(lichenVulkanCreateContext(&info, &context_, &diagnostic), diagnostic);
@@ -94,6 +94,7 @@ std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const LichenUnifo
   require(lichenFillUniforms(bundle_, &uniforms, block, &diagnostic), diagnostic);
   std::memcpy(&uniforms_, block, sizeof uniforms_);
   run.set = set_;
+  run.pipelines = &pipelines_;
   run.dynamicOffsets = dynamicOffsets_;
   if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
     throw std::runtime_error("no set layout");

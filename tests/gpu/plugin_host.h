@@ -64,6 +64,7 @@ private:
   std::vector<std::uint32_t> dynamicOffsets_; ///< one with LICHEN_VULKAN_DYNAMIC_UNIFORMS
   shader::LichenUniforms uniforms_{};
   bool uploaded_ = false;
+  ComputePipelines pipelines_;
 };
 
 /// Uniforms as the material has them, and the same scaled, turned, moved and with another seed.

@@ -148,7 +148,7 @@ std::array<double, 2> vertexOf(const TileFootprint& at) {
   return vertex;
 }
 
-/// The value that a chi-square variable exceeds once in a million [Wilson and Hilferty 1931].
+/// The value that a chi-square variable exceeds once in a million [WH31].
 double chiSquareLimit(double degrees) {
   constexpr double kDeviations = 4.753;
   const double ninth = 2.0 / (9.0 * degrees);

@@ -27,7 +27,6 @@ layout(location = 5) out float mixWeight;
 layout(location = 6) out vec3 objectPosition;
 layout(location = 7) out vec3 objectNormal;
 layout(location = 8) out vec4 objectTangent;
-layout(location = 9) out vec3 worldOutward;
 
 void main() {
   texCoords = vec4(texCoord0, texCoord1);
@@ -35,6 +34,7 @@ void main() {
   mixWeight = vertexMixWeight;
   worldPosition = (draw.worldFromObject * vec4(position, 1.0)).xyz;
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
+  vec3 worldOutward; // for slopes, which depth has not
   inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
            objectPosition, objectNormal, objectTangent, worldOutward);
   gl_Position = draw.clipFromObject * vec4(position, 1.0);
