@@ -137,14 +137,30 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
                            alternatives(accepted))};
 }
 
-/// Whether the mapping has its places in space, of which --space says which.
-Result<void> checkSpace(const Arguments& arguments) {
-  if (!arguments.space || isInSpace(arguments.mapping))
+/// Whether the mapping has what the options set: places in space, and planes.
+Result<void> checkMappingOptions(const Arguments& arguments) {
+  if (arguments.space && !isInSpace(arguments.mapping))
+    return Error{ErrorKind::usage,
+                 fmt::format("--space {}: the mapping {} is not in space; --mapping triplanar or "
+                             "surface is accepted with it",
+                             nameOf(*arguments.space), nameOf(arguments.mapping))};
+  if (arguments.planeSharpness && arguments.mapping != Mapping::triplanar)
+    return Error{ErrorKind::usage,
+                 fmt::format("--plane-sharpness: the mapping {} has no planes; --mapping triplanar "
+                             "is accepted with it",
+                             nameOf(arguments.mapping))};
+  return {};
+}
+
+/// Whether the noise's method has what the options set: tiles.
+Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) {
+  if (noise.method == Method::tiling || !(arguments.sharpness || arguments.tileRotation))
     return {};
   return Error{ErrorKind::usage,
-               fmt::format("--space {}: the mapping {} is not in space; --mapping triplanar or "
-                           "surface is accepted with it",
-                           nameOf(*arguments.space), nameOf(arguments.mapping))};
+               fmt::format("{}: noise '{}' is of the method {}, which has no tiles; a noise of the "
+                           "method tiling is accepted with it",
+                           arguments.sharpness ? "--sharpness" : "--tile-rotation", noise.name,
+                           nameOf(noise.method))};
 }
 
 /// Whether all that has one of the materials has the texture coordinates.
@@ -251,6 +267,8 @@ Result<Outcome> apply(const Arguments& arguments) {
   const Noise& noise = bundle.value().noises[index.value()];
   if (Result<void> fits = checkMapping(noise, arguments.mapping); !fits)
     return fits.error();
+  if (Result<void> fits = checkMethodOptions(arguments, noise); !fits)
+    return fits.error();
   Result<GltfScene> opened = GltfScene::open(arguments.scene);
   if (!opened)
     return opened.error();
@@ -293,7 +311,7 @@ Result<int> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
-  if (Result<void> checked = checkSpace(arguments); !checked)
+  if (Result<void> checked = checkMappingOptions(arguments); !checked)
     return checked.error();
   const Result<Outcome> outcome = apply(arguments);
   if (!outcome)

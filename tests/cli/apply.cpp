@@ -332,9 +332,9 @@ TEST_CASE("the same noise on a scene twice is stored once, under its name") {
 
 TEST_CASE("what a material may change without another bake is what the options say") {
   const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const std::string scene = writeScene(workplace, example::tableScene());
-  static_cast<void>(applied(workplace, scene, wool, "0",
+  static_cast<void>(applied(workplace, scene, moss, "0",
                             {"--scale", "2", "--rotation", "90", "--seed", "7", "--contrast", "0.5",
                              "--sharpness", "4", "--tile-rotation", "free"}));
   const MaterialNoise use = *readBundle(workplace.path("out.glb")).value().materials[0];
@@ -344,6 +344,21 @@ TEST_CASE("what a material may change without another bake is what the options s
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
   CHECK(use.tileRotation == kMostTileRotation);
+}
+
+TEST_CASE("what the noise's method or the mapping has not is refused") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const auto refused = [&](const std::string& option, const std::string& value,
+                           const std::vector<std::string>& words) {
+    checkRefusal({"apply", scene, "--noise", wool, "--material", "0", option, value, "-o",
+                  workplace.path("x.glb")},
+                 int(ErrorKind::usage), words);
+  };
+  refused("--sharpness", "2", {"--sharpness", "'wool'", "texton", "tiling"});
+  refused("--tile-rotation", "4", {"--tile-rotation", "'wool'", "texton", "tiling"});
+  refused("--plane-sharpness", "2", {"--plane-sharpness", "uv", "--mapping triplanar"});
 }
 
 TEST_CASE("how sharply planes give way is the option's") {
