@@ -293,6 +293,18 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
     values.mixSet = std::uint32_t(source->mix.source == MixSource::texture ? source->mix.texCoord
                                                                            : source->mix.colorSet);
     values.mixChannel = std::uint32_t(source->mix.channel);
+    values.seed = source->seed;
+    values.scale = source->scale;
+    std::copy(source->offset.begin(), source->offset.end(), values.offset);
+    values.rotation = source->rotation;
+    values.blendSharpness = source->blendSharpness;
+    values.contrast = source->contrast;
+    values.planeSharpness = source->planeSharpness;
+    values.impacts = source->impacts;
+    values.pointProcess = source->pointProcess == PointProcess::poisson
+                              ? LICHEN_POINT_PROCESS_POISSON
+                              : LICHEN_POINT_PROCESS_STRATIFIED;
+    values.tileRotation = source->tileRotation;
   }
   return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PROPERTIES, properties);
 }

@@ -26,12 +26,12 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
   failures += KEEPS(LichenNoiseProperties, mixSteps, 48, 44);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
-  failures += KEEPS(LichenMaterialProperties, mixChannel, 48, 44);
+  failures += KEEPS(LichenMaterialProperties, tileRotation, 128, 124);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);
   failures += KEEPS(LichenBinding, image, 32, 28);
-  failures += KEEPS(LichenUniformInfo, impacts, 128, 120);
+  failures += KEEPS(LichenUniformInfo, planeSharpness, 152, 144);
   failures += KEEPS(LichenVulkanFunctions, cmdCopyBufferToImage, 208, 200);
   failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);
   failures += KEEPS(LichenDeviceMemory, handle, 48, 40);

@@ -8,7 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 using namespace lichen;
@@ -355,6 +357,51 @@ TEST_CASE("a material tells the space of its positions") {
     CHECK(material.space ==
           (space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD));
   }
+}
+
+TEST_CASE("a material tells its parameters: given back as overrides they change nothing") {
+  BundleFile file = example::smallest();
+  MaterialNoise& own = *file.bundle.materials[0];
+  own.mapping = Mapping::triplanar;
+  own.seed = 0xfedcba98u;
+  own.scale = 0.3;
+  own.offset = {0.25, -7.5};
+  own.rotation = 1.25;
+  own.blendSharpness = 2.5;
+  own.contrast = 0.75;
+  own.planeSharpness = 5.0;
+  own.tileRotation = 4;
+  const OwnedBundle bundle(file);
+  LichenMaterialProperties material;
+  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+  REQUIRE(lichenGetMaterialProperties(bundle.handle, 0, &material) == LICHEN_SUCCESS);
+  CHECK(material.scale == 0.3);
+  CHECK(material.impacts == own.impacts);
+  CHECK(material.pointProcess == LICHEN_POINT_PROCESS_STRATIFIED);
+
+  LichenUniformInfo overriding = uniformInfo();
+  overriding.overrides =
+      LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET |
+      LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS |
+      LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS |
+      LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
+  overriding.noise = material.noise;
+  overriding.scale = material.scale;
+  std::copy_n(material.offset, 2, overriding.offset);
+  overriding.rotation = material.rotation;
+  overriding.seed = material.seed;
+  overriding.blendSharpness = material.blendSharpness;
+  overriding.contrast = material.contrast;
+  overriding.impacts = material.impacts;
+  overriding.pointProcess = material.pointProcess;
+  overriding.mapping = material.mapping;
+  overriding.planeSharpness = material.planeSharpness;
+  overriding.tileRotation = material.tileRotation;
+  const Filled byMaterial = fill(bundle.handle, uniformInfo());
+  const Filled byOverrides = fill(bundle.handle, overriding);
+  REQUIRE(byMaterial.result == LICHEN_SUCCESS);
+  REQUIRE(byOverrides.result == LICHEN_SUCCESS);
+  CHECK(std::memcmp(&byOverrides.uniforms, &byMaterial.uniforms, sizeof byMaterial.uniforms) == 0);
 }
 
 TEST_CASE("what is no bundle is refused") {

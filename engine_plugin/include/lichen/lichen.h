@@ -248,6 +248,13 @@ typedef enum LichenMixSource {
   LICHEN_MIX_SOURCE_MAX_ENUM = 0x7FFFFFFF
 } LichenMixSource;
 
+/* How the impacts of texton noise lie. */
+typedef enum LichenPointProcess {
+  LICHEN_POINT_PROCESS_STRATIFIED = 0, /* one in each cell of a grid */
+  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process: LICHEN_POISSON_POINTS 1 in the shader */
+  LICHEN_POINT_PROCESS_MAX_ENUM = 0x7FFFFFFF
+} LichenPointProcess;
+
 typedef struct LichenMaterialProperties {
   LichenStructureType type;
   uint32_t size;
@@ -264,7 +271,18 @@ typedef struct LichenMaterialProperties {
   uint32_t mixSet;     /* [0, 15] of LICHEN_MIX_TEXTURE the TEXCOORD_n, of vertex colours COLOR_n */
   uint32_t mixChannel; /* [0, 3] of the texture or the colour, red to alpha */
   LichenSpace space;   /* world for LICHEN_MAPPING_UV */
-  uint32_t reserved;   /* 0 */
+  /* The material's parameters, which overrides of LichenUniformInfo may replace: units and ranges
+   * are those of its members. Of a material without a noise they are 0. */
+  uint32_t seed;
+  double scale;
+  double offset[2];
+  double rotation;
+  double blendSharpness;
+  double contrast;
+  double planeSharpness;
+  double impacts;
+  LichenPointProcess pointProcess;
+  uint32_t tileRotation;
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */
@@ -374,13 +392,6 @@ typedef enum LichenOverride {
   LICHEN_OVERRIDE_PLANE_SHARPNESS = 1024,
   LICHEN_OVERRIDE_TILE_ROTATION = 2048
 } LichenOverride;
-
-/* How the impacts of texton noise lie. */
-typedef enum LichenPointProcess {
-  LICHEN_POINT_PROCESS_STRATIFIED = 0, /* one in each cell of a grid */
-  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process: LICHEN_POISSON_POINTS 1 in the shader */
-  LICHEN_POINT_PROCESS_MAX_ENUM = 0x7FFFFFFF
-} LichenPointProcess;
 
 typedef struct LichenUniformInfo {
   LichenStructureType type;
