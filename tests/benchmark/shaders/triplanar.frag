@@ -9,6 +9,7 @@
 #define LICHEN_OMIT_TEXTONS
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
+#define LICHEN_TILE_ROTATION 0
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "lichen.glsl"
