@@ -34,14 +34,21 @@ struct InverseTable {
 /// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.
 [[nodiscard]] Moments interpolatedMoments(const InverseTable& table);
 
+/// What a cell of a table of two dimensions holds (docs/decisions/002-inverse-table.md).
+enum class CellValue {
+  onePixel, ///< keeps the histogram
+  mean,     ///< of its pixels, where there are some four for each cell: keeps neighbours alike
+};
+
 /// Fits a table to the pairs (gaussian.matched[i], decoded[i]): `decoded` holds the exemplar's
 /// values after decoding (light for sRGB), `points` the same in the transport's space. One
-/// dimension: the mean of each quantile interval. More: a second transport, from the pixels to
-/// the cells' middles, started from the first one. The looked-up values then have the exemplar's
-/// mean and covariance, as far as its range of values allows.
+/// dimension: the mean of each quantile interval. More, unless `value` says the mean: a second
+/// transport, from the pixels to the cells' middles, started from the first one. The looked-up
+/// values then have the exemplar's mean and covariance, as far as its range of values allows.
 [[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
                                            std::span<const Point> points,
                                            std::span<const float> decoded, int channels,
-                                           const transport::TransportOptions& options);
+                                           const transport::TransportOptions& options,
+                                           CellValue value = CellValue::onePixel);
 
 } // namespace lichen::tiling

@@ -121,7 +121,8 @@ MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vec
                  [&](float value) { return decoded(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
-      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport);
+      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport,
+                      map.encoding == ValueEncoding::slope ? CellValue::mean : CellValue::onePixel);
   return fit;
 }
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <transport/random.h>
 
@@ -79,6 +80,45 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]"
       REQUIRE(tableHigh <= high + allowed);
     }
   }
+}
+
+TEST_CASE("cells beside each other in the tails of slopes differ by no more than means do") {
+  // Two independent slopes of Laplace's distribution, deviation 1, in random order. The outermost
+  // 1/64 of one is an exponential distribution of deviation sqrt(1/2) from the quantile on; T of
+  // one slope does not depend on the other, so along that edge all cells are alike but for chance.
+  MapExemplar map;
+  map.target = MapTarget::normal;
+  map.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  map.encoding = ValueEncoding::slope;
+  map.width = map.height = 256; // 16 pixels a cell
+  constexpr int kPixels = 256 * 256;
+  const double scale = std::sqrt(0.5);
+  std::vector<float> laplace(kPixels);
+  for (int i = 0; i < kPixels; ++i) {
+    const double u = (i + 0.5) / kPixels - 0.5;
+    laplace[std::size_t(i)] = float(-scale * std::copysign(std::log(1.0 - 2.0 * std::abs(u)), u));
+  }
+  std::array<std::vector<float>, 2> slopes{laplace, laplace};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t i = kPixels; i-- > 1;)
+      std::swap(slopes[k][i], slopes[k][transport::randomBits(7 + k, i) % (i + 1)]);
+  for (std::size_t i = 0; i < kPixels; ++i)
+    map.values.insert(map.values.end(), {slopes[0][i], slopes[1][i]});
+  const Baked b = baked(map);
+  // Mean and deviation over the last column, less four cells at each corner, of the first slope.
+  const auto edge = [&](CellValue value) {
+    const InverseTable table = fitInverseTable(b.gaussian, b.points, map.values, 2, {}, value);
+    std::vector<float> column;
+    for (std::size_t y = 4; y < 60; ++y)
+      column.push_back(table.values[2 * (64 * y + 63)]);
+    return momentsOf(column, 1);
+  };
+  const Moments means = edge(CellValue::mean);
+  // The means of 16 pixels have a quarter of the deviation: 0.18, over 56 cells 10 % off.
+  CHECK(std::sqrt(means.covariance(0, 0)) < 1.5 * 0.25 * scale);
+  // Quantile and mean excess. Restoring the variance stretches by the 3 % that cells hide.
+  CHECK(means.mean[0] == Approx(scale * (std::log(32.0) + 1.0)).epsilon(0.05));
+  CHECK(std::sqrt(edge(CellValue::onePixel).covariance(0, 0)) > 0.8 * scale);
 }
 
 TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
