@@ -118,13 +118,18 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
                             float aspect) {
   if (choice == "auto" || (choice.empty() && scene.cameras.empty()))
     return autoCamera(subject, aspect);
+  const auto sound = [&](const Camera& camera) -> Result<Camera> {
+    if (!camera.fault.empty())
+      return Error{ErrorKind::badInput, scene.name + ": " + camera.fault};
+    return camera;
+  };
   if (choice.empty())
-    return scene.cameras.front();
+    return sound(scene.cameras.front());
   std::vector<std::string> names{"auto"};
   for (const auto name : {&Camera::nodeName, &Camera::name}) // of a camera may be several nodes
     for (const Camera& camera : scene.cameras) {
       if (camera.*name == choice)
-        return camera;
+        return sound(camera);
       if (const std::string shown = printable(camera.*name);
           !(camera.*name).empty() && std::find(names.begin(), names.end(), shown) == names.end())
         names.push_back(shown);

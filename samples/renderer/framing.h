@@ -25,7 +25,7 @@ struct Sphere {
 
 /// "auto", the name of a camera's node or of a camera of the file, or empty for the file's first
 /// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
-/// are.
+/// are; badInput for a camera with a fault.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,
                                           const std::string& choice, float aspect);
 

@@ -4,6 +4,7 @@
 #include "node_walk.h"
 
 #include "accessor.h"
+#include "camera_load.h"
 #include "geometry.h"
 #include "orthonormal_frame.h"
 #include "printable.h"
@@ -52,25 +53,6 @@ glm::dmat4 rigid(const glm::dmat4& m) {
   const glm::dvec3 y =
       glm::length(up) > 0.0 ? glm::normalize(up) : glm::dvec3(frameAlong(glm::vec3(z))[1]);
   return glm::dmat4(glm::dvec4(glm::cross(y, z), 0), glm::dvec4(y, 0), glm::dvec4(z, 0), m[3]);
-}
-
-Camera readCamera(const tinygltf::Camera& source, const glm::dmat4& world) {
-  Camera camera;
-  camera.name = source.name;
-  camera.worldFromCamera = rigid(world);
-  camera.perspective = source.type == "perspective";
-  if (camera.perspective) {
-    camera.verticalFieldOfView = float(source.perspective.yfov);
-    camera.aspectRatio = float(source.perspective.aspectRatio);
-    camera.near = float(source.perspective.znear);
-    camera.far = float(source.perspective.zfar);
-  } else {
-    camera.halfHeight = float(source.orthographic.ymag);
-    camera.aspectRatio = float(source.orthographic.xmag / source.orthographic.ymag);
-    camera.near = float(source.orthographic.znear);
-    camera.far = float(source.orthographic.zfar);
-  }
-  return camera;
 }
 
 Light readLight(const tinygltf::Light& source, const glm::dmat4& world) {
@@ -156,7 +138,7 @@ private:
   }
 
   void addCamera(const tinygltf::Node& node, const glm::dmat4& world) {
-    Camera camera = readCamera(model_.cameras[std::size_t(node.camera)], world);
+    Camera camera = readCamera(model_, std::size_t(node.camera), rigid(world));
     camera.nodeName = node.name;
     scene_.cameras.push_back(std::move(camera));
   }
@@ -203,7 +185,7 @@ private:
           inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBind[kMatrix * j]);
       joints.push_back(*joint * glm::dmat4(bind));
     }
-    return around(joints.empty() ? glm::dvec3(0.0) : glm::dvec3(joints.front()[3]), joints);
+    return around(glm::dvec3(joints.front()[3]), joints);
   }
 
   /// Vertices are floats, so they are kept small.

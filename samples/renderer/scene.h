@@ -145,7 +145,8 @@ struct Camera {
   float aspectRatio = 0.0f;         ///< of the file, 0 when it leaves it to the viewer
   float halfHeight = 1.0f;          ///< world units; orthographic
   float near = 0.1f;
-  float far = 0.0f; ///< 0 for infinite; perspective only
+  float far = 0.0f;  ///< 0 for infinite; perspective only
+  std::string fault; ///< why it cannot be looked through, or empty
 };
 
 struct Scene {

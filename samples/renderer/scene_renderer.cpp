@@ -113,6 +113,10 @@ void SceneRenderer::noteCoarseVertices() {
 void SceneRenderer::collectNotes(const RenderSettings& settings) {
   notes_.assign(noises_.notes().begin(), noises_.notes().end());
   noteCoarseVertices();
+  std::set<std::string> faults; // one camera may stand in several places
+  for (const Camera& camera : scene_.cameras)
+    if (!camera.fault.empty() && faults.insert(camera.fault).second)
+      notes_.push_back(camera.fault + "; this camera is not looked through");
   if (inputs_.lighting.dropped > 0)
     notes_.push_back("the scene has " +
                      std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
