@@ -5,6 +5,7 @@
 #include "environment.h"
 #include "orthonormal_frame.h"
 #include "sampling.h"
+#include "world_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +29,13 @@ glm::mat4 textureFromClip() {
   return m;
 }
 
-shader::LightData lightData(const Light& light) {
+shader::LightData lightData(const Light& light, const glm::dvec3& origin) {
   shader::LightData data{};
   const float kind = light.kind == LightKind::directional ? float(LIGHT_DIRECTIONAL)
                      : light.kind == LightKind::point     ? float(LIGHT_POINT)
                                                           : float(LIGHT_SPOT);
   constexpr float kLeastConeWidth = 1e-3f; // KHR_lights_punctual's own guard
-  data.positionAndKind = glm::vec4(light.position, kind);
+  data.positionAndKind = glm::vec4(relativeTo(origin, light.position), kind);
   data.directionAndRange = glm::vec4(light.direction, light.range);
   data.color = glm::vec4(light.color * light.intensity, 0.0f);
   data.cone.x = light.outerConeCosine;
@@ -59,16 +60,16 @@ void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view)
   const Lighting& lighting = inputs.lighting;
   view.data.counts.x = int(lighting.lights.size());
   for (std::size_t i = 0; i < lighting.lights.size(); ++i)
-    view.data.lights[i] = lightData(lighting.lights[i]);
+    view.data.lights[i] = lightData(lighting.lights[i], inputs.origin);
   glm::vec3 towardSun = lighting.towardSun;
   if (inputs.frames > 1)
     towardSun = tilted(towardSun, spreadOnDisc(index), kSunRadius);
-  view.clipFromWorldOfSun = clipFromWorldAlong(towardSun, inputs.subject);
+  view.clipFromWorldOfSun = clipFromWorldAlong(towardSun, inputs.subject, inputs.origin);
   view.data.sunFromWorld = textureFromClip() * view.clipFromWorldOfSun;
   view.data.environment.w = lighting.hasSun ? 1.0f : 0.0f;
   for (std::uint32_t k = 0; k < SKY_DIRECTIONS; ++k) {
     const glm::vec3 direction = skyDirection(index * SKY_DIRECTIONS + k);
-    view.clipFromWorldOfSky[k] = clipFromWorldAlong(direction, inputs.subject);
+    view.clipFromWorldOfSky[k] = clipFromWorldAlong(direction, inputs.subject, inputs.origin);
     view.data.skyFromWorld[k] = textureFromClip() * view.clipFromWorldOfSky[k];
     view.data.skyDirection[k] = glm::vec4(direction, 0.0f);
   }
@@ -82,12 +83,12 @@ FrameView frameView(const FrameInputs& inputs, std::uint32_t index) {
   FrameView view;
   const glm::vec2 jitter = inputs.frames > 1 ? spreadPoint(index) - 0.5f : glm::vec2(0.0f);
   const glm::vec2 size(inputs.width, inputs.height);
-  const glm::mat4& pose = inputs.camera.worldFromCamera;
-  view.data.clipFromWorld = clipFromWorld(inputs.camera, size.x / size.y, 2.0f * jitter / size);
-  Camera atOrigin = inputs.camera;
-  atOrigin.worldFromCamera[3] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
-  view.data.worldFromClip =
-      glm::inverse(clipFromWorld(atOrigin, size.x / size.y, 2.0f * jitter / size));
+  const glm::mat4 pose = relativeTo(inputs.origin, inputs.camera.worldFromCamera);
+  const auto clipFrom = [&](const glm::dvec3& origin) {
+    return clipFromWorld(inputs.camera, origin, size.x / size.y, 2.0f * jitter / size);
+  };
+  view.data.clipFromWorld = clipFrom(inputs.origin);
+  view.data.worldFromClip = glm::inverse(clipFrom(eyeOf(inputs.camera)));
   view.data.cameraPosition = glm::vec4(glm::vec3(pose[3]), inputs.camera.perspective ? 1.0f : 0.0f);
   view.data.cameraForward = -pose[2];
   view.data.environment.x = inputs.hazeDistance > 0.0f ? 1.0f / inputs.hazeDistance : 0.0f;

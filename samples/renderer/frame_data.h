@@ -16,6 +16,7 @@ inline constexpr std::uint32_t kMostSharpeningFrames = 8;
 
 struct FrameInputs {
   Camera camera;
+  glm::dvec3 origin{0.0}; ///< that everything is drawn relative to
   Sphere subject;
   Lighting lighting;
   float hazeDistance = 0.0f; ///< over which haze takes 63 %; 0 for none

@@ -5,6 +5,7 @@
 
 #include "orthonormal_frame.h"
 #include "printable.h"
+#include "world_place.h"
 
 #include <fmt/format.h>
 
@@ -24,11 +25,15 @@ constexpr float kGroundToRest = 3.0f;
 constexpr float kAutoFieldOfView = 0.6f;
 constexpr glm::vec3 kAutoDirection{0.45f, 0.32f, 1.0f};
 constexpr float kAutoMargin = 1.12f;
+// Of the near plane's distance, or half an orthographic picture's height: a float of half a step is
+// rounded by 3e-5 of that distance at most, a thirtieth of a pixel of a picture 1000 pixels high
+// there, and less of what is farther.
+constexpr double kOriginStep = 1024.0;
 
 struct Box {
-  glm::vec3 low{std::numeric_limits<float>::max()};
-  glm::vec3 high{std::numeric_limits<float>::lowest()};
-  void add(glm::vec3 p) {
+  glm::dvec3 low{std::numeric_limits<double>::max()};
+  glm::dvec3 high{std::numeric_limits<double>::lowest()};
+  void add(const glm::dvec3& p) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
@@ -37,7 +42,7 @@ struct Box {
     high = glm::max(high, box.high);
   }
   [[nodiscard]] bool empty() const { return low.x > high.x; }
-  [[nodiscard]] glm::vec3 size() const { return high - low; }
+  [[nodiscard]] glm::vec3 size() const { return {high - low}; }
   [[nodiscard]] float longest() const { return std::max(size().x, std::max(size().y, size().z)); }
   [[nodiscard]] bool flat() const {
     return std::min(size().x, std::min(size().y, size().z)) < kFlatness * longest();
@@ -47,7 +52,7 @@ struct Box {
 Box boxOf(const Scene& scene, const Instance& instance) {
   Box box;
   for (const Vertex& vertex : scene.primitives[instance.primitive].vertices)
-    box.add(glm::vec3(instance.worldFromObject * glm::vec4(vertex.position, 1.0f)));
+    box.add(glm::dvec3(instance.worldFromObject * glm::dvec4(vertex.position, 1.0)));
   return box;
 }
 
@@ -59,9 +64,9 @@ Camera autoCamera(const Sphere& subject, float aspect) {
   const float distance = kAutoMargin * subject.radius / std::sin(halfAngle);
   const glm::vec3 z = glm::normalize(kAutoDirection);
   const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-  const glm::vec3 eye = subject.center + z * distance;
-  camera.worldFromCamera = glm::mat4(glm::vec4(x, 0), glm::vec4(glm::cross(z, x), 0),
-                                     glm::vec4(z, 0), glm::vec4(eye, 1));
+  const glm::dvec3 eye = subject.center + glm::dvec3(z * distance);
+  camera.worldFromCamera = glm::dmat4(glm::dvec4(x, 0), glm::dvec4(glm::cross(z, x), 0),
+                                      glm::dvec4(z, 0), glm::dvec4(eye, 1));
   constexpr float kNearShare = 0.02f;
   camera.near = kNearShare * (distance - subject.radius);
   return camera;
@@ -83,33 +88,48 @@ Result<Sphere> subjectOf(const Scene& scene) {
   for (const Box& box : boxes)
     if (solid.empty() || (box.flat() && box.longest() <= kGroundToRest * solid.longest()))
       subject.add(box);
-  const float extent = std::max(glm::length(all.low), glm::length(all.high));
-  if (!(extent < kMaxSceneReach))
+  const double extent = std::max(glm::length(all.low), glm::length(all.high));
+  if (!(extent < double(kMaxSceneReach)))
     return Error{
         ErrorKind::badInput,
         fmt::format("the scene reaches {:.3g} units from its origin; below {:.0e} is accepted",
                     extent, kMaxSceneReach)};
   constexpr float kLeastRadius = 1e-6f;
-  return Sphere{(subject.low + subject.high) * 0.5f,
+  return Sphere{(subject.low + subject.high) * 0.5,
                 std::max(glm::length(subject.size()) * 0.5f, kLeastRadius)};
 }
 
-glm::vec3 centerOf(const Scene& scene, const Instance& instance) {
+glm::dvec3 centerOf(const Scene& scene, const Instance& instance) {
   const Box box = boxOf(scene, instance);
-  return (box.low + box.high) * 0.5f;
+  return (box.low + box.high) * 0.5;
+}
+
+glm::dvec3 eyeOf(const Camera& camera) { return {camera.worldFromCamera[3]}; }
+
+glm::dvec3 originNear(const Camera& camera) {
+  const double nearest = double(camera.perspective ? camera.near : camera.halfHeight);
+  const double step = std::exp2(std::ceil(std::log2(kOriginStep * nearest)));
+  const glm::dvec3 origin = glm::round(eyeOf(camera) / step) * step;
+  // Farther out there is nothing to be seen.
+  return glm::clamp(origin, -double(kMaxSceneReach), double(kMaxSceneReach));
 }
 
 Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std::string& choice,
                             float aspect) {
   if (choice == "auto" || (choice.empty() && scene.cameras.empty()))
     return autoCamera(subject, aspect);
+  const auto sound = [&](const Camera& camera) -> Result<Camera> {
+    if (!camera.fault.empty())
+      return Error{ErrorKind::badInput, scene.name + ": " + camera.fault};
+    return camera;
+  };
   if (choice.empty())
-    return scene.cameras.front();
+    return sound(scene.cameras.front());
   std::vector<std::string> names{"auto"};
   for (const auto name : {&Camera::nodeName, &Camera::name}) // of a camera may be several nodes
     for (const Camera& camera : scene.cameras) {
       if (camera.*name == choice)
-        return camera;
+        return sound(camera);
       if (const std::string shown = printable(camera.*name);
           !(camera.*name).empty() && std::find(names.begin(), names.end(), shown) == names.end())
         names.push_back(shown);
@@ -121,7 +141,8 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
                "no camera \"" + printable(choice) + "\" in the scene; there are " + list};
 }
 
-glm::mat4 clipFromWorld(const Camera& camera, float aspect, glm::vec2 jitterClip) {
+glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,
+                        glm::vec2 jitterClip) {
   glm::mat4 projection(0.0f);
   const float narrower =
       camera.aspectRatio > 0.0f ? std::max(camera.aspectRatio / aspect, 1.0f) : 1.0f;
@@ -138,16 +159,17 @@ glm::mat4 clipFromWorld(const Camera& camera, float aspect, glm::vec2 jitterClip
     projection[2][2] = 1.0f / (camera.far - camera.near);
     projection[3] = glm::vec4(jitterClip, camera.far / (camera.far - camera.near), 1.0f);
   }
-  return projection * glm::inverse(camera.worldFromCamera);
+  return projection * glm::inverse(relativeTo(origin, camera.worldFromCamera));
 }
 
-glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject) {
+glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject, const glm::dvec3& origin) {
   const glm::mat3 frame = frameAlong(toward);
   const float scale = 1.0f / subject.radius;
   const glm::mat3 rows =
       glm::transpose(glm::mat3(frame[0] * scale, frame[1] * scale, frame[2] * (-0.5f * scale)));
-  return glm::mat4(glm::vec4(rows[0], 0), glm::vec4(rows[1], 0), glm::vec4(rows[2], 0),
-                   glm::vec4(rows * -subject.center + glm::vec3(0, 0, 0.5f), 1));
+  return glm::mat4(
+      glm::vec4(rows[0], 0), glm::vec4(rows[1], 0), glm::vec4(rows[2], 0),
+      glm::vec4(rows * -relativeTo(origin, subject.center) + glm::vec3(0, 0, 0.5f), 1));
 }
 
 } // namespace lichen::renderer

@@ -11,7 +11,7 @@
 namespace lichen::renderer {
 
 struct Sphere {
-  glm::vec3 center{0.0f};
+  glm::dvec3 center{0.0};
   float radius = 1.0f;
 };
 
@@ -21,21 +21,32 @@ struct Sphere {
 [[nodiscard]] Result<Sphere> subjectOf(const Scene& scene);
 
 /// The middle of the box around an instance, in the world.
-[[nodiscard]] glm::vec3 centerOf(const Scene& scene, const Instance& instance);
+[[nodiscard]] glm::dvec3 centerOf(const Scene& scene, const Instance& instance);
 
 /// "auto", the name of a camera's node or of a camera of the file, or empty for the file's first
 /// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
-/// are.
+/// are; badInput for a camera with a fault.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,
                                           const std::string& choice, float aspect);
 
-/// World to Vulkan's clip space (y down), depth reversed: 1 at the near plane and 0 at the far one.
-/// A picture wider than the camera's own aspect ratio shows more at the sides, a narrower one more
-/// above and below. `jitterClip` shifts the picture, in clip units.
-[[nodiscard]] glm::mat4 clipFromWorld(const Camera& camera, float aspect, glm::vec2 jitterClip);
+/// Where a camera is in the world.
+[[nodiscard]] glm::dvec3 eyeOf(const Camera& camera);
 
-/// World to clip space of parallel light from direction `toward` (unit, toward the light), whose
-/// square cross-section and depth enclose `subject`; depth 0 is nearest to the light.
-[[nodiscard]] glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject);
+/// A place in the world near the camera, for all that is drawn to be relative to. It follows the
+/// camera in whole steps, so that little changes from frame to frame and a scene around the world's
+/// origin is drawn relative to just that; what rounding over a step moves is far below a pixel.
+[[nodiscard]] glm::dvec3 originNear(const Camera& camera);
+
+/// Places relative to `origin` to Vulkan's clip space (y down), depth reversed: 1 at the near plane
+/// and 0 at the far one. A picture wider than the camera's own aspect ratio shows more at the
+/// sides, a narrower one more above and below. `jitterClip` shifts the picture, in clip units.
+[[nodiscard]] glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,
+                                      glm::vec2 jitterClip);
+
+/// Places relative to `origin` to the clip space of parallel light from direction `toward` (unit,
+/// toward the light), whose square cross-section and depth enclose `subject`; depth 0 is nearest to
+/// the light.
+[[nodiscard]] glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject,
+                                           const glm::dvec3& origin);
 
 } // namespace lichen::renderer

@@ -148,6 +148,7 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
                     : material.mixColorSet    ? MIX_FROM_VERTICES
                                               : MIX_FROM_BLOCK,
                     material.mixTexture.texCoord, material.mixChannel, noise.inObjectSpace ? 1 : 0};
+  data.fromTileOrigin = glm::vec4(noise.fromTileOrigin, 0.0f);
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
     // KHR_texture_transform: translation * rotation * scale.
     const TextureSlot& slot = *slots[k];

@@ -3,6 +3,7 @@
 #include "lighting.h"
 
 #include "shaders/scene_interface.h"
+#include "world_place.h"
 
 #include <algorithm>
 #include <numbers>
@@ -24,7 +25,7 @@ float irradianceAt(const Light& light, const Sphere& subject) {
   const float strongest = std::max(light.color.r, std::max(light.color.g, light.color.b));
   if (light.kind == LightKind::directional)
     return light.intensity * strongest;
-  const glm::vec3 way = light.position - subject.center;
+  const glm::vec3 way = relativeTo(subject.center, light.position);
   const float squared = std::max(glm::dot(way, way), subject.radius * subject.radius);
   return light.intensity * strongest / squared;
 }

@@ -4,14 +4,18 @@
 #include "node_walk.h"
 
 #include "accessor.h"
+#include "camera_load.h"
 #include "geometry.h"
 #include "orthonormal_frame.h"
 #include "printable.h"
+#include "world_place.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -19,62 +23,41 @@ namespace lichen::renderer {
 namespace {
 
 constexpr std::size_t kMatrix = 16; // numbers in one
+constexpr double kLargest = std::numeric_limits<float>::max();
 
-glm::mat4 localMatrix(const tinygltf::Node& node) {
+glm::dmat4 localMatrix(const tinygltf::Node& node) {
   if (node.matrix.size() == kMatrix) {
-    glm::mat4 matrix(1.0f);
-    for (int i = 0; i < int(kMatrix); ++i)
-      matrix[i / 4][i % 4] = float(node.matrix[std::size_t(i)]);
-    return matrix;
+    return glm::make_mat4(node.matrix.data());
   }
-  const auto vec3 = [](const std::vector<double>& v, glm::vec3 absent) {
-    return v.size() == 3 ? glm::vec3(v[0], v[1], v[2]) : absent;
+  const auto vec3 = [](const std::vector<double>& v, glm::dvec3 absent) {
+    return v.size() == 3 ? glm::dvec3(v[0], v[1], v[2]) : absent;
   };
-  const glm::vec3 scale = vec3(node.scale, glm::vec3(1.0f));
-  glm::mat4 matrix(1.0f);
+  const glm::dvec3 scale = vec3(node.scale, glm::dvec3(1.0));
+  glm::dmat4 matrix(1.0);
   if (node.rotation.size() == 4) {
-    const glm::quat q{float(node.rotation[3]), float(node.rotation[0]), float(node.rotation[1]),
-                      float(node.rotation[2])};
-    if (glm::length(q) > 0.0f)
+    const glm::dquat q{node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]};
+    if (glm::length(q) > 0.0)
       matrix = glm::mat4_cast(glm::normalize(q));
   }
   for (int i = 0; i < 3; ++i)
     matrix[i] *= scale[i];
-  matrix[3] = glm::vec4(vec3(node.translation, glm::vec3(0.0f)), 1.0f);
+  matrix[3] = glm::dvec4(vec3(node.translation, glm::dvec3(0.0)), 1.0);
   return matrix;
 }
 
 /// Position and rotation of a node, without its scale: cameras and lights ignore that.
-glm::mat4 rigid(const glm::mat4& m) {
-  const glm::vec3 back = glm::vec3(m[2]);
-  const glm::vec3 z = glm::length(back) > 0.0f ? glm::normalize(back) : glm::vec3(0, 0, 1);
-  const glm::vec3 up = glm::vec3(m[1]) - z * glm::dot(z, glm::vec3(m[1]));
-  const glm::vec3 y = glm::length(up) > 0.0f ? glm::normalize(up) : frameAlong(z)[1];
-  return glm::mat4(glm::vec4(glm::cross(y, z), 0), glm::vec4(y, 0), glm::vec4(z, 0), m[3]);
+glm::dmat4 rigid(const glm::dmat4& m) {
+  const auto back = glm::dvec3(m[2]);
+  const glm::dvec3 z = glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 up = glm::dvec3(m[1]) - z * glm::dot(z, glm::dvec3(m[1]));
+  const glm::dvec3 y =
+      glm::length(up) > 0.0 ? glm::normalize(up) : glm::dvec3(frameAlong(glm::vec3(z))[1]);
+  return glm::dmat4(glm::dvec4(glm::cross(y, z), 0), glm::dvec4(y, 0), glm::dvec4(z, 0), m[3]);
 }
 
-Camera readCamera(const tinygltf::Camera& source, const glm::mat4& world) {
-  Camera camera;
-  camera.name = source.name;
-  camera.worldFromCamera = rigid(world);
-  camera.perspective = source.type == "perspective";
-  if (camera.perspective) {
-    camera.verticalFieldOfView = float(source.perspective.yfov);
-    camera.aspectRatio = float(source.perspective.aspectRatio);
-    camera.near = float(source.perspective.znear);
-    camera.far = float(source.perspective.zfar);
-  } else {
-    camera.halfHeight = float(source.orthographic.ymag);
-    camera.aspectRatio = float(source.orthographic.xmag / source.orthographic.ymag);
-    camera.near = float(source.orthographic.znear);
-    camera.far = float(source.orthographic.zfar);
-  }
-  return camera;
-}
-
-Light readLight(const tinygltf::Light& source, const glm::mat4& world) {
+Light readLight(const tinygltf::Light& source, const glm::dmat4& world) {
   Light light;
-  const glm::mat4 frame = rigid(world);
+  const glm::dmat4 frame = rigid(world);
   if (source.type == "point")
     light.kind = LightKind::point;
   else if (source.type == "spot")
@@ -83,7 +66,7 @@ Light readLight(const tinygltf::Light& source, const glm::mat4& world) {
     light.color = glm::vec3(source.color[0], source.color[1], source.color[2]);
   light.intensity = float(source.intensity);
   light.range = float(source.range);
-  light.position = glm::vec3(frame[3]);
+  light.position = glm::dvec3(frame[3]);
   light.direction = -glm::vec3(frame[2]);
   light.innerConeCosine = float(std::cos(source.spot.innerConeAngle));
   light.outerConeCosine = float(std::cos(source.spot.outerConeAngle));
@@ -101,7 +84,7 @@ public:
     if (model_.scenes.empty())
       return Error{ErrorKind::badInput, "has no scene; a scene with a mesh is accepted"};
     const int chosen = model_.defaultScene >= 0 ? model_.defaultScene : 0;
-    push(model_.scenes[std::size_t(chosen)].nodes, glm::mat4(1.0f));
+    push(model_.scenes[std::size_t(chosen)].nodes, glm::dmat4(1.0));
     while (!pending_.empty()) {
       const auto [index, parent] = pending_.back();
       pending_.pop_back();
@@ -118,12 +101,12 @@ public:
   }
 
 private:
-  Result<void> visit(std::size_t index, const glm::mat4& parent) {
+  Result<void> visit(std::size_t index, const glm::dmat4& parent) {
     const tinygltf::Node& node = model_.nodes[index];
-    const glm::mat4 world = parent * localMatrix(node);
+    const glm::dmat4 world = parent * localMatrix(node);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
-        if (!std::isfinite(world[column][row]))
+        if (!(std::abs(world[column][row]) <= kLargest)) // NaN neither
           return Error{ErrorKind::badInput, "/nodes: the transform of node \"" +
                                                 printable(node.name) + "\" is not finite"};
     if (node.camera >= 0)
@@ -149,13 +132,13 @@ private:
   }
 
   /// The first is visited next.
-  void push(const std::vector<int>& nodes, const glm::mat4& parent) {
+  void push(const std::vector<int>& nodes, const glm::dmat4& parent) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
       pending_.push_back({*node, parent});
   }
 
-  void addCamera(const tinygltf::Node& node, const glm::mat4& world) {
-    Camera camera = readCamera(model_.cameras[std::size_t(node.camera)], world);
+  void addCamera(const tinygltf::Node& node, const glm::dmat4& world) {
+    Camera camera = readCamera(model_, std::size_t(node.camera), rigid(world));
     camera.nodeName = node.name;
     scene_.cameras.push_back(std::move(camera));
   }
@@ -164,17 +147,23 @@ private:
   Result<void> addSkinned(const tinygltf::Node& node) {
     const auto skin = std::size_t(node.skin);
     if (!jointsOfSkin_[skin]) {
-      Result<std::vector<glm::mat4>> joints = loadJoints(skin);
+      Result<Joints> joints = loadJoints(skin);
       if (!joints)
         return joints.error();
       jointsOfSkin_[skin] = std::move(joints).value();
     }
     RestPose pose = restPose(node);
-    pose.worldFromBindPose = *jointsOfSkin_[skin];
-    return addMesh(node, glm::mat4(1.0f), pose);
+    pose.jointMatrices = jointsOfSkin_[skin]->matrices;
+    return addMesh(node, glm::translate(glm::dmat4(1.0), jointsOfSkin_[skin]->place), pose);
   }
 
-  Result<std::vector<glm::mat4>> loadJoints(std::size_t index) const {
+  /// Of a skin: from the bind pose to the pose at rest, around a place in the world.
+  struct Joints {
+    glm::dvec3 place{0.0};
+    std::vector<glm::mat4> matrices;
+  };
+
+  Result<Joints> loadJoints(std::size_t index) const {
     const tinygltf::Skin& skin = model_.skins[index];
     std::vector<float> inverseBind;
     if (skin.inverseBindMatrices >= 0) {
@@ -183,9 +172,9 @@ private:
         return values.error();
       inverseBind = std::move(values).value();
     }
-    std::vector<glm::mat4> joints;
+    std::vector<glm::dmat4> joints;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-      const std::optional<glm::mat4>& joint = worldOfNode_[std::size_t(skin.joints[j])];
+      const std::optional<glm::dmat4>& joint = worldOfNode_[std::size_t(skin.joints[j])];
       if (!joint)
         return Error{ErrorKind::badInput,
                      "/skins/" + std::to_string(index) + "/joints/" + std::to_string(j) +
@@ -194,13 +183,23 @@ private:
                          "are accepted"};
       const glm::mat4 bind =
           inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBind[kMatrix * j]);
-      joints.push_back(*joint * bind);
+      joints.push_back(*joint * glm::dmat4(bind));
     }
-    return joints;
+    return around(glm::dvec3(joints.front()[3]), joints);
+  }
+
+  /// Vertices are floats, so they are kept small.
+  static Joints around(const glm::dvec3& place, const std::vector<glm::dmat4>& joints) {
+    Joints result;
+    if (glm::length(place) < double(kMaxSceneReach)) // farther, nothing is drawn
+      result.place = place;
+    for (const glm::dmat4& joint : joints)
+      result.matrices.push_back(relativeTo(result.place, joint));
+    return result;
   }
 
   /// Nodes share a mesh's primitives, but for those that its pose makes other ones.
-  Result<void> addMesh(const tinygltf::Node& node, const glm::mat4& world, const RestPose& pose) {
+  Result<void> addMesh(const tinygltf::Node& node, const glm::dmat4& world, const RestPose& pose) {
     const auto mesh = std::size_t(node.mesh);
     if (deforms(pose)) {
       Result<std::vector<std::size_t>> own = loadMesh(mesh, pose);
@@ -222,7 +221,7 @@ private:
                                            " vertices and indices; a smaller scene is accepted"};
   }
 
-  Result<void> addInstances(const std::vector<std::size_t>& primitives, const glm::mat4& world) {
+  Result<void> addInstances(const std::vector<std::size_t>& primitives, const glm::dmat4& world) {
     for (const std::size_t primitive : primitives) {
       const Primitive& p = scene_.primitives[primitive];
       drawn_ += p.vertices.size() + p.indices.size();
@@ -283,14 +282,14 @@ private:
 
   struct Pending {
     int node;
-    glm::mat4 parent;
+    glm::dmat4 parent;
   };
   const tinygltf::Model& model_;
   Scene& scene_;
   std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_; ///< as stored
-  std::vector<std::optional<glm::mat4>> worldOfNode_;                     ///< of those in the scene
+  std::vector<std::optional<glm::dmat4>> worldOfNode_;                    ///< of those in the scene
   std::vector<std::size_t> skinnedNodes_;
-  std::vector<std::optional<std::vector<glm::mat4>>> jointsOfSkin_; ///< to the world, at rest
+  std::vector<std::optional<Joints>> jointsOfSkin_;
   std::size_t loaded_ = 0; ///< primitives; one for each node that deforms it
   std::vector<Pending> pending_;
   std::size_t vertices_ = 0; ///< and indices, of the primitives loaded so far

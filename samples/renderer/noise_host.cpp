@@ -265,15 +265,14 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
                                          std::to_string(names_.size())}};
   hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
       hasOtherMappings_ = hasMixes_ = hasObjectSpaces_ = hasTileRotation_ = false;
-  auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
+  changes_ = changes;
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
       const NoiseUse& use = scene.materials[m].noise;
       const LichenUniformInfo info = uniformInfo(m, use, changes);
       noises_[m] = changes.noise.value_or(materials_[m].noise);
       roles_[m] = rolesOf(noises_[m], materials_[m].texCoord);
-      const LichenMapping mapping =
-          info.overrides & LICHEN_OVERRIDE_MAPPING ? info.mapping : materials_[m].mapping;
+      const LichenMapping mapping = mappingOf(info);
       hasSurfaceNoises_ = hasSurfaceNoises_ || mapping == LICHEN_MAPPING_SURFACE;
       hasTriplanarNoises_ = hasTriplanarNoises_ || mapping == LICHEN_MAPPING_TRIPLANAR;
       hasOtherMappings_ = hasOtherMappings_ || mapping != LICHEN_MAPPING_TRIPLANAR;
@@ -282,13 +281,70 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
           changes.inObjectSpace.value_or(materials_[m].space == LICHEN_SPACE_OBJECT);
       hasObjectSpaces_ = hasObjectSpaces_ || roles_[m].inObjectSpace;
       hasTileRotation_ = hasTileRotation_ || changes.tileRotation.value_or(use.tileRotation) > 1;
-      check(lichenFillUniforms(bundle_.get(), &info,
-                               uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * m,
-                               &diagnostic),
-            diagnostic);
+      fillUniforms(scene, m);
     }
     writeNoiseSet(device, m);
   }
+}
+
+void NoiseHost::place(const Scene& scene, const glm::dvec3& origin) {
+  origin_ = origin;
+  for (std::uint32_t m = 0; m < materials_.size(); ++m)
+    if (materials_[m].noise != LICHEN_NO_NOISE)
+      fillUniforms(scene, m);
+}
+
+LichenMapping NoiseHost::mappingOf(const LichenUniformInfo& info) const {
+  return info.overrides & LICHEN_OVERRIDE_MAPPING ? info.mapping
+                                                  : materials_[info.material].mapping;
+}
+
+double NoiseHost::tileSide(const LichenUniformInfo& info, const NoiseUse& use) const {
+  if (mappingOf(info) == LICHEN_MAPPING_UV)
+    return 0.0;
+  auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  check(lichenGetNoiseProperties(bundle_.get(), noises_[info.material], &noise));
+  const double scale = info.overrides & LICHEN_OVERRIDE_SCALE ? info.scale : use.scale;
+  return scale * double(noise.tileSizeMetres);
+}
+
+double NoiseHost::tileSide(const Scene& scene, std::size_t material) const {
+  if (!hasNoise(material))
+    return 0.0;
+  const NoiseUse& use = scene.materials[material].noise;
+  return tileSide(uniformInfo(std::uint32_t(material), use, changes_), use);
+}
+
+/// docs/integration.md, "Precision": of a noise in the world.
+void NoiseHost::setTileOrigin(LichenUniformInfo& info, const NoiseUse& use) {
+  NoiseRoles& roles = roles_[info.material];
+  roles.fromTileOrigin = glm::vec3(0.0f);
+  const double side = tileSide(info, use);
+  if (side == 0.0 || roles.inObjectSpace)
+    return;
+  constexpr double kFarthest = 1099511627776; // 2^40 tiles, as LichenUniformInfo states
+  const glm::dvec3 tiles = glm::floor(origin_ / side);
+  const glm::dvec3 held = glm::clamp(tiles, -kFarthest, kFarthest);
+  if (held != tiles)
+    notes_.insert(
+        "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
+        "/materials/" +
+        std::to_string(info.material) + " is beyond them is coarse");
+  roles.fromTileOrigin = glm::vec3(origin_ - side * held);
+  info.tileOrigin[0] = std::int64_t(held.x);
+  info.tileOrigin[1] = std::int64_t(held.y);
+  info.tileOriginZ = std::int64_t(held.z);
+}
+
+void NoiseHost::fillUniforms(const Scene& scene, std::uint32_t material) {
+  const NoiseUse& use = scene.materials[material].noise;
+  LichenUniformInfo info = uniformInfo(material, use, changes_);
+  setTileOrigin(info, use);
+  auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
+  check(lichenFillUniforms(bundle_.get(), &info,
+                           uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * material,
+                           &diagnostic),
+        diagnostic);
 }
 
 void NoiseHost::writeNoiseSet(VkDevice device, std::size_t material) const {

@@ -25,6 +25,9 @@ struct NoiseRoles {
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
   bool inObjectSpace = false;
+  /// What a place relative to the renderer's origin is farther from the noise's, which is a whole
+  /// number of tiles from the world's: 0 for a noise that does not lie in the world.
+  glm::vec3 fromTileOrigin{0.0f};
 };
 
 class NoiseHost {
@@ -37,6 +40,10 @@ public:
   /// may be different then. No frame may be in flight. Throws a Failure: usage for a noise that the
   /// bundle does not have.
   void change(VkDevice device, const Scene& scene, const NoiseChanges& changes);
+
+  /// Draws noises that lie in the world for places relative to `origin`; at first it is the
+  /// world's. No frame may be in flight.
+  void place(const Scene& scene, const glm::dvec3& origin);
 
   /// Whether a material is drawn with a noise: some are not, though they carry the extension.
   [[nodiscard]] bool hasNoise(std::size_t material) const {
@@ -64,6 +71,8 @@ public:
   /// Of the bundle's noises, as the file has them; may be empty.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
+  /// Side of the tiles of a noise that lies in space, in its units; 0 for others.
+  [[nodiscard]] double tileSide(const Scene& scene, std::size_t material) const;
 
   /// What of the materials' noises is not drawn, one sentence each.
   [[nodiscard]] const std::set<std::string>& notes() const { return notes_; }
@@ -83,6 +92,10 @@ private:
   void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
   [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material, const NoiseUse& use,
                                               const NoiseChanges& changes) const;
+  [[nodiscard]] LichenMapping mappingOf(const LichenUniformInfo& info) const;
+  [[nodiscard]] double tileSide(const LichenUniformInfo& info, const NoiseUse& use) const;
+  void setTileOrigin(LichenUniformInfo& info, const NoiseUse& use);
+  void fillUniforms(const Scene& scene, std::uint32_t material);
   void writeNoiseSet(VkDevice device, std::size_t material) const;
   [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord);
   [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
@@ -102,6 +115,8 @@ private:
   std::vector<std::uint32_t> noises_; ///< drawn, of each material; LICHEN_NO_NOISE for none
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
+  NoiseChanges changes_;
+  glm::dvec3 origin_{0.0};
   std::set<std::string> notes_;
   bool hasOtherTables_ = false;
   bool hasTilingNoises_ = false;

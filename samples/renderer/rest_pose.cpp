@@ -151,7 +151,7 @@ Result<void> applySkin(const tinygltf::Model& model, const tinygltf::Primitive& 
 } // namespace
 
 bool deforms(const RestPose& pose) {
-  return !pose.worldFromBindPose.empty() ||
+  return !pose.jointMatrices.empty() ||
          std::any_of(pose.morphWeights.begin(), pose.morphWeights.end(),
                      [](double weight) { return weight != 0.0; });
 }
@@ -161,7 +161,7 @@ std::size_t restPosePasses(const tinygltf::Primitive& source, const RestPose& po
   for (std::size_t t = 0; t < std::min(pose.morphWeights.size(), source.targets.size()); ++t)
     if (pose.morphWeights[t] != 0.0)
       ++passes;
-  if (!pose.worldFromBindPose.empty())
+  if (!pose.jointMatrices.empty())
     for (std::size_t set = 0; jointSet(source, set); ++set)
       ++passes;
   return passes;
@@ -172,8 +172,8 @@ Result<void> applyRestPose(const tinygltf::Model& model, const tinygltf::Primiti
   if (Result<void> morphed = applyMorphs(model, source, pose.morphWeights, target.vertices);
       !morphed)
     return morphed;
-  if (!pose.worldFromBindPose.empty())
-    if (Result<void> skinned = applySkin(model, source, pose.worldFromBindPose, target); !skinned)
+  if (!pose.jointMatrices.empty())
+    if (Result<void> skinned = applySkin(model, source, pose.jointMatrices, target); !skinned)
       return skinned;
   for (Vertex& v : target.vertices) {
     v.normal = normalizedOr(v.normal, glm::vec3(0.0f, 1.0f, 0.0f));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF scene as the renderer draws it: plain arrays in world units, no Vulkan, no JSON.
+// A glTF scene as the renderer draws it: plain arrays in world units, no Vulkan, no JSON. Places in
+// the world are doubles, as they are in the file; what is drawn is relative to one near the camera.
 #pragma once
 
 #include <lichen/result.h>
@@ -40,7 +41,7 @@ struct Primitive {
 /// A primitive placed in the world.
 struct Instance {
   std::size_t primitive = 0;
-  glm::mat4 worldFromObject{1.0f};
+  glm::dmat4 worldFromObject{1.0};
 };
 
 enum class Filter { nearest, linear };
@@ -129,7 +130,7 @@ struct Light {
   glm::vec3 color{1.0f};
   float intensity = 1.0f;
   float range = 0.0f;                     ///< 0 for unlimited
-  glm::vec3 position{0.0f};               ///< not for directional
+  glm::dvec3 position{0.0};               ///< not for directional
   glm::vec3 direction{0.0f, 0.0f, -1.0f}; ///< the way the light travels, unit; not for point
   float innerConeCosine = 1.0f;
   float outerConeCosine = 0.0f;
@@ -138,13 +139,14 @@ struct Light {
 struct Camera {
   std::string name;
   std::string nodeName; ///< of the node that holds it, which is what Blender's users named
-  glm::mat4 worldFromCamera{1.0f}; ///< rigid: looks along -z, +y up
+  glm::dmat4 worldFromCamera{1.0}; ///< rigid: looks along -z, +y up
   bool perspective = true;
   float verticalFieldOfView = 0.7f; ///< radians; perspective
   float aspectRatio = 0.0f;         ///< of the file, 0 when it leaves it to the viewer
   float halfHeight = 1.0f;          ///< world units; orthographic
   float near = 0.1f;
-  float far = 0.0f; ///< 0 for infinite; perspective only
+  float far = 0.0f;  ///< 0 for infinite; perspective only
+  std::string fault; ///< why it cannot be looked through, or empty
 };
 
 struct Scene {

@@ -3,6 +3,7 @@
 // and the frame added to the sum of frames.
 #include "failure.h"
 #include "scene_renderer.h"
+#include "world_place.h"
 
 #include <cmath>
 #include <cstring>
@@ -107,8 +108,8 @@ void SceneRenderer::recordDepthMap(VkCommandBuffer commands, VkImageView view, s
                               : pipelines_.depthOpaque);
     if (hasGaps)
       bindMaterial(commands, pipelines_.depthLayout, m);
-    const shader::DepthData draw{clipFromWorld * instance.worldFromObject,
-                                 instance.worldFromObject};
+    const glm::mat4 placed = relativeTo(inputs_.origin, instance.worldFromObject);
+    const shader::DepthData draw{clipFromWorld * placed, placed};
     vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
                        &draw);
     drawPrimitive(commands, instance.primitive);
@@ -131,10 +132,10 @@ void SceneRenderer::drawSurface(VkCommandBuffer commands, const Instance& instan
   const std::size_t m = scene_.primitives[instance.primitive].material;
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
   bindMaterial(commands, pipelines_.sceneLayout, m);
-  const bool mirrored = glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0f;
+  const shader::DrawData draw{relativeTo(inputs_.origin, instance.worldFromObject)};
+  const bool mirrored = glm::determinant(glm::mat3(draw.worldFromObject)) < 0.0f;
   vkCmdSetCullMode(commands, cull);
   vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  const shader::DrawData draw{instance.worldFromObject};
   vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
                      &draw);
   drawPrimitive(commands, instance.primitive);

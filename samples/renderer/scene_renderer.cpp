@@ -7,8 +7,15 @@
 #include "failure.h"
 #include "lighting.h"
 #include "sky_cache.h"
+#include "world_place.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
 
 namespace lichen::renderer {
 namespace {
@@ -16,6 +23,16 @@ namespace {
 // Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
 // joins a ground to the sky and leaves the subject alone.
 constexpr float kHazeDistance = 80.0f;
+// A vertex this many tiles from its node is rounded by half a texel of tiles of 512.
+constexpr double kMostTilesFromNode = 16384.0;
+
+/// The farthest vertex from the origin of its mesh.
+float reachOf(const Primitive& primitive) {
+  float reach = 0.0f;
+  for (const Vertex& vertex : primitive.vertices)
+    reach = std::max(reach, glm::length(vertex.position));
+  return reach;
+}
 
 } // namespace
 
@@ -64,8 +81,42 @@ GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
   return uploadEnvironment(device_, objects_, sky.environment);
 }
 
+/// Where vertices themselves are far from their node, in floats, no origin helps.
+void SceneRenderer::noteCoarseVertices() {
+  std::map<std::size_t, float> reaches; // of primitives
+  std::set<std::size_t> noted;
+  for (const Instance& instance : scene_.instances) {
+    const std::size_t m = scene_.primitives[instance.primitive].material;
+    const double side = noises_.tileSide(scene_, m);
+    if (side == 0.0 || noted.contains(m))
+      continue;
+    const auto [known, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
+    if (isNew)
+      known->second = reachOf(scene_.primitives[instance.primitive]);
+    const glm::dmat4& world = instance.worldFromObject;
+    const double scale =
+        noises_.roles(m).inObjectSpace
+            ? 1.0
+            : std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
+    const auto reach = float(scale * double(known->second));
+    if (double(reach) <= kMostTilesFromNode * side)
+      continue;
+    noted.insert(m);
+    notes_.push_back(fmt::format(
+        "/materials/{}: vertices are {:.3g} units from their node, where "
+        "floats are {:.2g} apart, in tiles of {:.2g}: its noise is coarse "
+        "there; vertices near their node are drawn fine wherever it is",
+        m, reach, std::nextafter(reach, std::numeric_limits<float>::max()) - reach, side));
+  }
+}
+
 void SceneRenderer::collectNotes(const RenderSettings& settings) {
   notes_.assign(noises_.notes().begin(), noises_.notes().end());
+  noteCoarseVertices();
+  std::set<std::string> faults; // one camera may stand in several places
+  for (const Camera& camera : scene_.cameras)
+    if (!camera.fault.empty() && faults.insert(camera.fault).second)
+      notes_.push_back(camera.fault + "; this camera is not looked through");
   if (inputs_.lighting.dropped > 0)
     notes_.push_back("the scene has " +
                      std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
@@ -160,11 +211,15 @@ void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
 
 void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
+  const glm::dvec3 origin = originNear(camera);
+  if (origin != std::exchange(inputs_.origin, origin)) {
+    noises_.place(scene_, origin);
+    writeMaterials(scene_, noises_, gpu_);
+  }
   if (hasHaze_) // from within the subject no nearer than from its border
     inputs_.hazeDistance =
-        kHazeDistance *
-        std::max(glm::distance(inputs_.subject.center, glm::vec3(camera.worldFromCamera[3])),
-                 inputs_.subject.radius);
+        kHazeDistance * std::max(glm::length(relativeTo(inputs_.subject.center, eyeOf(camera))),
+                                 inputs_.subject.radius);
   blendedOrder_ = blendedOrder();
 }
 
@@ -187,10 +242,10 @@ void SceneRenderer::setNoise(const NoiseChanges& changes) {
 /// Indices of the blended instances, the farthest first, by the middles of their boxes: nodes of
 /// many a file all have their origin in one place.
 std::vector<std::size_t> SceneRenderer::blendedOrder() const {
-  const glm::mat4& camera = inputs_.camera.worldFromCamera;
+  const glm::dmat4& camera = inputs_.camera.worldFromCamera;
   std::vector<std::pair<float, std::size_t>> order;
   for (const auto& [instance, center] : blended_) {
-    const glm::vec3 fromCamera = center - glm::vec3(camera[3]);
+    const glm::vec3 fromCamera = relativeTo(eyeOf(inputs_.camera), center);
     order.emplace_back(glm::dot(fromCamera, glm::vec3(camera[2])), instance); // looks along -z
   }
   std::sort(order.begin(), order.end());

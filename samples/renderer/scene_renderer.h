@@ -54,6 +54,7 @@ public:
 private:
   [[nodiscard]] GpuEnvironment lightAround(const RenderSettings& settings);
   void collectNotes(const RenderSettings& settings);
+  void noteCoarseVertices();
   void createFrameSet(VkFilter depthFilter);
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
                                           VkShaderStageFlags stages, VkDescriptorSetLayout& layout);
@@ -88,7 +89,7 @@ private:
   GpuScene gpu_;
   FrameInputs inputs_;
   bool hasHaze_ = false;
-  std::vector<std::pair<std::size_t, glm::vec3>> blended_; ///< instances and their middles
+  std::vector<std::pair<std::size_t, glm::dvec3>> blended_; ///< instances and their middles
   std::vector<std::size_t> blendedOrder_;
   GpuEnvironment environment_;
   FrameTargets targets_;

@@ -2,6 +2,8 @@
 // The pose is kept as a point, a distance and two angles, so that no drift can tilt it.
 #include "orbit_camera.h"
 
+#include "world_place.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,12 +25,11 @@ constexpr float kNearShare = 0.02f;
 OrbitCamera::OrbitCamera(const Camera& start, const Sphere& subject)
     : start_(start), leastDistance_(kLeastDistance * subject.radius),
       mostDistance_(kMostDistance * subject.radius) {
-  const glm::vec3 eye(start.worldFromCamera[3]);
   const glm::vec3 backwards = glm::normalize(glm::vec3(start.worldFromCamera[2]));
-  const float along = glm::dot(eye - subject.center, backwards);
+  const float along = glm::dot(relativeTo(subject.center, eyeOf(start)), backwards);
   // A camera that looks away from the subject, as in a room, turns around a point before it.
   distance_ = std::clamp(along > 0.0f ? along : subject.radius, leastDistance_, mostDistance_);
-  target_ = eye - backwards * distance_;
+  target_ = eyeOf(start) - glm::dvec3(backwards * distance_);
   azimuth_ = std::atan2(backwards.x, backwards.z);
   elevation_ = std::clamp(std::asin(std::clamp(backwards.y, -1.0f, 1.0f)), -kHighest, kHighest);
 }
@@ -56,7 +57,7 @@ void OrbitCamera::turn(glm::vec2 drag) {
 void OrbitCamera::pan(glm::vec2 drag) {
   moved_ = true;
   const glm::mat3 frame = axes();
-  target_ += 2.0f * halfHeight() * (frame[1] * drag.y - frame[0] * drag.x);
+  target_ += glm::dvec3(2.0f * halfHeight() * (frame[1] * drag.y - frame[0] * drag.x));
 }
 
 void OrbitCamera::zoom(float steps) {
@@ -74,8 +75,8 @@ Camera OrbitCamera::camera() const {
   Camera camera = start_;
   const glm::mat3 frame = axes();
   camera.worldFromCamera =
-      glm::mat4(glm::vec4(frame[0], 0), glm::vec4(frame[1], 0), glm::vec4(frame[2], 0),
-                glm::vec4(target_ + frame[2] * distance_, 1));
+      glm::dmat4(glm::dvec4(frame[0], 0), glm::dvec4(frame[1], 0), glm::dvec4(frame[2], 0),
+                 glm::dvec4(target_ + glm::dvec3(frame[2] * distance_), 1));
   if (camera.perspective)
     camera.near = std::min(start_.near, kNearShare * distance_);
   return camera;

@@ -29,7 +29,7 @@ private:
 
   Camera start_;
   bool moved_ = false;
-  glm::vec3 target_{0.0f};
+  glm::dvec3 target_{0.0};
   float distance_ = 1.0f;
   float leastDistance_ = 0.0f;
   float mostDistance_ = 0.0f;

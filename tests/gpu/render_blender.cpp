@@ -87,7 +87,7 @@ TEST_CASE("a camera of Blender puts corners of objects where Blender does") {
       const float aspect = view["size"][0].get<float>() / view["size"][1].get<float>();
       const auto camera = renderer::chooseCamera(scene, subject.value(), cameraName, aspect);
       REQUIRE(camera.ok());
-      const glm::mat4 clip = renderer::clipFromWorld(camera.value(), aspect, glm::vec2(0.0f));
+      const glm::mat4 clip = renderer::clipFromWorld(camera.value(), {}, aspect, glm::vec2(0.0f));
       for (const json& point : view["points"]) {
         const auto world = point[0].get<std::array<float, 3>>();
         const glm::vec4 p = clip * glm::vec4(world[0], world[1], world[2], 1.0f);

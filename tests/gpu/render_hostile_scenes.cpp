@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every rule of glTF that the renderer relies on, broken once: refused with the place's pointer.
+#include "framing.h"
 #include "render_gltf.h"
 #include "scene.h"
 #include "scene_promises.h"
@@ -229,16 +230,10 @@ const std::vector<Fault> kFaults{
     {"an unknown wrap", "/samplers/0", [](GltfScene& s) { s.json["samplers"][0]["wrapS"] = 1; }},
     {"a camera without lens", "/cameras/0",
      [](GltfScene& s) { s.json["cameras"][0].erase("perspective"); }},
-    {"a near plane at 0", "/cameras/0/perspective",
-     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["znear"] = 0; }},
-    {"a far plane before the near one", "/cameras/0/perspective",
-     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["zfar"] = 0.05; }},
-    {"an orthographic camera whose planes are one as floats", "/cameras/0/orthographic",
-     [](GltfScene& s) {
-       s.json["cameras"][0] = {
-           {"type", "orthographic"},
-           {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 1}, {"zfar", 1.00000000001}}}};
-     }},
+    {"a camera whose near plane is no number", "/cameras/0/perspective/znear",
+     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["znear"] = "near"; }},
+    {"a camera without a near plane", "/cameras/0/perspective",
+     [](GltfScene& s) { s.json["cameras"][0]["perspective"].erase("znear"); }},
     {"more materials than any scene has", "/materials",
      [](GltfScene& s) {
        s.json["materials"] = json(std::vector<json>((1u << 18) + 1, json::object()));
@@ -372,6 +367,48 @@ TEST_CASE("each broken scene is refused on one line that names the file and the 
     CHECK(scene.error().message.starts_with(path.string()));
     CHECK(scene.error().message.find(fault.pointer) != std::string::npos);
     CHECK(scene.error().message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("a lens that nothing can be seen through is refused where its camera is the one") {
+  const json narrow{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}};
+  const json flat{{"type", "orthographic"},
+                  {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 1}, {"zfar", 2}}}};
+  const auto with = [](json camera, const char* key, double value) {
+    camera[camera["type"].get<std::string>()][key] = value;
+    return camera;
+  };
+  const std::array<std::pair<json, std::string>, 8> faults{
+      {{with(narrow, "znear", 0.0), "perspective/znear: 0 is not accepted, 1e-06 or more is"},
+       {with(narrow, "znear", 1e-9), "perspective/znear: 1e-09 is not accepted, 1e-06 or more is"},
+       {with(narrow, "zfar", 0.05),
+        "perspective/zfar: 0.05 is not accepted, more than znear, 0.1, is"},
+       {with(narrow, "yfov", 3.2), "perspective/yfov: 3.2 is not accepted, 1e-06 to 3.1 is"},
+       {with(narrow, "aspectRatio", -1.0),
+        "perspective/aspectRatio: -1 is not accepted, 1e-06 or more is"},
+       {with(flat, "ymag", 0.0), "orthographic/ymag: 0 is not accepted, 1e-06 or more is"},
+       {with(flat, "znear", -1.0), "orthographic/znear: -1 is not accepted, 0 or more is"},
+       {with(flat, "zfar", 1.00000000001), "orthographic/zfar: 1.00000000001 is not accepted, at "
+                                           "least 1e-6 beyond znear, 1, is, and as "
+                                           "much as a float can tell"}}};
+  const TemporaryFolder folder;
+  for (const auto& [camera, message] : faults) {
+    INFO(message);
+    GltfScene source = triangleScene();
+    source.addCamera(4.0f, 0.6f);
+    source.json["cameras"].push_back(camera);
+    source.json["nodes"].push_back({{"camera", 1}, {"name", "odd"}});
+    source.json["scenes"][0]["nodes"].push_back(source.json["nodes"].size() - 1);
+    const auto path = writeInto(folder, "scene.glb", source.glb());
+    const auto scene = renderer::readScene(path);
+    REQUIRE(scene.ok());
+    const renderer::Sphere subject = renderer::subjectOf(scene.value()).value();
+    for (const char* choice : {"", "auto", "front"})
+      CHECK(renderer::chooseCamera(scene.value(), subject, choice, 1.0f).ok());
+    const auto odd = renderer::chooseCamera(scene.value(), subject, "odd", 1.0f);
+    REQUIRE_FALSE(odd.ok());
+    CHECK(odd.error().kind == ErrorKind::badInput);
+    CHECK(odd.error().message == path.string() + ": /cameras/1/" + message);
   }
 }
 

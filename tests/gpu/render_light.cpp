@@ -267,7 +267,7 @@ TEST_CASE("of too many lights the sun and those that light the subject most are 
   for (int i = 0; i < kLamps; ++i) {
     Light lamp;
     lamp.kind = LightKind::point;
-    lamp.position = {0.0f, 0.0f, 10.0f + float(i)};
+    lamp.position = {0.0, 0.0, 10.0 + i};
     scene.lights.insert(scene.lights.begin(), lamp);
   }
   Light sun;
@@ -279,7 +279,7 @@ TEST_CASE("of too many lights the sun and those that light the subject most are 
   CHECK(lighting.hasSun);
   CHECK(lighting.lights[0].kind == LightKind::directional);
   for (std::size_t i = 1; i < MAX_LIGHTS; ++i) // the nearest
-    CHECK(lighting.lights[i].position.z < 10.0f + MAX_LIGHTS);
+    CHECK(lighting.lights[i].position.z < 10.0 + MAX_LIGHTS);
 }
 
 TEST_CASE("a light too faint for its inverse to be a float is light all the same") {

@@ -166,7 +166,7 @@ glm::mat4 cellFromWorld(const Scene& scene, glm::vec2 cell) {
   glm::vec3 high = -low;
   for (const renderer::Instance& instance : scene.instances)
     for (const renderer::Vertex& v : scene.primitives[instance.primitive].vertices) {
-      const glm::vec3 place(instance.worldFromObject * glm::vec4(v.position, 1.0f));
+      const glm::vec3 place(instance.worldFromObject * glm::dvec4(v.position, 1.0));
       low = glm::min(low, place);
       high = glm::max(high, place);
     }
@@ -195,7 +195,8 @@ void append(Scene& sheet, const Scene& scene, const glm::mat4& placed) {
     sheet.primitives.push_back(std::move(primitive));
   }
   for (const renderer::Instance& instance : scene.instances)
-    sheet.instances.push_back({primitives + instance.primitive, placed * instance.worldFromObject});
+    sheet.instances.push_back(
+        {primitives + instance.primitive, glm::dmat4(placed) * instance.worldFromObject});
 }
 
 constexpr int kColumns = 6;
@@ -215,7 +216,7 @@ LinearImage sheetOf(int rows) {
   camera.perspective = false;
   camera.halfHeight = float(rows) / 2;
   camera.aspectRatio = float(kColumns) / float(rows);
-  camera.worldFromCamera[3] = glm::vec4(float(kColumns) / 2, float(rows) / 2, 2, 1);
+  camera.worldFromCamera[3] = glm::dvec4(kColumns / 2.0, rows / 2.0, 2, 1);
   camera.far = 4.0f;
   sheet.cameras.push_back(camera);
   renderer::RenderSettings settings =

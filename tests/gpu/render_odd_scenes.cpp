@@ -195,3 +195,17 @@ TEST_CASE("a scene of more lights than are drawn says so once") {
   REQUIRE(notes.size() == 1);
   CHECK(notes[0] == "the scene has 20 lights; the 16 that light it most are drawn");
 }
+
+TEST_CASE("a camera that nothing can be seen through and that is not used is noted once") {
+  GltfScene scene = triangleScene();
+  scene.addCamera(4.0f, 0.6f);
+  scene.json["cameras"].push_back(
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.6}, {"znear", 1e-9}}}});
+  for (int place = 0; place < 2; ++place) {
+    scene.json["nodes"].push_back({{"camera", 1}});
+    scene.json["scenes"][0]["nodes"].push_back(scene.json["nodes"].size() - 1);
+  }
+  CHECK(renderPicture(scene.glb(), settingsOf(8, 8, 1)).notes ==
+        std::vector<std::string>{"/cameras/1/perspective/znear: 1e-09 is not accepted, 1e-06 or "
+                                 "more is; this camera is not looked through"});
+}

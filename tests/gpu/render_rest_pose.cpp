@@ -28,7 +28,7 @@ std::array<glm::vec3, 3> corners(const Scene& scene, std::size_t instance = 0) {
   std::array<glm::vec3, 3> result;
   for (std::size_t k = 0; k < 3; ++k)
     result[k] = glm::vec3(placed.worldFromObject *
-                          glm::vec4(primitive.vertices[primitive.indices[k]].position, 1.0f));
+                          glm::dvec4(primitive.vertices[primitive.indices[k]].position, 1.0));
   return result;
 }
 
@@ -104,6 +104,19 @@ TEST_CASE("a skinned mesh stands where its joints are, and not where its node is
   checkNear(triangle[1], {5, 0, 0});
   // (0, 3, 0) by joint 0; by joint 1 (-1, 1, 0), turned from x to y (-1, -1, 0), (4, -1, 0).
   checkNear(triangle[2], {2, 1, 0});
+}
+
+TEST_CASE("a skinned mesh keeps its shape ten million units from the origin") {
+  constexpr double kFar = 1e7 + 0.1;
+  const Scene scene = load(skinnedTriangle({{"translation", {kFar, -kFar, 0}}},
+                                           {{"translation", {kFar + 0.3, -kFar, 0}}},
+                                           bothMatrices(kIdentity, kIdentity)));
+  const glm::dmat4& placed = scene.instances.at(0).worldFromObject;
+  CHECK(glm::dvec3(placed[3]) == glm::dvec3(kFar, -kFar, 0));
+  const std::vector<renderer::Vertex>& vertices = scene.primitives[0].vertices;
+  checkNear(vertices[0].position, {0, 0, 0});
+  checkNear(vertices[1].position, {1.3f, 0, 0});
+  checkNear(vertices[2].position, {0.15f, 1, 0});
 }
 
 TEST_CASE("what joints mirror keeps its front outside") {

@@ -28,7 +28,7 @@ std::vector<glm::vec3> corners(const Scene& scene) {
     for (const std::uint32_t i : scene.primitives[instance.primitive].indices)
       result.emplace_back(
           instance.worldFromObject *
-          glm::vec4(scene.primitives[instance.primitive].vertices[i].position, 1.0f));
+          glm::dvec4(scene.primitives[instance.primitive].vertices[i].position, 1.0));
   return result;
 }
 
@@ -250,7 +250,7 @@ TEST_CASE("the automatic camera has the whole subject in its picture, a ground l
   CHECK(subject.radius < 2.0f);
   for (const float aspect : {0.5f, 1.0f, 2.5f}) {
     const auto camera = renderer::chooseCamera(loaded, subject, "auto", aspect).value();
-    const glm::mat4 clip = renderer::clipFromWorld(camera, aspect, glm::vec2(0.0f));
+    const glm::mat4 clip = renderer::clipFromWorld(camera, {}, aspect, glm::vec2(0.0f));
     for (const Vertex& v : loaded.primitives[0].vertices) {
       const glm::vec4 p = clip * glm::vec4(v.position + glm::vec3(40, 1, 0), 1.0f);
       CHECK(std::abs(p.x) <= p.w);
@@ -278,9 +278,9 @@ TEST_CASE("a camera is found by the name of its node or its own, and a refusal l
     REQUIRE(chosen.ok());
     return chosen.value().worldFromCamera[3].x;
   };
-  CHECK(placeOf("Camera.left") == 0.0f);
-  CHECK(placeOf("Camera.right") == 5.0f);
-  CHECK(placeOf("front") == 0.0f); // the first of its nodes
+  CHECK(placeOf("Camera.left") == 0.0);
+  CHECK(placeOf("Camera.right") == 5.0);
+  CHECK(placeOf("front") == 0.0); // the first of its nodes
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());
   CHECK(unknown.error().message ==

@@ -6,10 +6,11 @@
 namespace lichen::test {
 namespace {
 
-bool isFinite(const glm::mat4& matrix) {
+/// As floats, which are what is drawn.
+bool isFinite(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(matrix[column][row]))
+      if (!std::isfinite(float(matrix[column][row])))
         return false;
   return true;
 }

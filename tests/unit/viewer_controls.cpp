@@ -19,21 +19,19 @@ using namespace lichen::renderer;
 namespace {
 
 constexpr float kTolerance = 1e-5f; // a few roundings of numbers around 1 to 10
-constexpr Sphere kSubject{{1.0f, 2.0f, 3.0f}, 2.0f};
+constexpr Sphere kSubject{{1.0, 2.0, 3.0}, 2.0f};
 
 /// On the +z side of the subject, level, at a distance of 8.
 Camera levelCamera() {
   Camera camera;
   camera.verticalFieldOfView = 2.0f * std::atan(0.5f); // at 8, half the window is 4 high
-  camera.worldFromCamera[3] = glm::vec4(1.0f, 2.0f, 11.0f, 1.0f);
+  camera.worldFromCamera[3] = glm::dvec4(1.0, 2.0, 11.0, 1.0);
   return camera;
 }
 
-glm::vec3 eyeOf(const Camera& camera) { return glm::vec3(camera.worldFromCamera[3]); }
-
-void checkClose(glm::vec3 a, glm::vec3 b) {
+void checkClose(glm::dvec3 a, glm::dvec3 b) {
   INFO(a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " " << b.z);
-  CHECK(glm::distance(a, b) < 10.0f * kTolerance);
+  CHECK(glm::distance(a, b) < 10.0 * double(kTolerance));
 }
 
 Look lookAfter(Controls& controls, const std::string& letters, bool shift = false) {
@@ -46,8 +44,8 @@ Look lookAfter(Controls& controls, const std::string& letters, bool shift = fals
 
 TEST_CASE("an orbit camera that is not moved is the camera it started from") {
   Camera start = levelCamera();
-  start.worldFromCamera[0] = glm::vec4(0.0f, 1.0f, 0.0f, 0.0f); // rolled by a quarter
-  start.worldFromCamera[1] = glm::vec4(-1.0f, 0.0f, 0.0f, 0.0f);
+  start.worldFromCamera[0] = glm::dvec4(0.0, 1.0, 0.0, 0.0); // rolled by a quarter
+  start.worldFromCamera[1] = glm::dvec4(-1.0, 0.0, 0.0, 0.0);
   CHECK(OrbitCamera(start, kSubject).camera().worldFromCamera == start.worldFromCamera);
 }
 
@@ -57,7 +55,7 @@ TEST_CASE("turning keeps the distance and looks at the subject from the other si
   checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, -5.0f});
   orbit.turn({-0.5f, 0.0f}); // a quarter back: from -x, for a scene that follows the mouse
   checkClose(eyeOf(orbit.camera()), {-7.0f, 2.0f, 3.0f});
-  const glm::mat3 axes(orbit.camera().worldFromCamera);
+  const glm::dmat3 axes(orbit.camera().worldFromCamera);
   checkClose(axes[2], {-1.0f, 0.0f, 0.0f});
   checkClose(axes[1], {0.0f, 1.0f, 0.0f});
   CHECK(glm::determinant(axes) == Approx(1.0));
@@ -68,9 +66,9 @@ TEST_CASE("however far it is turned up, the camera stays upright and short of th
   for (int k = 0; k < 50; ++k)
     orbit.turn({0.1f, 0.3f});
   const Camera camera = orbit.camera();
-  CHECK(camera.worldFromCamera[1].y > 0.0f);
-  CHECK(camera.worldFromCamera[2].y < 1.0f);
-  CHECK(camera.worldFromCamera[2].y > 0.99f);
+  CHECK(camera.worldFromCamera[1].y > 0.0);
+  CHECK(camera.worldFromCamera[2].y < 1.0);
+  CHECK(camera.worldFromCamera[2].y > 0.99);
   CHECK(glm::distance(eyeOf(camera), kSubject.center) == Approx(8.0f));
 }
 
@@ -85,12 +83,12 @@ TEST_CASE("panning by a window's height moves what is at the subject by a window
 TEST_CASE("zooming comes closer by factors, back as many, and never through the subject") {
   OrbitCamera orbit(levelCamera(), kSubject);
   orbit.zoom(1.0f);
-  CHECK(eyeOf(orbit.camera()).z - 3.0f == Approx(8.0f / 1.1f));
+  CHECK(eyeOf(orbit.camera()).z - 3.0 == Approx(8.0f / 1.1f));
   orbit.zoom(-1.0f);
   checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, 11.0f});
   orbit.zoom(1000.0f);
-  CHECK(eyeOf(orbit.camera()).z > 3.0f);
-  CHECK(orbit.camera().near < eyeOf(orbit.camera()).z - 3.0f);
+  CHECK(eyeOf(orbit.camera()).z > 3.0);
+  CHECK(double(orbit.camera().near) < eyeOf(orbit.camera()).z - 3.0);
   orbit.zoom(-1e6f);
   CHECK(std::isfinite(eyeOf(orbit.camera()).z));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Structs and binding numbers that the renderer's C++ and GLSL share. Only vec4, ivec4 and mat4.
+// Places in the world are relative to an origin near the camera: FrameInputs::origin.
 #ifndef SCENE_INTERFACE_H
 #define SCENE_INTERFACE_H
 
@@ -107,6 +108,7 @@ struct MaterialData {
                        // -1 for none
   ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel;
                        // w 1 for a noise in the space of the object, 0 in the world
+  vec4 fromTileOrigin; // what a place is farther from the noise's origin; w unused
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
 };
 

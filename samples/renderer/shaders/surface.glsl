@@ -144,6 +144,7 @@ LichenPlace noisePlace(Footprint f) {
   Spot spot = f.world;
   if (isInObject())
     spot = f.object;
+  spot.position += material.fromTileOrigin.xyz; // 0 of an object's space
 #endif
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(noiseData.noise)) {

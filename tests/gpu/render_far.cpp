@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Scenes far from the world's origin: a place in the world has the pattern that exact arithmetic
+// gives it, and what does not depend on the place looks as at the origin.
+#include "rendered.h"
+#include "scene_renderer.h"
+#include "synthetic_noise.h"
+#include "synthetic_texton.h"
+
+#include <lichen/texton_evaluate.h>
+#include <lichen/tiling_evaluate.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+using nlohmann::json;
+
+namespace {
+
+using Place = std::array<double, 3>;
+
+constexpr int kWidth = 24, kHeight = 16;
+constexpr float kDistance = 3.0f, kFieldOfView = 0.3f;
+constexpr float kLevel = 1.0f / 255.0f;
+constexpr std::array<float, 3> kNormal{6.0f / 11.0f, 6.0f / 11.0f,
+                                       7.0f / 11.0f}; // all planes count
+constexpr std::array<float, 4> kTangent{7.0f / 11.0f, -6.0f / 11.0f, 6.0f / 11.0f, 1.0f};
+
+const std::array<Place, 5> kPlaces{{{0, 0, 0},
+                                    {12.3, -45.6, 7.8},
+                                    {1e5 + 0.3, 2e5 - 0.7, -3e5 + 0.1},
+                                    {-1234567.8, 1e6, 7654.3},
+                                    {1e7 + 0.1, -2e7 + 0.2, 3e7 + 0.3}}};
+
+BundleFile tilingBundle() {
+  const SyntheticMap map{3, 64, 48};
+  return syntheticBundle(std::span(&map, 1));
+}
+
+void setParameters(BundleFile& file, Mapping mapping) {
+  MaterialNoise& use = *file.bundle.materials[0];
+  use.mapping = mapping;
+  use.rotation = 0.4;
+  use.scale = 0.6;
+  use.seed = 3;
+}
+
+/// At each of the places a square, and a camera that faces it and sees nothing else.
+GltfScene squares(const BundleFile& file, std::span<const Place> places) {
+  GltfScene scene(encodeGlb(file).value());
+  std::vector<float> normals, tangents;
+  for (int corner = 0; corner < 4; ++corner) {
+    normals.insert(normals.end(), kNormal.begin(), kNormal.end());
+    tangents.insert(tangents.end(), kTangent.begin(), kTangent.end());
+  }
+  const std::size_t positions = scene.addFloats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, 3);
+  const std::size_t along = scene.addFloats(normals, 3);
+  const json attributes{
+      {"POSITION", positions}, {"NORMAL", along}, {"TANGENT", scene.addFloats(tangents, 4)}};
+  scene.addMesh(attributes, scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0);
+  scene.addCamera(kDistance, kFieldOfView);
+  json& nodes = scene.json["nodes"];
+  const json square = nodes[0], camera = nodes[1];
+  nodes = json::array();
+  json roots = json::array();
+  for (const Place& place : places) {
+    const std::size_t first = nodes.size();
+    nodes.push_back(square);
+    nodes.push_back(camera);
+    nodes.push_back({{"translation", place}, {"children", {first, first + 1}}});
+    roots.push_back(first + 2);
+  }
+  scene.json["scenes"][0]["nodes"] = roots;
+  scene.addSun(3.0f); // that of the other scenes, whose sky takes a while
+  return scene;
+}
+
+renderer::Scene read(const GltfScene& source) {
+  const TemporaryFolder folder;
+  auto scene = renderer::readScene(writeInto(folder, "scene.glb", source.glb()));
+  if (!scene)
+    FAIL(scene.error().message);
+  return std::move(scene).value();
+}
+
+/// The squares' base colours, drawn by one camera that flies from one to the next.
+class Flight {
+public:
+  explicit Flight(const BundleFile& file)
+      : scene_(read(squares(file, kPlaces))), renderer_(testDevice(), scene_, settings()) {
+    testDevice().messages().clear();
+  }
+
+  renderer::SceneRenderer& renderer() { return renderer_; }
+
+  LinearImage pictureAt(std::size_t place) {
+    renderer_.setCamera(scene_.cameras.at(place));
+    renderer_.drawFrame(0);
+    for (const std::string& text : testDevice().messages().texts())
+      FAIL_CHECK(text);
+    return renderer_.average(1);
+  }
+
+private:
+  static renderer::RenderSettings settings() {
+    renderer::RenderSettings settings = settingsOf(kWidth, kHeight, 1);
+    settings.debugView = "base-color";
+    return settings;
+  }
+
+  renderer::Scene scene_;
+  renderer::SceneRenderer renderer_;
+};
+
+/// A place in the world as a whole number of tiles and a rest.
+struct Tiles {
+  Tiles(const BundleFile& file, const Place& place) {
+    const double side = file.bundle.materials[0]->scale * file.bundle.noises[0].tileSizeMetres;
+    std::array<std::int64_t, 3> whole{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      whole[k] = std::int64_t(std::floor(place[k] / side));
+      rest[k] = float(place[k] - side * double(whole[k]));
+    }
+    origin.tileOriginX = whole[0];
+    origin.tileOriginY = whole[1];
+    origin.tileOriginZ = whole[2];
+  }
+  Placement origin;
+  std::array<float, 3> rest{};
+};
+
+/// Where a pixel sees its square.
+template <class Footprint>
+Footprint footprint(const std::array<float, 3>& rest, int x, int y) {
+  const float pixel = 2.0f * kDistance * std::tan(kFieldOfView / 2) / kHeight;
+  Footprint at;
+  at.position = {rest[0] + (float(x) + 0.5f - kWidth / 2) * pixel,
+                 rest[1] + (kHeight / 2 - float(y) - 0.5f) * pixel, rest[2]};
+  at.dx = {pixel, 0.0f, 0.0f};
+  at.dy = {0.0f, -pixel, 0.0f};
+  at.normal = kNormal;
+  return at;
+}
+
+/// The mean difference of a picture from `expected(x, y)`.
+template <class Expected>
+double meanDifference(const LinearImage& picture, Expected expected) {
+  double sum = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += std::abs(double(picture.pixel(x, y)[c]) - double(expected(x, y)[c]));
+  return sum / (3 * kWidth * kHeight);
+}
+
+float greatestDifference(const LinearImage& a, const LinearImage& b) {
+  float greatest = 0.0f;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    greatest = std::max(greatest, std::abs(a.values[i] - b.values[i]));
+  return greatest;
+}
+
+/// Each pixel of each square against what `valueAt(tiles, x, y)` says.
+template <class ValueAt>
+void checkPattern(const BundleFile& file, Flight& flight, ValueAt valueAt) {
+  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+    const LinearImage picture = flight.pictureAt(i);
+    const Tiles tiles(file, kPlaces[i]);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const auto expected = valueAt(tiles, x, y);
+        INFO("place " << i << ", pixel " << x << ", " << y);
+        for (std::size_t c = 0; c < 3; ++c)
+          REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(kLevel));
+      }
+  }
+  // It is that part of the pattern and no other: neither a tile nor half a tile away.
+  const LinearImage picture = flight.pictureAt(kPlaces.size() - 1);
+  Tiles next(file, kPlaces.back()), half = next;
+  next.origin.tileOriginX += 1;
+  half.rest[1] += 0.3f;
+  for (const Tiles& other : {next, half})
+    CHECK(meanDifference(picture, [&](int x, int y) { return valueAt(other, x, y); }) >
+          2.0 * double(kLevel));
+}
+
+/// All that stands in a scene, moved.
+GltfScene moved(GltfScene scene, const Place& way) {
+  json& roots = scene.json["scenes"][0]["nodes"];
+  scene.json["nodes"].push_back({{"translation", way}, {"children", roots}});
+  roots = {scene.json["nodes"].size() - 1};
+  return scene;
+}
+
+/// A ball and a blended box on a ground, in the light of a sun that casts shadows and of a lamp.
+GltfScene stillLife(const BundleFile& file) {
+  GltfScene scene(encodeGlb(file).value());
+  const json glass{{"alphaMode", "BLEND"},
+                   {"pbrMetallicRoughness", {{"baseColorFactor", {0.2, 0.5, 0.9, 0.6}}}}};
+  scene.addBall(0, {{"translation", {-0.5, 0.0, 0.2}}});
+  scene.addBox(scene.addMaterial(glass), {{"translation", {0.9, -0.2, -0.6}}});
+  scene.addGround(0, 8.0f, -1.0f);
+  scene.addCamera(5.0f, 0.7f, 1.2f, -0.25f);
+  scene.addSun(3.0f);
+  scene.json["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+      {{"type", "spot"}, {"spot", json::object()}, {"intensity", 6}, {"color", {1.0, 0.5, 0.2}}});
+  scene.json["nodes"].push_back({{"translation", {0.5, 0.3, 2.0}},
+                                 {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+  scene.json["scenes"][0]["nodes"].push_back(scene.json["nodes"].size() - 1);
+  return scene;
+}
+
+renderer::RenderSettings stillSettings() { return settingsOf(64, 48, 1); }
+
+} // namespace
+
+TEST_CASE("noise in three planes has the pattern of its place in the world, however far that is") {
+  BundleFile file = tilingBundle();
+  setParameters(file, Mapping::triplanar);
+  const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
+  Flight flight(file);
+  checkPattern(file, flight, [&](const Tiles& tiles, int x, int y) {
+    return twin.evaluate(0, shaderNoise(file.bundle, *file.bundle.materials[0], tiles.origin),
+                         footprint<TriplanarFootprint>(tiles.rest, x, y));
+  });
+  CHECK(flight.renderer().notes().empty());
+  // In the space of their objects the squares have one pattern.
+  flight.renderer().setNoise({.inObjectSpace = true});
+  const LinearImage home = flight.pictureAt(0);
+  for (std::size_t i = 1; i < kPlaces.size(); ++i)
+    CHECK(greatestDifference(flight.pictureAt(i), home) < kLevel);
+}
+
+TEST_CASE("noise on a surface has the pattern of its place in the world, however far that is") {
+  BundleFile file = syntheticTextonBundle({.wholeFloats = true});
+  setParameters(file, Mapping::surface);
+  const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
+  const MaterialNoise& use = *file.bundle.materials[0];
+  Flight flight(file);
+  checkPattern(file, flight, [&](const Tiles& tiles, int x, int y) {
+    auto at = footprint<SurfaceFootprint>(tiles.rest, x, y);
+    at.tangent = kTangent;
+    return twin.evaluate(0, shaderNoise(file.bundle, use, tiles.origin),
+                         shaderTexton(file.bundle, use, tiles.origin), at);
+  });
+}
+
+TEST_CASE("what does not depend on the place in the world looks as at the origin, however far") {
+  const GltfScene scene = stillLife(tilingBundle());
+  const LinearImage home = render(scene.glb(), stillSettings());
+  const LinearImage away = render(moved(scene, kPlaces.back()).glb(), stillSettings());
+  CHECK(greatestDifference(away, home) < kLevel);
+  // By whole steps of the origin that is drawn around there is nothing to round.
+  CHECK(render(moved(scene, {1 << 20, -(1 << 17), 1 << 23}).glb(), stillSettings()).values ==
+        home.values);
+}
+
+TEST_CASE("shaded noise in the world looks alike whatever the origin that it is drawn around") {
+  BundleFile file = tilingBundle();
+  setParameters(file, Mapping::triplanar);
+  const renderer::Scene scene = read(moved(stillLife(file), {1e6 + 77.7, 2e6 + 55.5, -1e6 - 33.3}));
+  renderer::SceneRenderer drawn(testDevice(), scene, stillSettings());
+  std::vector<LinearImage> pictures;
+  std::vector<glm::dvec3> origins;
+  for (const float near : {0.1f, 0.01f}) {
+    renderer::Camera camera = scene.cameras[0];
+    camera.near = near;
+    drawn.setCamera(camera);
+    drawn.drawFrame(0);
+    pictures.push_back(drawn.average(1));
+    origins.push_back(renderer::originNear(camera));
+  }
+  CHECK(glm::distance(origins[0], origins[1]) > 10.0);
+  CHECK(greatestDifference(pictures[0], pictures[1]) < 2.0f * kLevel);
+}
+
+TEST_CASE("noise that floats or the lattice cannot place finely is named") {
+  BundleFile file = tilingBundle();
+  setParameters(file, Mapping::triplanar);
+  file.bundle.materials[0]->scale = 1.0 / 16384.0; // corners are sqrt(2) from their node
+  const Place place{0.0, 1e8, 0.0};
+  const renderer::Scene scene = read(squares(file, {&place, 1}));
+  renderer::RenderSettings settings = stillSettings();
+  settings.debugView = "planes";
+  CHECK(renderer::SceneRenderer(testDevice(), scene, settings).notes() ==
+        std::vector<std::string>{
+            "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
+            "/materials/0 is beyond them is coarse",
+            "/materials/0: vertices are 1.41 units from their node, where floats are 1.2e-07 "
+            "apart, in tiles of 6.1e-05: its noise is coarse there; vertices near their node are "
+            "drawn fine wherever it is"});
+}
