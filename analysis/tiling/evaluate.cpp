@@ -280,7 +280,7 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
 }
 
 /// The slopes of turned tiles, of each of which `lost` of the variance is missing:
-/// lichenTurnedSlopes.
+/// lichenTilingDecodeTiles.
 Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& noise,
                                     const TileFootprint& at, float lod, float lost) const {
   tiling::Taps taps = tiling::tapsAt(noise, at.position);

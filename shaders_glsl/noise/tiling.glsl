@@ -140,15 +140,34 @@ vec3 lichenTilingFetch(sampler2D gaussian, vec2 tap, vec2 turn, LichenTaps taps,
 #endif
 }
 
-/// The blended Gaussian value of a map: mean 1/2, standard deviation 1/6 where nothing is minified.
-vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
-  // [HN18] eq. 8 on Gaussian values, about their mean 1/2.
-  vec3 blend = taps.weights.x * lichenTilingFetch(gaussian, taps.tap0, taps.turn0, taps, level);
+/// Gaussian values of the tiles; the mean, 1/2, of one that is not taken.
+struct LichenTiles {
+  vec3 tile0, tile1, tile2;
+};
+
+LichenTiles lichenTilingTiles(sampler2D gaussian, LichenTaps taps, float level) {
+  LichenTiles tiles;
+  tiles.tile0 = lichenTilingFetch(gaussian, taps.tap0, taps.turn0, taps, level);
+  tiles.tile1 = tiles.tile2 = vec3(0.5);
   if (lichenIsTaken(taps.weights.y))
-    blend += taps.weights.y * lichenTilingFetch(gaussian, taps.tap1, taps.turn1, taps, level);
+    tiles.tile1 = lichenTilingFetch(gaussian, taps.tap1, taps.turn1, taps, level);
   if (LICHEN_TILING_TAPS > 2 && lichenIsTaken(taps.weights.z))
-    blend += taps.weights.z * lichenTilingFetch(gaussian, taps.tap2, taps.turn2, taps, level);
+    tiles.tile2 = lichenTilingFetch(gaussian, taps.tap2, taps.turn2, taps, level);
+  return tiles;
+}
+
+/// The tiles blended: mean 1/2, standard deviation 1/6 where nothing is minified.
+vec3 lichenTilingBlend(LichenTiles tiles, LichenTaps taps) {
+  // [HN18] eq. 8 on Gaussian values, about their mean 1/2.
+  vec3 blend = taps.weights.x * tiles.tile0 + taps.weights.y * tiles.tile1;
+  if (LICHEN_TILING_TAPS > 2)
+    blend += taps.weights.z * tiles.tile2;
   return 0.5 + taps.gain * (blend - 0.5);
+}
+
+/// The blended Gaussian value of a map.
+vec3 lichenTilingGaussian(sampler2D gaussian, LichenTaps taps, float level) {
+  return lichenTilingBlend(lichenTilingTiles(gaussian, taps, level), taps);
 }
 
 /// The variance that a bilinear fetch of one mip keeps. `magnified` is 0 at one texel a pixel and
@@ -188,32 +207,35 @@ float lichenTilingFootprintShare(float level, float lostVariance, LichenMap map)
   return lost < lostVariance ? lost / lostVariance : 1.0;
 }
 
-/// The slopes of turned tiles, of each of which `lost` of the variance is missing: decoded tile by
-/// tile, since a joint table knows them as they lie in the exemplar, turned back, and blended about
-/// 0, where turning leaves their mean. z is the variance of a slope over what is missing.
-vec4 lichenTurnedSlopes(sampler2D gaussian, sampler3D table, LichenTaps taps, float lost,
-                        LichenNoise noise, LichenMap map) {
-  float level = lichenTilingLevel(taps, noise, map);
+/// What the tiles stand for, of each of which `lost` of the variance is missing: of the slopes of
+/// turned tiles what each does, turned back and blended about 0, where turning leaves their mean,
+/// since a joint table knows slopes as they lie in the exemplar; otherwise what the `blend` does.
+/// z of slopes is the variance of a slope over what is missing.
+vec4 lichenTilingDecodeTiles(sampler3D table, LichenTiles tiles, vec3 blend, LichenTaps taps,
+                             float lost, LichenNoise noise, LichenMap map) {
+  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise);
   vec3 shares = taps.weights * inversesqrt(dot(taps.weights, taps.weights));
-  vec4 blend = vec4(0.0, 0.0, 0.0, 1.0);
-  // A loop, for one copy of the decoder, which devices without a skip of branches skip where no
-  // tile is turned.
-  int count = lichenTurnsTiles(noise) ? LICHEN_TILING_TAPS : 0;
+  vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
+  // One loop for both, tested at both ends: lichenTriplanarBlend says why.
+  int count = isEach ? LICHEN_TILING_TAPS : 1;
   int tile = 0;
   while (tile < count) {
-    vec2 tap = tile == 0 ? taps.tap0 : (tile == 1 ? taps.tap1 : taps.tap2);
-    vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
-    float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
-    if (lichenIsTaken(share)) {
-      vec3 value = lichenTilingFetch(gaussian, tap, turn, taps, level);
-      value = 0.5 + noise.contrast * (value - 0.5);
-      vec4 slopes = lichenTilingDecode(table, value, lost, noise.contrast, map);
-      blend.xy += share * lichenSlopesTurnedBack(slopes.xy, turn);
-      blend.z += share * share * slopes.z;
+    vec3 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
+    vec3 gaussian = isEach ? 0.5 + noise.contrast * (each - 0.5) : blend;
+    vec4 value = lichenTilingDecode(table, gaussian, lost, noise.contrast, map);
+    if (isEach) {
+      vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
+      float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
+      sum.xy += share * lichenSlopesTurnedBack(value.xy, turn);
+      sum.z += share * share * value.z;
+    } else {
+      sum = value;
     }
     ++tile;
+    if (tile >= count)
+      break;
   }
-  return blend;
+  return sum;
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
@@ -223,14 +245,10 @@ vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTaps taps, LichenNo
   // [HN18] eq. 18.
   float level = lichenTilingLevel(taps, noise, map);
   float lost = lichenTilingLostVariance(taps, level, map);
-  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
-  vec4 value;
-  if (isSlope && lichenTurnsTiles(noise))
-    value = lichenTurnedSlopes(gaussian, table, taps, lost, noise, map);
-  else
-    value = lichenTilingDecode(table, lichenTilingGaussian(gaussian, taps, level), lost,
-                               noise.contrast, map);
-  if (isSlope)
+  LichenTiles tiles = lichenTilingTiles(gaussian, taps, level);
+  vec3 blend = lichenTilingBlend(tiles, taps);
+  vec4 value = lichenTilingDecodeTiles(table, tiles, blend, taps, lost, noise, map);
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= lichenTilingFootprintShare(level, lost, map);
   return value;
 }

@@ -69,31 +69,36 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
 }
 
 /// The Gaussian value of one plane. `lost`: the shares of its channels' variance that filtering
-/// loses. `here` is the map at its place in a mix, and `table` that of the map's binding.
+/// loses. `tiles`: what is blended of tiling. `here` is the map at its place in a mix, and `table`
+/// that of the map's binding.
 vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plane,
                          LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton,
-                         out vec3 lost) {
+                         out LichenTiles tiles, out vec3 lost) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise)) {
     noise.seedWord = lichenPlane(plane.axis, noise).seedWord;
     LichenKept kept = lichenTextonKept(table, plane.impacts, map, texton);
     lost = 1.0 - kept.seen;
+    tiles = LichenTiles(vec3(0.5), vec3(0.5), vec3(0.5));
     return lichenTextonGaussian(image, plane.impacts, kept, noise, here, texton);
   }
 #endif
   float level = lichenTilingLevel(plane.taps, noise, map);
   lost = vec3(lichenTilingLostVariance(plane.taps, level, map));
-  return lichenTilingGaussian(image, plane.taps, level);
+  tiles = lichenTilingTiles(image, plane.taps, level);
+  return lichenTilingBlend(tiles, plane.taps);
 }
 
-/// The value that a Gaussian value stands for, of one plane or of all. `here` as above.
-vec4 lichenTriplanarDecode(sampler3D table, vec3 gaussian, vec3 lost, LichenNoise noise,
-                           LichenMap map, LichenMap here) {
+/// The value that a Gaussian value stands for, of one plane, whose tiles these are, or of all.
+/// `here` as above.
+vec4 lichenTriplanarDecode(sampler3D table, LichenTiles tiles, LichenPlanePlace plane,
+                           vec3 gaussian, vec3 lost, LichenNoise noise, LichenMap map,
+                           LichenMap here) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise)) // contrast scales what is missing with what is there
     return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here);
 #endif
-  return lichenTilingDecode(table, gaussian, lost.x, noise.contrast, map);
+  return lichenTilingDecodeTiles(table, tiles, gaussian, plane.taps, lost.x, noise, map);
 }
 
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
@@ -137,8 +142,9 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
+    LichenTiles tiles;
     vec3 lost;
-    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, tiles, lost);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
     sum += plane.weight * (gaussian - 0.5);
@@ -146,12 +152,9 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
     ++rank;
     bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
     if (isSlope || isLast) {
-      vec4 value;
-      if (isSlope && lichenTurnsTiles(noise))
-        value = lichenTurnedSlopes(image, table, plane.taps, lost.x, noise, map);
-      else
-        value = lichenTriplanarDecode(table, isSlope ? gaussian : 0.5 + sum,
-                                      isSlope ? lost : blend.lost, noise, map, here);
+      vec4 value =
+          lichenTriplanarDecode(table, tiles, plane, isSlope ? gaussian : 0.5 + sum,
+                                isSlope ? lost : blend.lost, noise, map, here);
       if (isSlope)
         value = blend.value + lichenPlaneSlopes(value.xyz, lost, plane, at.normal, noise, map);
       blend.value = value;
