@@ -104,11 +104,11 @@ void SceneRenderer::noteCoarseVertices() {
     noted.insert(m);
     const double spacing =
         std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
-    notes_.push_back(
-        fmt::format("/materials/{}: vertices are {:.3g} units from their node, where floats are "
-                    "{:.2g} apart, in tiles of {:.2g}: its noise is coarse there; vertices near "
-                    "their node are drawn fine wherever it is",
-                    m, reach, spacing, side));
+    notes_.push_back(fmt::format(
+        "/materials/{}: vertices are {:.3g} units from their node, where floats are "
+        "{:.2g} apart, in tiles of {:.2g}: its noise may be coarse there; vertices near "
+        "their node are drawn fine wherever it is",
+        m, reach, spacing, side));
   }
 }
 
