@@ -98,15 +98,17 @@ void SceneRenderer::noteCoarseVertices() {
         noises_.roles(m).inObjectSpace
             ? 1.0
             : std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
-    const auto reach = float(scale * double(known->second));
-    if (double(reach) <= kMostTilesFromNode * side)
+    const double reach = scale * double(known->second);
+    if (reach <= kMostTilesFromNode * side)
       continue;
     noted.insert(m);
+    const double spacing =
+        std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
     notes_.push_back(fmt::format(
-        "/materials/{}: vertices are {:.3g} units from their node, where "
-        "floats are {:.2g} apart, in tiles of {:.2g}: its noise is coarse "
-        "there; vertices near their node are drawn fine wherever it is",
-        m, reach, std::nextafter(reach, std::numeric_limits<float>::max()) - reach, side));
+        "/materials/{}: vertices are {:.3g} units from their node, where floats are "
+        "{:.2g} apart, in tiles of {:.2g}: its noise may be coarse there; vertices near "
+        "their node are drawn fine wherever it is",
+        m, reach, spacing, side));
   }
 }
 
