@@ -15,9 +15,11 @@ struct DebugView {
 };
 constexpr std::array kDebugViews{
     DebugView{"normals", DEBUG_NORMALS},     DebugView{"base-color", DEBUG_BASE_COLOR},
-    DebugView{"weights", DEBUG_WEIGHTS},     DebugView{"lattice", DEBUG_LATTICE},
-    DebugView{"mip-level", DEBUG_MIP_LEVEL}, DebugView{"gaussian", DEBUG_GAUSSIAN},
-    DebugView{"impacts", DEBUG_IMPACTS},     DebugView{"planes", DEBUG_PLANES}};
+    DebugView{"roughness", DEBUG_ROUGHNESS}, DebugView{"metallic", DEBUG_METALLIC},
+    DebugView{"occlusion", DEBUG_OCCLUSION}, DebugView{"weights", DEBUG_WEIGHTS},
+    DebugView{"lattice", DEBUG_LATTICE},     DebugView{"mip-level", DEBUG_MIP_LEVEL},
+    DebugView{"gaussian", DEBUG_GAUSSIAN},   DebugView{"impacts", DEBUG_IMPACTS},
+    DebugView{"planes", DEBUG_PLANES}};
 
 } // namespace
 

@@ -80,39 +80,11 @@ const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Val
   return revision.IsInt() && revision.GetNumberAsInt() <= kNoiseRevision ? noise : kNull;
 }
 
-/// Of the mappings in space: uv is the default.
+/// Of the mappings in space: uv is the default. The extension is the plugin's to check: here and
+/// below a fault counts as absence.
 bool isMapped(const tinygltf::Value& use, Mapping expected) {
   const tinygltf::Value& mapping = at(use, "mapping");
   return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
-}
-
-/// The extension is the plugin's to check: here a fault counts as absence.
-NoiseUse readNoiseUse(const tinygltf::Value& use) {
-  const auto number = [&](const char* key, double absent) {
-    const tinygltf::Value& value = at(use, key);
-    return value.IsNumber() ? value.GetNumberAsDouble() : absent;
-  };
-  NoiseUse result;
-  if (isMapped(use, Mapping::triplanar))
-    result.mapping = NoiseMapping::triplanar;
-  else if (isMapped(use, Mapping::surface))
-    result.mapping = NoiseMapping::surface;
-  // tinygltf reads a seed of 2^31 or more as a negative number, of the same 32 bits.
-  if (const tinygltf::Value& seed = at(use, "seed"); seed.IsInt())
-    result.seed = std::uint32_t(seed.GetNumberAsInt());
-  const tinygltf::Value& offset = at(use, "offset");
-  for (int k = 0; k < 2; ++k)
-    if (at(offset, k).IsNumber())
-      result.offset[std::size_t(k)] = at(offset, k).GetNumberAsDouble();
-  result.scale = number("scale", result.scale);
-  result.rotation = number("rotation", result.rotation);
-  result.blendSharpness = number("blendSharpness", result.blendSharpness);
-  result.planeSharpness = number("planeSharpness", result.planeSharpness);
-  result.contrast = number("contrast", result.contrast);
-  if (const tinygltf::Value& steps = at(use, "tileRotation");
-      steps.IsInt() && steps.GetNumberAsInt() > 0)
-    result.tileRotation = std::min(std::uint32_t(steps.GetNumberAsInt()), kMostTileRotation);
-  return result;
 }
 
 /// Where the normals of a material's noise take their texture coordinates; nothing without normals.
@@ -220,7 +192,6 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   result.emissiveTexture = readSlot(model, source.emissiveTexture);
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
-    result.noise = readNoiseUse(*use);
     const tinygltf::Value& noise = noiseOf(model, *use);
     if (isMapped(*use, Mapping::surface))
       result.noiseNeedsTangents = noise.IsObject();

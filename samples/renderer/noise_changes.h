@@ -2,12 +2,12 @@
 // What someone who looks at a scene changes about all its noises at once.
 #pragma once
 
-#include "scene.h"
-
 #include <cstdint>
 #include <optional>
 
 namespace lichen::renderer {
+
+enum class NoiseMapping { uv, triplanar, surface };
 
 /// NoiseChanges::tileRotation of any angle: as many steps of a turn as the format has.
 inline constexpr std::uint32_t kFreeTileRotation = 65536;

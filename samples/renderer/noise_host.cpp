@@ -86,7 +86,7 @@ NoiseHost::NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
     loadBundle(device, scene);
   createPlaceholders(device, objects);
   createSets(device, objects, scene.materials.size());
-  change(device.device(), scene, {});
+  change(device.device(), {});
 }
 
 void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
@@ -221,8 +221,9 @@ void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::si
 }
 
 /// What a material's noise is drawn with: without a change, the file's own.
-LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material, const NoiseUse& use,
-                                         const NoiseChanges& changes) const {
+LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material) const {
+  const LichenMaterialProperties& own = materials_[material];
+  const NoiseChanges& changes = changes_;
   auto info = initialized<LichenUniformInfo>(LICHEN_STRUCTURE_UNIFORM_INFO);
   info.material = material;
   if (changes == NoiseChanges{})
@@ -230,35 +231,38 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material, const NoiseUse&
   info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS |
                    LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
                    LICHEN_OVERRIDE_TILE_ROTATION;
-  info.scale = clampTo(kScaleRange, use.scale * changes.scaleFactor);
-  info.seed = use.seed + changes.seedStep;
+  info.scale = clampTo(kScaleRange, own.scale * changes.scaleFactor);
+  info.seed = own.seed + changes.seedStep;
   info.blendSharpness =
-      clampTo(kBlendSharpnessRange, use.blendSharpness * changes.blendSharpnessFactor);
+      clampTo(kBlendSharpnessRange, own.blendSharpness * changes.blendSharpnessFactor);
   info.planeSharpness =
-      clampTo(kPlaneSharpnessRange, use.planeSharpness * changes.planeSharpnessFactor);
-  info.contrast = clampTo(kContrastRange, use.contrast * changes.contrastFactor);
-  info.tileRotation = changes.tileRotation.value_or(use.tileRotation);
-  NoiseMapping mapping = changes.mapping.value_or(use.mapping);
-  if (changes.noise && *changes.noise != materials_[material].noise) {
+      clampTo(kPlaneSharpnessRange, own.planeSharpness * changes.planeSharpnessFactor);
+  info.contrast = clampTo(kContrastRange, own.contrast * changes.contrastFactor);
+  info.tileRotation = changes.tileRotation.value_or(own.tileRotation);
+  LichenMapping mapping = changes.mapping ? codeOf(*changes.mapping) : own.mapping;
+  if (changes.noise && *changes.noise != own.noise) {
     // Nothing of the material is read then.
-    info.overrides |= LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION;
+    info.overrides |= LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
+                      LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS;
     info.noise = *changes.noise;
-    info.offset[0] = use.offset[0];
-    info.offset[1] = use.offset[1];
-    info.rotation = use.rotation;
+    info.offset[0] = own.offset[0];
+    info.offset[1] = own.offset[1];
+    info.rotation = own.rotation;
+    info.impacts = own.impacts;
+    info.pointProcess = own.pointProcess;
     auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
     check(lichenGetNoiseProperties(bundle_.get(), info.noise, &noise));
-    if (mapping == NoiseMapping::surface && noise.method != LICHEN_NOISE_TEXTON)
-      mapping = NoiseMapping::triplanar; // the other one that needs no texture coordinates
+    if (mapping == LICHEN_MAPPING_SURFACE && noise.method != LICHEN_NOISE_TEXTON)
+      mapping = LICHEN_MAPPING_TRIPLANAR; // the other one that needs no texture coordinates
   }
   if (changes.mapping || info.overrides & LICHEN_OVERRIDE_NOISE) {
     info.overrides |= LICHEN_OVERRIDE_MAPPING;
-    info.mapping = codeOf(mapping);
+    info.mapping = mapping;
   }
   return info;
 }
 
-void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& changes) {
+void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
   if (changes.noise && *changes.noise >= names_.size())
     throw Failure{{ErrorKind::usage, "noise " + std::to_string(*changes.noise) +
                                          " is not in the bundle, which has " +
@@ -268,11 +272,9 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
   changes_ = changes;
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
-      const NoiseUse& use = scene.materials[m].noise;
-      const LichenUniformInfo info = uniformInfo(m, use, changes);
       noises_[m] = changes.noise.value_or(materials_[m].noise);
       roles_[m] = rolesOf(noises_[m], materials_[m].texCoord);
-      const LichenMapping mapping = mappingOf(info);
+      const LichenMapping mapping = mappingOf(uniformInfo(m));
       hasSurfaceNoises_ = hasSurfaceNoises_ || mapping == LICHEN_MAPPING_SURFACE;
       hasTriplanarNoises_ = hasTriplanarNoises_ || mapping == LICHEN_MAPPING_TRIPLANAR;
       hasOtherMappings_ = hasOtherMappings_ || mapping != LICHEN_MAPPING_TRIPLANAR;
@@ -280,18 +282,19 @@ void NoiseHost::change(VkDevice device, const Scene& scene, const NoiseChanges& 
           mapping != LICHEN_MAPPING_UV &&
           changes.inObjectSpace.value_or(materials_[m].space == LICHEN_SPACE_OBJECT);
       hasObjectSpaces_ = hasObjectSpaces_ || roles_[m].inObjectSpace;
-      hasTileRotation_ = hasTileRotation_ || changes.tileRotation.value_or(use.tileRotation) > 1;
-      fillUniforms(scene, m);
+      hasTileRotation_ =
+          hasTileRotation_ || changes.tileRotation.value_or(materials_[m].tileRotation) > 1;
+      fillUniforms(m);
     }
     writeNoiseSet(device, m);
   }
 }
 
-void NoiseHost::place(const Scene& scene, const glm::dvec3& origin) {
+void NoiseHost::place(const glm::dvec3& origin) {
   origin_ = origin;
   for (std::uint32_t m = 0; m < materials_.size(); ++m)
     if (materials_[m].noise != LICHEN_NO_NOISE)
-      fillUniforms(scene, m);
+      fillUniforms(m);
 }
 
 LichenMapping NoiseHost::mappingOf(const LichenUniformInfo& info) const {
@@ -299,27 +302,25 @@ LichenMapping NoiseHost::mappingOf(const LichenUniformInfo& info) const {
                                                   : materials_[info.material].mapping;
 }
 
-double NoiseHost::tileSide(const LichenUniformInfo& info, const NoiseUse& use) const {
+double NoiseHost::tileSide(const LichenUniformInfo& info) const {
   if (mappingOf(info) == LICHEN_MAPPING_UV)
     return 0.0;
   auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
   check(lichenGetNoiseProperties(bundle_.get(), noises_[info.material], &noise));
-  const double scale = info.overrides & LICHEN_OVERRIDE_SCALE ? info.scale : use.scale;
+  const double scale =
+      info.overrides & LICHEN_OVERRIDE_SCALE ? info.scale : materials_[info.material].scale;
   return scale * double(noise.tileSizeMetres);
 }
 
-double NoiseHost::tileSide(const Scene& scene, std::size_t material) const {
-  if (!hasNoise(material))
-    return 0.0;
-  const NoiseUse& use = scene.materials[material].noise;
-  return tileSide(uniformInfo(std::uint32_t(material), use, changes_), use);
+double NoiseHost::tileSide(std::size_t material) const {
+  return hasNoise(material) ? tileSide(uniformInfo(std::uint32_t(material))) : 0.0;
 }
 
 /// docs/integration.md, "Precision": of a noise in the world.
-void NoiseHost::setTileOrigin(LichenUniformInfo& info, const NoiseUse& use) {
+void NoiseHost::setTileOrigin(LichenUniformInfo& info) {
   NoiseRoles& roles = roles_[info.material];
   roles.fromTileOrigin = glm::vec3(0.0f);
-  const double side = tileSide(info, use);
+  const double side = tileSide(info);
   if (side == 0.0 || roles.inObjectSpace)
     return;
   constexpr double kFarthest = 1099511627776; // 2^40 tiles, as LichenUniformInfo states
@@ -336,10 +337,9 @@ void NoiseHost::setTileOrigin(LichenUniformInfo& info, const NoiseUse& use) {
   info.tileOriginZ = std::int64_t(held.z);
 }
 
-void NoiseHost::fillUniforms(const Scene& scene, std::uint32_t material) {
-  const NoiseUse& use = scene.materials[material].noise;
-  LichenUniformInfo info = uniformInfo(material, use, changes_);
-  setTileOrigin(info, use);
+void NoiseHost::fillUniforms(std::uint32_t material) {
+  LichenUniformInfo info = uniformInfo(material);
+  setTileOrigin(info);
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   check(lichenFillUniforms(bundle_.get(), &info,
                            uniforms_.mapped + VkDeviceSize(LICHEN_UNIFORM_BYTES) * material,

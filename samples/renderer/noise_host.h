@@ -39,11 +39,11 @@ public:
   /// Draws the scene's noises with these changes in place of earlier ones. All that is told below
   /// may be different then. No frame may be in flight. Throws a Failure: usage for a noise that the
   /// bundle does not have.
-  void change(VkDevice device, const Scene& scene, const NoiseChanges& changes);
+  void change(VkDevice device, const NoiseChanges& changes);
 
   /// Draws noises that lie in the world for places relative to `origin`; at first it is the
   /// world's. No frame may be in flight.
-  void place(const Scene& scene, const glm::dvec3& origin);
+  void place(const glm::dvec3& origin);
 
   /// Whether a material is drawn with a noise: some are not, though they carry the extension.
   [[nodiscard]] bool hasNoise(std::size_t material) const {
@@ -72,7 +72,7 @@ public:
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
   /// Side of the tiles of a noise that lies in space, in its units; 0 for others.
-  [[nodiscard]] double tileSide(const Scene& scene, std::size_t material) const;
+  [[nodiscard]] double tileSide(std::size_t material) const;
 
   /// What of the materials' noises is not drawn, one sentence each.
   [[nodiscard]] const std::set<std::string>& notes() const { return notes_; }
@@ -90,12 +90,11 @@ private:
   void createPlaceholders(HeadlessDevice& device, ObjectOwner& objects);
   void readMaterials(const Scene& scene);
   void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
-  [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material, const NoiseUse& use,
-                                              const NoiseChanges& changes) const;
+  [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material) const;
   [[nodiscard]] LichenMapping mappingOf(const LichenUniformInfo& info) const;
-  [[nodiscard]] double tileSide(const LichenUniformInfo& info, const NoiseUse& use) const;
-  void setTileOrigin(LichenUniformInfo& info, const NoiseUse& use);
-  void fillUniforms(const Scene& scene, std::uint32_t material);
+  [[nodiscard]] double tileSide(const LichenUniformInfo& info) const;
+  void setTileOrigin(LichenUniformInfo& info);
+  void fillUniforms(std::uint32_t material);
   void writeNoiseSet(VkDevice device, std::size_t material) const;
   [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord);
   [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>

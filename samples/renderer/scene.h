@@ -77,22 +77,6 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-enum class NoiseMapping { uv, triplanar, surface };
-
-/// How a material uses its noise, as LICHEN_materials_exemplar_noise says: what of it a viewer
-/// changes or must keep. What is drawn without a change is the plugin's to read.
-struct NoiseUse {
-  NoiseMapping mapping = NoiseMapping::uv;
-  std::uint32_t seed = 1;
-  double scale = 1.0;
-  std::array<double, 2> offset{};
-  double rotation = 0.0;
-  double blendSharpness = 1.0;
-  double planeSharpness = 8.0;
-  double contrast = 1.0;
-  std::uint32_t tileRotation = 0;
-};
-
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f}; ///< linear
@@ -111,7 +95,6 @@ struct Material {
   TextureSlot emissiveTexture;
   /// Carries LICHEN_materials_exemplar_noise; NoiseHost tells whether it is drawn with a noise.
   bool hasNoise = false;
-  NoiseUse noise; ///< where it has one
   /// Where the noise's mix has its weight, if from a mask or from vertex colours COLOR_n: the
   /// image is then none, or nothing is here.
   TextureSlot mixTexture;

@@ -87,7 +87,7 @@ void SceneRenderer::noteCoarseVertices() {
   std::set<std::size_t> noted;
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
-    const double side = noises_.tileSide(scene_, m);
+    const double side = noises_.tileSide(m);
     if (side == 0.0 || noted.contains(m))
       continue;
     const auto [known, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
@@ -215,7 +215,7 @@ void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
   const glm::dvec3 origin = originNear(camera);
   if (origin != std::exchange(inputs_.origin, origin)) {
-    noises_.place(scene_, origin);
+    noises_.place(origin);
     writeMaterials(scene_, noises_, gpu_);
   }
   if (hasHaze_) // from within the subject no nearer than from its border
@@ -235,7 +235,7 @@ void SceneRenderer::setDebugView(const std::string& name) {
 
 void SceneRenderer::setNoise(const NoiseChanges& changes) {
   const SurfaceConstants before = surfaceConstants();
-  noises_.change(device_.device(), scene_, changes);
+  noises_.change(device_.device(), changes);
   writeMaterials(scene_, noises_, gpu_);
   if (surfaceConstants() != before)
     makePipelines();

@@ -4,6 +4,7 @@
 #include "rendered.h"
 #include "scene_renderer.h"
 #include "synthetic_noise.h"
+#include "synthetic_texton.h"
 
 using namespace lichen;
 using namespace lichen::test;
@@ -99,6 +100,29 @@ TEST_CASE(
   checkAsFile(changes, {{"noise", 1}});
   session.renderer().setNoise({});
   CHECK(session.picture() == first);
+}
+
+TEST_CASE("textons that take another noise's place keep the material's impacts") {
+  GltfScene scene(syntheticTextonGlb({.coefficientsX = 15, .coefficientsY = 15, .mipLevels = 2}));
+  json& noises = scene.json["extensions"][kExtension]["noises"];
+  json second = noises[0];
+  second["name"] = "second";
+  for (json& mean : second["maps"][0]["mean"])
+    mean = 0.75 * mean.get<double>();
+  noises.push_back(second);
+  useOf(scene).update({{"impacts", 7}, {"pointProcess", "poisson"}});
+  scene.addBall(0);
+  scene.addCamera(4.0f, 0.6f);
+  scene.addSun(3.0f);
+  Session session(scene);
+  const std::vector<float> first = session.picture();
+  renderer::NoiseChanges changes;
+  changes.noise = 1;
+  session.renderer().setNoise(changes);
+  const std::vector<float> picture = session.picture();
+  CHECK(picture != first);
+  useOf(scene)["noise"] = 1;
+  CHECK(picture == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
 }
 
 TEST_CASE("size, camera, exposure and debug view may change between frames") {

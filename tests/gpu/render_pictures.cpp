@@ -214,6 +214,22 @@ TEST_CASE("each debug view of a noise is as it was") {
   }
 }
 
+TEST_CASE("the views of roughness, metallic and occlusion show what is shaded with") {
+  GltfScene scene;
+  const auto material = scene.addMaterial(
+      {{"pbrMetallicRoughness", {{"metallicFactor", 0.75}, {"roughnessFactor", 0.3}}}});
+  scene.addBall(material);
+  scene.addCamera(4.0f, 0.6f);
+  for (const auto& [view, expected] :
+       {std::pair{"roughness", 0.3}, std::pair{"metallic", 0.75}, std::pair{"occlusion", 1.0}}) {
+    RenderSettings settings = settingsOf(32, 32, 1);
+    settings.debugView = view;
+    const LinearImage image = render(scene.glb(), settings);
+    INFO(view);
+    CHECK(double(image.values[3 * (16 * 32 + 16)]) == Approx(expected).margin(1e-3));
+  }
+}
+
 TEST_CASE("a white ball is invisible in a white furnace, whatever its roughness") {
   // Half floats, and a table of the specular albedo with 32 steps.
   constexpr double kTolerance = 0.01;

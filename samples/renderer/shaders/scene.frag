@@ -94,6 +94,12 @@ void main() {
     shown = 0.5 + 0.5 * s.normal;
   else if (kDebugView == DEBUG_BASE_COLOR)
     shown = surface.baseColor.rgb;
+  else if (kDebugView == DEBUG_ROUGHNESS)
+    shown = vec3(s.roughness);
+  else if (kDebugView == DEBUG_METALLIC)
+    shown = vec3(surface.metallic);
+  else if (kDebugView == DEBUG_OCCLUSION)
+    shown = vec3(surface.occlusion);
   else
     shown = noiseDebug(footprint);
   color = vec4(shown, surface.baseColor.a);

@@ -63,6 +63,9 @@
 #define DEBUG_GAUSSIAN 6
 #define DEBUG_IMPACTS 7
 #define DEBUG_PLANES 8
+#define DEBUG_ROUGHNESS 9
+#define DEBUG_METALLIC 10
+#define DEBUG_OCCLUSION 11
 
 #ifdef __cplusplus
 #include <glm/glm.hpp>
