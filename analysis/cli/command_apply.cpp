@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: a noise on the materials of an existing scene.
 #include "apply_frames.h"
+#include "apply_meshes.h"
 #include "apply_mix.h"
 #include "command.h"
 #include "noise_choice.h"
@@ -282,6 +283,10 @@ Result<Outcome> apply(const Arguments& arguments) {
     return mix.error();
   use.mix = mix.value();
   Outcome outcome;
+  // The frames of a surface are made of the same vertices, with refusals of their own.
+  if (use.mapping != Mapping::surface)
+    if (Result<void> sound = checkMeshes(scene, materials.value(), outcome.notes); !sound)
+      return sound.error();
   if (use.mapping == Mapping::uv)
     if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
       return there.error();

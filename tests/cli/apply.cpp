@@ -185,6 +185,70 @@ TEST_CASE("mappings that a method has not, or that the meshes do not allow, are 
   CHECK(!std::filesystem::exists(workplace.path("x.glb")));
 }
 
+TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const auto refused = [&](const example::TinyScene& scene, const std::vector<std::string>& words) {
+    const std::string path = writeScene(workplace, scene);
+    for (const char* mapping : {"uv", "triplanar"})
+      checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--mapping", mapping,
+                    "-o", workplace.path("x.glb")},
+                   int(ErrorKind::badInput), words);
+    const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
+    CHECK(other.code == 0); // what is at fault stays as it is
+    CHECK_THAT(other.errors, Catch::Contains(words.back()) && Catch::Contains("stays as it is"));
+  };
+  const example::TinyScene sound = example::tableScene();
+  const auto attributeOf = [](example::TinyScene & scene) -> auto& {
+    return scene.json["meshes"][0]["primitives"][0]["attributes"];
+  };
+  example::TinyScene scene = sound;
+  const std::vector<std::uint16_t> outside{0, 1, 4};
+  scene.json["meshes"][0]["primitives"][0]["indices"] =
+      scene.addAccessor(outside, "SCALAR", 5123, 1);
+  refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "index 4; below 4 is accepted"});
+  for (const auto& [name, components] : {std::pair{"POSITION", 3}, std::pair{"TEXCOORD_0", 2}}) {
+    scene = sound;
+    const std::vector<float> values(std::size_t(4 * components), std::nanf(""));
+    const char* type = components == 3 ? "VEC3" : "VEC2";
+    attributeOf(scene)[name] = scene.addFloats(values, type, std::size_t(components));
+    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "NaN"});
+    scene = sound;
+    const std::vector<float> four(std::size_t(4 * 4));
+    attributeOf(scene)[name] = scene.addFloats(four, "VEC4", 4);
+    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", std::string("not ") + type});
+  }
+  scene = sound;
+  attributeOf(scene)["TEXCOORD_0"] = scene.addFloats({0, 0, 1, 1}, "VEC2", 2);
+  refused(scene, {"primitive 0 of mesh 'table'", "2 texture coordinates for 4 positions"});
+  scene = sound;
+  scene.json["meshes"][0]["primitives"][0]["mode"] = 7;
+  refused(scene, {"primitive 0 of mesh 'table'", "mode 7; 0 to 6 is accepted"});
+  CHECK(!std::filesystem::exists(workplace.path("x.glb")));
+}
+
+TEST_CASE("vertices that are compressed get the noise, with a note") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const example::TinyScene sound = example::tableScene();
+  const auto noted = [&](const example::TinyScene& scene, const std::string& extension) {
+    const Ended ended = apply(workplace, writeScene(workplace, scene), wool, "wood");
+    CHECK(ended.code == 0);
+    CHECK_THAT(ended.errors, Catch::Contains("primitive 0 of mesh 'table'") &&
+                                 Catch::Contains(extension) &&
+                                 Catch::Contains("lichen-render does not read"));
+  };
+  example::TinyScene scene = sound;
+  scene.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+  noted(scene, "KHR_draco_mesh_compression");
+  scene = sound;
+  const std::size_t position = scene.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  const std::size_t view = scene.json["accessors"][position]["bufferView"];
+  scene.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+  noted(scene, "EXT_meshopt_compression");
+}
+
 TEST_CASE("surface noise gets a frame where there is none") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);

@@ -58,6 +58,12 @@ public:
   /// for vertices that are compressed by an extension; resources.
   [[nodiscard]] Result<PrimitiveGeometry> geometry(PrimitivePlace place);
 
+  /// Reads positions, normals, texture coordinates and indices, of points and lines too, without
+  /// keeping them. Returns the extension by which they are compressed, then unread, or nothing.
+  /// Errors: badInput, naming the primitive and the accessor, where no viewer can draw it;
+  /// resources.
+  [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
+
   /// Adds vertices as an accessor of floats, and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
