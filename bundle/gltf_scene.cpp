@@ -233,6 +233,16 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
       .set(accessor);
 }
 
+void GltfScene::setFactor(std::size_t material, std::string_view parent, std::string_view key,
+                          const std::vector<float>& value) {
+  JsonChange& whole = state_->changes.member("materials").element(material);
+  JsonChange& change = (parent.empty() ? whole : whole.member(parent)).member(key);
+  if (value.size() == 1)
+    change.set(value.front());
+  else
+    change.set(value);
+}
+
 std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {
   const std::size_t view = state_->addView(file, sizeof(std::uint32_t), false);
   const std::size_t image = state_->countOf("images") + state_->addedTextures;

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iomanip>
@@ -140,6 +141,44 @@ TEST_CASE("materials are named, counted or all") {
   CHECK(!std::filesystem::exists(output));
 }
 
+TEST_CASE("several materials are named by as many options, names with commas too") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  scene.json["materials"][0]["name"] = "oak, oiled";
+  scene.json["materials"].push_back({{"name", "third"}});
+  const std::string path = writeScene(workplace, scene);
+  const json document = applied(workplace, path, wool, "third",
+                                {"--material", "oak, oiled", "--mapping", "triplanar"});
+  CHECK(document["materials"][0].contains("extensions"));
+  CHECK(!document["materials"][1].contains("extensions"));
+  CHECK(document["materials"][2].contains("extensions"));
+  checkRefusal({"apply", path, "--noise", wool, "--material", "all", "--material", "third", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"--material all"});
+}
+
+TEST_CASE("of all materials those without texture coordinates are left out with a note") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  const std::string path = writeScene(workplace, scene);
+  const Ended ended = apply(workplace, path, wool, "all");
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("material 'glass' left out") &&
+                               Catch::Contains("TEXCOORD_0") && Catch::Contains("another mapping"));
+  const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+  CHECK(document["materials"][0].contains("extensions"));
+  CHECK(!document["materials"][1].contains("extensions"));
+  checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--material", "glass", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::badInput), {"material 'glass'", "TEXCOORD_0"});
+  scene.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
+  checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "all", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::badInput), {"material 'wood'", "TEXCOORD_0"});
+}
+
 TEST_CASE("a noise of a bundle is named behind a colon") {
   const Workplace workplace;
   const std::string grey = workplace.write("grey.png", smoothGrey(8));
@@ -177,7 +216,6 @@ TEST_CASE("mappings that a method has not, or that the meshes do not allow, are 
   refused(wool, "solid", "0", usage, {"texton", "uv, triplanar or surface"});
   refused(moss, "uv", "glass", bad,
           {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
-  refused(moss, "uv", "all", bad, {"material 'glass'", "TEXCOORD_0"});
   scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
   refused(wool, "surface", "0", bad, {"primitive 0", "TANGENT", "normalTexture"});
   scene.json["meshes"][0]["primitives"][1]["mode"] = 3;
@@ -373,9 +411,45 @@ TEST_CASE("the report tells frames, singularities and what multiplies the noise"
 
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const Ended noted = apply(workplace, scene, moss, "wood");
-  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1.0]") &&
+  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1]") &&
                                Catch::Contains("material 'wood'"));
   CHECK(apply(workplace, scene, moss, "wood", {"--quiet"}).errors.empty());
+}
+
+TEST_CASE("factors are kept or set to 1, and a note has those of many materials") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  example::TinyScene scene = example::tableScene();
+  auto& materials = scene.json["materials"];
+  materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.5};
+  materials[1]["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};
+  for (int more = 0; more < 6; ++more)
+    materials.push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
+  const std::string path = writeScene(workplace, scene);
+  const Arguments triplanar{"--mapping", "triplanar"};
+  const Ended kept = apply(workplace, path, moss, "all", triplanar);
+  REQUIRE(kept.code == 0);
+  CHECK_THAT(kept.errors,
+             Catch::Contains("baseColorFactor [0.8,0,0,0.5] of material 'wood', baseColorFactor "
+                             "[0.5,0.5,0.5,1] of material 2,") &&
+                 Catch::Contains("and 3 others multiply the noise") &&
+                 Catch::Contains("--factors one") &&
+                 Catch::Contains("[0.05,0.09,0,1] of material 'glass' is below 0.1"));
+  CHECK(std::count(kept.errors.begin(), kept.errors.end(), '\n') == 2);
+  const json document =
+      applied(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one"});
+  const auto factorOf = [&](std::size_t material) {
+    return document["materials"][material]["pbrMetallicRoughness"]["baseColorFactor"];
+  };
+  CHECK(factorOf(0) == json{1.0, 1.0, 1.0, 0.5});
+  CHECK(factorOf(1) == json{1.0, 1.0, 1.0, 1.0});
+  CHECK(factorOf(7) == json{1.0, 1.0, 1.0, 1.0});
+  CHECK(
+      apply(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one", "--quiet"})
+          .errors.empty());
+  checkRefusal({"apply", path, "--noise", moss, "--material", "0", "--factors", "2", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"--factors 2", "keep or one"});
 }
 
 TEST_CASE("the same noise on a scene twice is stored once, under its name") {

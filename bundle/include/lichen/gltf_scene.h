@@ -70,6 +70,11 @@ public:
   /// Adds or replaces an attribute. Throws std::bad_alloc.
   void setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor);
 
+  /// Adds or replaces a factor of a material, a number or several, in the object `parent` of it, or
+  /// in the material itself where that is empty. Throws std::bad_alloc.
+  void setFactor(std::size_t material, std::string_view parent, std::string_view key,
+                 const std::vector<float>& value);
+
   /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which ends at its
   /// borders and does not repeat; returns the texture's index. Throws std::bad_alloc.
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
