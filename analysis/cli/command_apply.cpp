@@ -159,6 +159,11 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
 
 Result<Outcome> apply(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
+  if (name.empty() && file.size() < arguments.noise.size())
+    return Error{ErrorKind::usage,
+                 fmt::format("--noise {}: the name behind the colon is empty; {} or {}:NAME is "
+                             "accepted",
+                             arguments.noise, file, file)};
   const Result<Bundle> bundle = readBundle(file);
   if (!bundle)
     return bundle.error();

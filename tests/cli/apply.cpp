@@ -196,6 +196,9 @@ TEST_CASE("a noise of a bundle is named behind a colon") {
   checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
                 "-o", workplace.path("x.glb")},
                int(ErrorKind::usage), {"three", "one, two"});
+  checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:"), "--material", "0", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"b:th.glb::", "empty"});
 }
 
 TEST_CASE("mappings that a method has not, or that the meshes do not allow, are refused by name") {
