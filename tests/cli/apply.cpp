@@ -268,6 +268,23 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
   CHECK(!std::filesystem::exists(workplace.path("x.glb")));
 }
 
+TEST_CASE("materials that are not what glTF says are refused by their place") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const auto refused = [&](const char* member, const json& value, const char* named) {
+    example::TinyScene scene = example::tableScene();
+    scene.json["materials"][0][member] = value;
+    checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "wood",
+                  "-o", workplace.path("x.glb")},
+                 int(ErrorKind::badInput), {named});
+  };
+  refused("pbrMetallicRoughness", json::array(), "/materials/0/pbrMetallicRoughness");
+  refused("pbrMetallicRoughness", json{{"baseColorTexture", 1}}, "baseColorTexture");
+  refused("normalTexture", json{{"scale", 1}}, "/materials/0/normalTexture");
+  refused("emissiveTexture", json{{"index", 0}, {"extensions", {{"KHR_texture_transform", "no"}}}},
+          "/materials/0/emissiveTexture/extensions");
+}
+
 TEST_CASE("vertices that are compressed get the noise, with a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
