@@ -227,14 +227,13 @@ private:
   }
 
   void refuseCompressed(std::size_t view) {
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-      if (file_.document().contains(
-              json::json_pointer("/bufferViews/" + std::to_string(view) + "/extensions/" + name))) {
-        findings_.error("compressed", "/bufferViews/" + std::to_string(view),
-                        std::string("is compressed with ") + name +
-                            "; vertices that are not compressed are accepted");
-        throw Unreadable{};
-      }
+    const std::optional<std::string> name = compressionOfView(file_.document(), view);
+    if (!name)
+      return;
+    findings_.error("compressed", "/bufferViews/" + std::to_string(view),
+                    "is compressed with " + *name +
+                        "; vertices that are not compressed are accepted");
+    throw Unreadable{};
   }
 
   GltfFile& file_;
@@ -250,12 +249,22 @@ private:
 
 } // namespace
 
-std::optional<std::vector<std::array<float, 3>>> readVectors(GltfFile& file, std::size_t accessor,
-                                                             FindingList& findings) {
+std::optional<std::string> compressionOfView(const json& document, std::size_t view) {
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (document.contains(
+            json::json_pointer("/bufferViews/" + std::to_string(view) + "/extensions/" + name)))
+      return name;
+  return std::nullopt;
+}
+
+template <std::size_t kComponents>
+std::optional<std::vector<std::array<float, kComponents>>>
+readVectors(GltfFile& file, std::size_t accessor, FindingList& findings) {
   try {
-    constexpr std::size_t kComponents = 3;
     AccessorReader reader(file, accessor, findings);
-    reader.describe("VEC3", kComponents, {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
+    const std::string type = "VEC" + std::to_string(kComponents);
+    reader.describe(type.c_str(), kComponents,
+                    {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
     const std::size_t bytes = componentBytes(reader.type());
     return reader.values([&](const std::byte* element) {
       std::array<float, kComponents> value{};
@@ -270,6 +279,11 @@ std::optional<std::vector<std::array<float, 3>>> readVectors(GltfFile& file, std
     return std::nullopt;
   }
 }
+
+template std::optional<std::vector<std::array<float, 2>>> readVectors<2>(GltfFile&, std::size_t,
+                                                                         FindingList&);
+template std::optional<std::vector<std::array<float, 3>>> readVectors<3>(GltfFile&, std::size_t,
+                                                                         FindingList&);
 
 std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_t accessor,
                                                       std::size_t limit, FindingList& findings) {

@@ -66,9 +66,12 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
     if (!file)
       return file.error();
     FindingList findings;
-    static_cast<void>(inspect(file.value(), folderOf(path), findings));
-    if (!findings.all().empty() && findings.all().front().code == kNotGltf)
-      return Error{ErrorKind::badInput, path.string() + ": " + findings.all().front().message};
+    std::optional<GltfFile> gltf = GltfFile::open(file.value(), folderOf(path), findings);
+    if (gltf)
+      static_cast<void>(readExtension(*gltf, findings));
+    else if (const Finding& fault = findings.all().front(); fault.code != "memory")
+      return Error{ErrorKind::badInput, path.string() + ": " + fault.pointer +
+                                            (fault.pointer.empty() ? "" : ": ") + fault.message};
     // What could not be read for lack of memory may be sound.
     if (std::any_of(findings.all().begin(), findings.all().end(),
                     [](const Finding& finding) { return finding.code == "memory"; }))

@@ -25,6 +25,8 @@ public:
     for (const char* array :
          {"accessors", "bufferViews", "buffers", "images", "materials", "samplers", "textures"})
       objects(root_, array, "");
+    for (std::size_t m = 0; root_.contains("materials") && m < root_["materials"].size(); ++m)
+      material(root_["materials"][m], "/materials/" + std::to_string(m));
     const json* meshes = objects(root_, "meshes", "");
     for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
       const std::string mesh = "/meshes/" + std::to_string(m);
@@ -45,6 +47,37 @@ private:
       return &*list;
     findings_.error("type", pointer + "/" + key, "not an array of objects");
     return nullptr;
+  }
+
+  /// The noise takes the place of textures and is multiplied by what stands beside them.
+  void material(const json& value, const std::string& pointer) {
+    if (!value.is_object())
+      return; // which has been said of the array
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+      texture(value, key, pointer);
+    const auto core = value.find("pbrMetallicRoughness");
+    if (core == value.end())
+      return;
+    const std::string place = pointer + "/pbrMetallicRoughness";
+    if (!core->is_object())
+      findings_.error("type", place, "not an object");
+    else
+      for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"})
+        texture(*core, key, place);
+  }
+
+  void texture(const json& parent, const char* key, const std::string& pointer) {
+    const auto value = parent.find(key);
+    if (value == parent.end())
+      return;
+    const std::string place = pointer + "/" + key;
+    if (!value->is_object() || !value->contains("index") || !(*value)["index"].is_number_unsigned())
+      findings_.error("type", place, "not an object with an index of a texture");
+    else if (const auto extensions = value->find("extensions"); extensions != value->end())
+      if (!extensions->is_object() ||
+          !std::all_of(extensions->begin(), extensions->end(),
+                       [](const json& each) { return each.is_object(); }))
+        findings_.error("type", place + "/extensions", "not an object of objects");
   }
 
   void primitive(const json& value, const std::string& pointer) {
@@ -231,6 +264,16 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
       .member("attributes")
       .member(name)
       .set(accessor);
+}
+
+void GltfScene::setFactor(std::size_t material, std::string_view parent, std::string_view key,
+                          const std::vector<float>& value) {
+  JsonChange& whole = state_->changes.member("materials").element(material);
+  JsonChange& change = (parent.empty() ? whole : whole.member(parent)).member(key);
+  if (value.size() == 1)
+    change.set(value.front());
+  else
+    change.set(value);
 }
 
 std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {

@@ -12,6 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t kTriangles = 4, kTriangleFan = 6; // a strip is between
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 /// A strip's or fan's triangles are wound like its first. A list loses an incomplete last one.
 std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, std::uint64_t mode) {
@@ -29,14 +30,17 @@ std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, st
   return list;
 }
 
+bool hasDraco(const json& primitive) {
+  const auto extensions = primitive.find("extensions");
+  return extensions != primitive.end() && extensions->is_object() && extensions->contains(kDraco);
+}
+
 /// What of a primitive says that its triangles cannot be read, or nothing.
 std::optional<std::string> unreadable(const json& primitive) {
-  constexpr const char* kDraco = "KHR_draco_mesh_compression";
   const std::uint64_t mode = primitive.value("mode", kTriangles);
   if (mode < kTriangles || mode > kTriangleFan)
     return "mode " + std::to_string(mode) + ", points or lines; triangles are accepted";
-  const auto extensions = primitive.find("extensions");
-  if (extensions != primitive.end() && extensions->is_object() && extensions->contains(kDraco))
+  if (hasDraco(primitive))
     return std::string("is compressed with ") + kDraco +
            "; vertices that are not compressed are accepted";
   if (!primitive["attributes"].contains("POSITION"))
@@ -44,12 +48,13 @@ std::optional<std::string> unreadable(const json& primitive) {
   return std::nullopt;
 }
 
-/// Errors are recorded; the result is then incomplete.
+/// Its `triangles` are the indices as they are stored. Errors are recorded; the result is then
+/// incomplete.
 PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingList& findings) {
   PrimitiveGeometry geometry;
   const json& attributes = primitive["attributes"];
   const auto vectors = [&](const char* name) {
-    auto values = readVectors(file, attributes[name].get<std::size_t>(), findings);
+    auto values = readVectors<3>(file, attributes[name].get<std::size_t>(), findings);
     return values ? std::move(*values) : std::vector<std::array<float, 3>>();
   };
   geometry.positions = vectors("POSITION");
@@ -61,19 +66,54 @@ PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingLis
     findings.error("accessor", "",
                    std::to_string(geometry.normals.size()) + " normals for " +
                        std::to_string(geometry.positions.size()) + " positions");
-  std::vector<std::uint32_t> indices;
   if (primitive.contains("indices")) {
     auto values = readIndices(file, primitive["indices"].get<std::size_t>(),
                               geometry.positions.size(), findings);
-    if (!values)
-      return geometry;
-    indices = std::move(*values);
+    if (values)
+      geometry.triangles = std::move(*values);
   } else {
-    indices.resize(geometry.positions.size());
-    std::iota(indices.begin(), indices.end(), 0u);
+    geometry.triangles.resize(geometry.positions.size());
+    std::iota(geometry.triangles.begin(), geometry.triangles.end(), 0u);
   }
-  geometry.triangles = asTriangleList(std::move(indices), primitive.value("mode", kTriangles));
   return geometry;
+}
+
+/// Texture coordinates that are there are as many as positions, and numbers. Errors are recorded.
+void checkTexCoords(GltfFile& file, const json& primitive, std::size_t positions,
+                    FindingList& findings) {
+  for (const auto& [name, accessor] : primitive["attributes"].items()) {
+    if (!name.starts_with("TEXCOORD_"))
+      continue;
+    const auto values = readVectors<2>(file, accessor.get<std::size_t>(), findings);
+    if (values && values->size() != positions)
+      findings.error("accessor", "/accessors/" + std::to_string(accessor.get<std::size_t>()),
+                     std::to_string(values->size()) + " texture coordinates for " +
+                         std::to_string(positions) + " positions");
+  }
+}
+
+/// The extension that compresses what would be read of a primitive, or nothing.
+std::optional<std::string> compressionOf(const json& document, const json& primitive) {
+  if (hasDraco(primitive))
+    return kDraco;
+  const auto ofAccessor = [&](const json& index) -> std::optional<std::string> {
+    const json& accessor = document["accessors"][index.get<std::size_t>()];
+    const auto view = accessor.find("bufferView");
+    return view != accessor.end() && view->is_number_unsigned()
+               ? compressionOfView(document, view->get<std::size_t>())
+               : std::nullopt;
+  };
+  for (const json& accessor : primitive["attributes"])
+    if (std::optional<std::string> name = ofAccessor(accessor))
+      return name;
+  return primitive.contains("indices") ? ofAccessor(primitive["indices"]) : std::nullopt;
+}
+
+/// The first fault, of the primitive of this title.
+Error faultOf(const FindingList& findings, const std::string& title) {
+  const Finding& first = findings.all().front();
+  return Error{first.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
+               title + first.pointer + (first.pointer.empty() ? "" : ": ") + first.message};
 }
 
 } // namespace
@@ -86,14 +126,38 @@ Result<PrimitiveGeometry> GltfScene::geometry(PrimitivePlace place) {
       return Error{ErrorKind::badInput, title + *fault};
     FindingList findings;
     PrimitiveGeometry geometry = readGeometry(*state_->file, primitive, findings);
-    if (findings.errorCount() == 0)
-      return geometry;
-    const Finding& first = findings.all().front();
-    return Error{first.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
-                 title + first.pointer + (first.pointer.empty() ? "" : ": ") + first.message};
+    if (findings.errorCount() > 0)
+      return faultOf(findings, title);
+    geometry.triangles =
+        asTriangleList(std::move(geometry.triangles), primitive.value("mode", kTriangles));
+    return geometry;
   };
   return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
                       read);
+}
+
+Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place) {
+  using Compression = std::optional<std::string>;
+  const auto check = [&]() -> Result<Compression> {
+    const json& primitive = state_->primitive(place);
+    const std::string title = state_->path.string() + ": " + primitiveTitle(place) + ": ";
+    if (const std::uint64_t mode = primitive.value("mode", kTriangles); mode > kTriangleFan)
+      return Error{ErrorKind::badInput, title + "mode " + std::to_string(mode) + "; 0 to " +
+                                            std::to_string(kTriangleFan) + " is accepted"};
+    if (Compression extension = compressionOf(document(), primitive))
+      return extension;
+    if (!primitive["attributes"].contains("POSITION"))
+      return Compression(); // which glTF allows, and nothing is drawn
+    FindingList findings;
+    const PrimitiveGeometry geometry = readGeometry(*state_->file, primitive, findings);
+    if (findings.errorCount() == 0)
+      checkTexCoords(*state_->file, primitive, geometry.positions.size(), findings);
+    if (findings.errorCount() > 0)
+      return faultOf(findings, title);
+    return Compression();
+  };
+  return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
+                      check);
 }
 
 } // namespace lichen

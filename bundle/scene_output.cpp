@@ -80,7 +80,9 @@ private:
       const Result<std::vector<std::byte>> bytes =
           state_.file->readFileUri(*stringMember(image, "uri"));
       if (!bytes)
-        return bytes.error();
+        return fileError(state_.path,
+                         "/images/" + std::to_string(i) + "/uri: " + bytes.error().message,
+                         bytes.error().kind);
       const auto mediaType = mediaTypeOf(bytes.value());
       if (!mediaType)
         return fileError(state_.path, "/images/" + std::to_string(i) +

@@ -43,17 +43,21 @@ std::string placesOf(const std::vector<FrameSingularity>& singularities) {
 }
 
 std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes, smoothed;
   for (const MeshFrames& frames : meshes) {
     const std::string title = scene.path().string() + ": " + frames.mesh;
     if (frames.hasNewNormals)
-      notes.push_back(title + ": had no normals and is given smooth ones");
+      smoothed.push_back(frames.mesh);
     if (const std::size_t count = frames.singularities.size(); count > 0)
       notes.push_back(fmt::format("{}: the frame has {} singular {}, around which the noise turns, "
                                   "at {} of the mesh",
                                   title, count, count == 1 ? "triangle" : "triangles",
                                   placesOf(frames.singularities)));
   }
+  if (!smoothed.empty())
+    notes.push_back(fmt::format("{}: {}: had no normals and {} given smooth ones",
+                                scene.path().string(), shortList(smoothed),
+                                smoothed.size() == 1 ? "is" : "are"));
   return notes;
 }
 
@@ -64,17 +68,19 @@ bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
 /// Whose normal texture will have other tangents than those of its texture coordinates.
 std::vector<std::string> notesOnNormals(const GltfScene& scene,
                                         std::span<const std::size_t> materials) {
-  std::vector<std::string> notes;
+  std::vector<std::string> turned;
   for (const std::size_t material : materials) {
     const std::vector<PrimitivePlace> places = scene.primitivesOf(material);
     if (scene.document()["materials"][material].contains("normalTexture") &&
         !std::all_of(places.begin(), places.end(),
                      [&](PrimitivePlace place) { return hasFrame(scene, place); }))
-      notes.push_back(fmt::format(
-          "{}: {}: a viewer without the extension has its normalTexture along the noise's tangents",
-          scene.path().string(), scene.materialTitle(material)));
+      turned.push_back(scene.materialTitle(material));
   }
-  return notes;
+  if (turned.empty())
+    return {};
+  return {fmt::format(
+      "{}: {}: a viewer without the extension has {} normalTexture along the noise's tangents",
+      scene.path().string(), shortList(turned), turned.size() == 1 ? "its" : "their")};
 }
 
 /// What a grain does not steer: a note for each material, which may have thousands of meshes.

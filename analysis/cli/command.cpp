@@ -4,9 +4,10 @@
 
 #include <lichen/escaped.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace lichen::cli {
@@ -29,6 +30,15 @@ Result<void> checkOutput(const std::filesystem::path& output,
 nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more) {
   object.update(nlohmann::ordered_json::parse(more.compact()));
   return object;
+}
+
+std::string shortList(std::vector<std::string> items) {
+  constexpr std::size_t kMostNamed = 4;
+  const std::size_t others = items.size() - std::min(items.size(), kMostNamed);
+  items.resize(items.size() - others);
+  return fmt::format("{}{}", fmt::join(items, ", "),
+                     others == 0 ? ""
+                                 : fmt::format(" and {} other{}", others, others == 1 ? "" : "s"));
 }
 
 std::string toText(const nlohmann::ordered_json& json) {

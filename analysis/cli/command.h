@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -49,6 +50,8 @@ using Runner = std::function<Result<int>()>;
 
 /// The members of an object and those of another behind them, as part of a report with --json.
 [[nodiscard]] nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more);
+/// "a, b, c, d and 23 others": the first four, which a message has room for.
+[[nodiscard]] std::string shortList(std::vector<std::string> items);
 /// Indented JSON; bytes that are not UTF-8, as file names may have, are replaced.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: a noise on the materials of an existing scene.
+#include "apply_factors.h"
 #include "apply_frames.h"
+#include "apply_materials.h"
+#include "apply_meshes.h"
 #include "apply_mix.h"
 #include "command.h"
 #include "noise_choice.h"
@@ -10,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <memory>
 #include <numbers>
@@ -27,7 +29,7 @@ struct Arguments {
   const SharedOptions& shared;
   std::string scene;
   std::string noise;
-  std::string material;
+  std::vector<std::string> materials;
   Mapping mapping{};
   std::optional<NoiseSpace> space;
   std::optional<double> scale;
@@ -38,6 +40,7 @@ struct Arguments {
   std::optional<double> planeSharpness;
   std::optional<std::uint32_t> tileRotation;
   std::optional<Vector3> grain;
+  bool setsFactors = false;
   MixOptions mix;
   std::string output;
 };
@@ -83,45 +86,6 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   return use;
 }
 
-/// The materials that were named: all, those of one name, or one by its index.
-Result<std::vector<std::size_t>> findMaterials(const GltfScene& scene, const std::string& wanted) {
-  const std::size_t count = scene.materialCount();
-  const auto refuse = [&](const std::string& what) {
-    return Error{ErrorKind::usage,
-                 fmt::format("--material {}: {} {}", wanted, scene.path().string(), what)};
-  };
-  if (count == 0)
-    return Error{ErrorKind::badInput,
-                 scene.path().string() + ": has no materials; a scene with one is accepted"};
-  std::vector<std::size_t> found;
-  std::vector<std::string> titles;
-  for (std::size_t m = 0; m < count; ++m) {
-    const nlohmann::json& material = scene.document()["materials"][m];
-    const auto name = material.find("name");
-    titles.push_back(std::to_string(m));
-    if (name != material.end() && name->is_string()) {
-      titles.back() += fmt::format(" '{}'", name->get<std::string>());
-      if (*name == wanted && wanted != "all")
-        found.push_back(m);
-    }
-    if (wanted == "all")
-      found.push_back(m);
-  }
-  if (found.size() > 1 && wanted != "all")
-    return refuse(
-        fmt::format("has that name for {}; an index is accepted", fmt::join(found, ", ")));
-  std::size_t index = 0;
-  const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (found.empty() && code == std::errc{} && end == wanted.data() + wanted.size() && index < count)
-    found.push_back(index);
-  if (!found.empty())
-    return found;
-  constexpr std::size_t kMostNamed = 12;
-  const bool isMore = titles.size() > kMostNamed;
-  titles.resize(std::min(titles.size(), kMostNamed));
-  return refuse(fmt::format("has {}{}", fmt::join(titles, ", "), isMore ? " and others" : ""));
-}
-
 /// Whether the noise's method has the mapping at all.
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method, mapping))
@@ -163,70 +127,6 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
                            nameOf(noise.method))};
 }
 
-/// Whether all that has one of the materials has the texture coordinates.
-Result<void> checkTexCoords(const GltfScene& scene, const std::vector<std::size_t>& materials,
-                            int texCoord) {
-  const std::string name = fmt::format("TEXCOORD_{}", texCoord);
-  for (const std::size_t material : materials)
-    for (const PrimitivePlace place : scene.primitivesOf(material))
-      if (!scene.attribute(place, name))
-        return Error{ErrorKind::badInput,
-                     fmt::format("{}: {} with {} has no {}, which --mapping uv needs; another "
-                                 "mapping is accepted",
-                                 scene.path().string(), scene.primitiveTitle(place),
-                                 scene.materialTitle(material), name)};
-  return {};
-}
-
-/// Whether all components of a factor, but for alpha, are 1.
-bool isOne(const nlohmann::json& factor) {
-  constexpr std::size_t kColors = 3;
-  if (!factor.is_array())
-    return factor == 1.0;
-  return std::all_of(factor.begin(),
-                     factor.begin() + std::ptrdiff_t(std::min(factor.size(), kColors)),
-                     [](const nlohmann::json& component) { return component == 1.0; });
-}
-
-/// Says what of the material changes the look of the noise.
-void noteMaterial(const GltfScene& scene, std::size_t material, const Noise& noise,
-                  std::vector<std::string>& notes) {
-  using nlohmann::json;
-  struct Factor {
-    const char* pointer;
-    MapTarget target;
-    MapChannel channel;
-    double preset; // where the material has no such factor
-  };
-  constexpr std::array<Factor, 4> kFactors{
-      {{"/pbrMetallicRoughness/baseColorFactor", MapTarget::baseColor, MapChannel::red, 1.0},
-       {"/pbrMetallicRoughness/metallicFactor", MapTarget::occlusionRoughnessMetallic,
-        MapChannel::metallic, 1.0},
-       {"/pbrMetallicRoughness/roughnessFactor", MapTarget::occlusionRoughnessMetallic,
-        MapChannel::roughness, 1.0},
-       {"/emissiveFactor", MapTarget::emissive, MapChannel::red, 0.0}}};
-  const json& core = scene.document()["materials"][material];
-  std::vector<std::string> names;
-  for (const Factor& factor : kFactors) {
-    const std::optional<std::size_t> map = findMap(noise, factor.target);
-    if (!map)
-      continue;
-    const std::vector<MapChannel>& channels = noise.maps[*map].channels;
-    const json::json_pointer place(factor.pointer);
-    const json value = core.contains(place) ? core[place] : json(factor.preset);
-    if (std::find(channels.begin(), channels.end(), factor.channel) != channels.end() &&
-        !isOne(value))
-      names.push_back(fmt::format("{} {}", place.back(), value.dump()));
-  }
-  const std::string title =
-      fmt::format("{}: {}", scene.path().string(), scene.materialTitle(material));
-  if (!names.empty())
-    notes.push_back(fmt::format("{}: {} multiplies the noise; 1 shows it as it was baked", title,
-                                fmt::join(names, ", ")));
-  if (core.contains(json::json_pointer("/extensions/KHR_materials_unlit")))
-    notes.push_back(title + ": is unlit, so that the noise is not shown");
-}
-
 /// That the noise has another name in the scene than in its bundle.
 void noteName(const std::string& scene, const std::string& name, const AppliedNoise& applied,
               std::vector<std::string>& notes) {
@@ -252,12 +152,18 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
   for (const std::string& text : outcome.notes)
     note(arguments.shared, text);
   say(arguments.shared,
-      fmt::format("{}: {} on {}; {} new tables, {:.2f} s", arguments.output, outcome.noise.name,
-                  fmt::join(outcome.materials, ", "), outcome.noise.newTables, seconds));
+      fmt::format("{}: {} on {}; {} new table{}, {:.2f} s", arguments.output, outcome.noise.name,
+                  shortList(outcome.materials), outcome.noise.newTables,
+                  outcome.noise.newTables == 1 ? "" : "s", seconds));
 }
 
 Result<Outcome> apply(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
+  if (name.empty() && file.size() < arguments.noise.size())
+    return Error{ErrorKind::usage,
+                 fmt::format("--noise {}: the name behind the colon is empty; {} or {}:NAME is "
+                             "accepted",
+                             arguments.noise, file, file)};
   const Result<Bundle> bundle = readBundle(file);
   if (!bundle)
     return bundle.error();
@@ -273,18 +179,26 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!opened)
     return opened.error();
   GltfScene& scene = opened.value();
-  const Result<std::vector<std::size_t>> materials = findMaterials(scene, arguments.material);
+  const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
+  if (!chosen)
+    return chosen.error();
+  MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
+  Outcome outcome;
+  const Result<std::vector<std::size_t>> materials =
+      use.mapping == Mapping::uv
+          ? materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen.value(),
+                          "--mapping uv", "another mapping", outcome.notes)
+          : chosen.value().indices;
   if (!materials)
     return materials.error();
-  MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
   const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use, materials.value(), scene);
   if (!mix)
     return mix.error();
   use.mix = mix.value();
-  Outcome outcome;
-  if (use.mapping == Mapping::uv)
-    if (Result<void> there = checkTexCoords(scene, materials.value(), use.texCoord); !there)
-      return there.error();
+  // The frames of a surface are made of the same vertices, with refusals of their own.
+  if (use.mapping != Mapping::surface)
+    if (Result<void> sound = checkMeshes(scene, materials.value(), outcome.notes); !sound)
+      return sound.error();
   Result<AddedFrames> frames =
       addFrames(scene, materials.value(), noise, use.mapping, arguments.grain, arguments.shared);
   if (!frames)
@@ -295,13 +209,15 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!applied)
     return applied.error();
   outcome.noise = std::move(applied).value();
+  if (arguments.setsFactors)
+    setFactorsToOne(scene, materials.value(), noise);
   if (Result<void> written = scene.write(arguments.output); !written)
     return written.error();
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
-  for (const std::size_t material : materials.value()) {
+  for (const std::size_t material : materials.value())
     outcome.materials.push_back(scene.materialTitle(material));
-    noteMaterial(scene, material, noise, outcome.notes);
-  }
+  for (std::string& text : notesOnFactors(scene, materials.value(), noise, arguments.setsFactors))
+    outcome.notes.push_back(std::move(text));
   outcome.notes.insert(outcome.notes.end(), frames.value().notes.begin(),
                        frames.value().notes.end());
   return outcome;
@@ -329,8 +245,8 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
           "A bundle made by 'lichen bake', and which of its noises: the first by default")
       .required();
-  addText(verb, "--material", arguments->material, "NAME|INDEX|all",
-          "The material of the scene that gets the noise")
+  addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
+           "A material of the scene that gets the noise; again for another, or all of them")
       .required();
   const Choices<Mapping> mappings{{"uv", Mapping::uv},
                                   {"triplanar", Mapping::triplanar},
@@ -360,6 +276,10 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
            "Of tiling: into how many directions tiles are turned at random, each by itself; "
            "--rotation turns all as one [default: the bundle's]");
   addFrameOptions(verb, arguments->grain);
+  addValue(
+      verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
+      "keep",
+      "The factors that multiply the noise, such as baseColorFactor: as they are, or set to 1");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

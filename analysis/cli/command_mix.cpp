@@ -87,26 +87,29 @@ Result<Inputs> readInputs(const Arguments& arguments) {
   return inputs;
 }
 
+/// What helps against a risk, in which a mix has no such option: its methods are textons alone.
+std::string ofBake(std::string line) {
+  constexpr std::string_view kMethod = "--method tiling";
+  if (const std::size_t at = line.find(kMethod); at != std::string::npos)
+    line.replace(at, kMethod.size(), "to bake the input by itself with --method tiling");
+  return line;
+}
+
 /// Adds where noise of textons is wrong for an input.
 Result<void> judge(const Arguments& arguments, Inputs& inputs) {
   int widest = 0; // to which the others are refined
   for (const MixedExemplar& exemplar : inputs.exemplars)
     for (const MapExemplar& map : exemplar.maps)
       widest = std::max(widest, map.width);
-  bool isAtRisk = false;
   for (const MixedExemplar& exemplar : inputs.exemplars) {
     const Result<std::vector<std::vector<Risk>>> assessed =
         assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
     if (!assessed)
       return assessed.error();
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
-    for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1)) {
-      inputs.notes.push_back(exemplar.name + ": " + line);
-      isAtRisk = true;
-    }
+    for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1))
+      inputs.notes.push_back(exemplar.name + ": " + ofBake(line));
   }
-  if (isAtRisk)
-    inputs.notes.emplace_back("--method tiling is of 'lichen bake'; a mix has textons alone");
   return {};
 }
 

@@ -218,8 +218,8 @@ Result<void> HeadlessDevice::chooseDevice(const HeadlessDeviceOptions& options) 
   }
   const std::size_t index = findChoice(devices, haveQueue, options.choice);
   if (index == devices.size())
-    return Error{ErrorKind::usage,
-                 "no Vulkan device \"" + options.choice + "\"; this machine has " + names};
+    return Error{ErrorKind::usage, "--device " + options.choice +
+                                       ": no such Vulkan device; this machine has " + names};
   if (devices[index].apiVersion < VK_API_VERSION_1_3)
     return Error{ErrorKind::environment,
                  "Vulkan device \"" + std::string(devices[index].deviceName) +

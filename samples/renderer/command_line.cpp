@@ -50,9 +50,9 @@ void addOptions(CLI::App& app, Command& command) {
   addText(app, "--environment", command.environment, "FILE",
           "Light from a latitude-longitude panorama, EXR, PNG or JPEG [default: a built-in sky]");
   addValue(app, "--exposure", command.exposureEv, number({-kMaxExposure, kMaxExposure}), "0",
-           "In stops");
+           "In stops, -20 to 20");
   addValue(app, "--frames", command.frames, wholeNumber(1, kMaxFrames), "16",
-           "Frames to average: edges, penumbrae and the sky's light get smoother");
+           "Frames to average, 1 to 4096: edges, penumbrae and the sky's light get smoother");
   Choices<std::string> views;
   for (const std::string_view name : debugViewNames())
     views.emplace_back(name, name);

@@ -137,8 +137,8 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
   std::string list;
   for (const std::string& name : names)
     list += (list.empty() ? "" : ", ") + name;
-  return Error{ErrorKind::usage,
-               "no camera \"" + printable(choice) + "\" in the scene; there are " + list};
+  return Error{ErrorKind::usage, "--camera " + printable(choice) +
+                                     ": no such camera in the scene; there are " + list};
 }
 
 glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,

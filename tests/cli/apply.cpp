@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iomanip>
@@ -140,6 +141,44 @@ TEST_CASE("materials are named, counted or all") {
   CHECK(!std::filesystem::exists(output));
 }
 
+TEST_CASE("several materials are named by as many options, names with commas too") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  scene.json["materials"][0]["name"] = "oak, oiled";
+  scene.json["materials"].push_back({{"name", "third"}});
+  const std::string path = writeScene(workplace, scene);
+  const json document = applied(workplace, path, wool, "third",
+                                {"--material", "oak, oiled", "--mapping", "triplanar"});
+  CHECK(document["materials"][0].contains("extensions"));
+  CHECK(!document["materials"][1].contains("extensions"));
+  CHECK(document["materials"][2].contains("extensions"));
+  checkRefusal({"apply", path, "--noise", wool, "--material", "all", "--material", "third", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"--material all"});
+}
+
+TEST_CASE("of all materials those without texture coordinates are left out with a note") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  const std::string path = writeScene(workplace, scene);
+  const Ended ended = apply(workplace, path, wool, "all");
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("material 'glass' left out") &&
+                               Catch::Contains("TEXCOORD_0") && Catch::Contains("another mapping"));
+  const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+  CHECK(document["materials"][0].contains("extensions"));
+  CHECK(!document["materials"][1].contains("extensions"));
+  checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--material", "glass", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::badInput), {"material 'glass'", "TEXCOORD_0"});
+  scene.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
+  checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "all", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::badInput), {"material 'wood'", "TEXCOORD_0"});
+}
+
 TEST_CASE("a noise of a bundle is named behind a colon") {
   const Workplace workplace;
   const std::string grey = workplace.write("grey.png", smoothGrey(8));
@@ -157,6 +196,9 @@ TEST_CASE("a noise of a bundle is named behind a colon") {
   checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
                 "-o", workplace.path("x.glb")},
                int(ErrorKind::usage), {"three", "one, two"});
+  checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:"), "--material", "0", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"b:th.glb::", "empty"});
 }
 
 TEST_CASE("mappings that a method has not, or that the meshes do not allow, are refused by name") {
@@ -177,12 +219,92 @@ TEST_CASE("mappings that a method has not, or that the meshes do not allow, are 
   refused(wool, "solid", "0", usage, {"texton", "uv, triplanar or surface"});
   refused(moss, "uv", "glass", bad,
           {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
-  refused(moss, "uv", "all", bad, {"material 'glass'", "TEXCOORD_0"});
   scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
   refused(wool, "surface", "0", bad, {"primitive 0", "TANGENT", "normalTexture"});
   scene.json["meshes"][0]["primitives"][1]["mode"] = 3;
   refused(wool, "surface", "glass", bad, {"primitive 1 of mesh 'table'", "lines"});
   CHECK(!std::filesystem::exists(workplace.path("x.glb")));
+}
+
+TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const auto refused = [&](const example::TinyScene& scene, const std::vector<std::string>& words) {
+    const std::string path = writeScene(workplace, scene);
+    for (const char* mapping : {"uv", "triplanar"})
+      checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--mapping", mapping,
+                    "-o", workplace.path("x.glb")},
+                   int(ErrorKind::badInput), words);
+    const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
+    CHECK(other.code == 0); // what is at fault stays as it is
+    CHECK_THAT(other.errors, Catch::Contains(words.back()) && Catch::Contains("stays as it is"));
+  };
+  const example::TinyScene sound = example::tableScene();
+  const auto attributeOf = [](example::TinyScene & scene) -> auto& {
+    return scene.json["meshes"][0]["primitives"][0]["attributes"];
+  };
+  example::TinyScene scene = sound;
+  const std::vector<std::uint16_t> outside{0, 1, 4};
+  scene.json["meshes"][0]["primitives"][0]["indices"] =
+      scene.addAccessor(outside, "SCALAR", 5123, 1);
+  refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "index 4; below 4 is accepted"});
+  for (const auto& [name, components] : {std::pair{"POSITION", 3}, std::pair{"TEXCOORD_0", 2}}) {
+    scene = sound;
+    const std::vector<float> values(std::size_t(4 * components), std::nanf(""));
+    const char* type = components == 3 ? "VEC3" : "VEC2";
+    attributeOf(scene)[name] = scene.addFloats(values, type, std::size_t(components));
+    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "NaN"});
+    scene = sound;
+    const std::vector<float> four(std::size_t(4 * 4));
+    attributeOf(scene)[name] = scene.addFloats(four, "VEC4", 4);
+    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", std::string("not ") + type});
+  }
+  scene = sound;
+  attributeOf(scene)["TEXCOORD_0"] = scene.addFloats({0, 0, 1, 1}, "VEC2", 2);
+  refused(scene, {"primitive 0 of mesh 'table'", "2 texture coordinates for 4 positions"});
+  scene = sound;
+  scene.json["meshes"][0]["primitives"][0]["mode"] = 7;
+  refused(scene, {"primitive 0 of mesh 'table'", "mode 7; 0 to 6 is accepted"});
+  CHECK(!std::filesystem::exists(workplace.path("x.glb")));
+}
+
+TEST_CASE("materials that are not what glTF says are refused by their place") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const auto refused = [&](const char* member, const json& value, const char* named) {
+    example::TinyScene scene = example::tableScene();
+    scene.json["materials"][0][member] = value;
+    checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "wood",
+                  "-o", workplace.path("x.glb")},
+                 int(ErrorKind::badInput), {named});
+  };
+  refused("pbrMetallicRoughness", json::array(), "/materials/0/pbrMetallicRoughness");
+  refused("pbrMetallicRoughness", json{{"baseColorTexture", 1}}, "baseColorTexture");
+  refused("normalTexture", json{{"scale", 1}}, "/materials/0/normalTexture");
+  refused("emissiveTexture", json{{"index", 0}, {"extensions", {{"KHR_texture_transform", "no"}}}},
+          "/materials/0/emissiveTexture/extensions");
+}
+
+TEST_CASE("vertices that are compressed get the noise, with a note") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  const example::TinyScene sound = example::tableScene();
+  const auto noted = [&](const example::TinyScene& scene, const std::string& extension) {
+    const Ended ended = apply(workplace, writeScene(workplace, scene), wool, "wood");
+    CHECK(ended.code == 0);
+    CHECK_THAT(ended.errors, Catch::Contains("primitive 0 of mesh 'table'") &&
+                                 Catch::Contains(extension) &&
+                                 Catch::Contains("lichen-render does not read"));
+  };
+  example::TinyScene scene = sound;
+  scene.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+  noted(scene, "KHR_draco_mesh_compression");
+  scene = sound;
+  const std::size_t position = scene.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  const std::size_t view = scene.json["accessors"][position]["bufferView"];
+  scene.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+  noted(scene, "EXT_meshopt_compression");
 }
 
 TEST_CASE("surface noise gets a frame where there is none") {
@@ -309,9 +431,45 @@ TEST_CASE("the report tells frames, singularities and what multiplies the noise"
 
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const Ended noted = apply(workplace, scene, moss, "wood");
-  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1.0]") &&
+  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1]") &&
                                Catch::Contains("material 'wood'"));
   CHECK(apply(workplace, scene, moss, "wood", {"--quiet"}).errors.empty());
+}
+
+TEST_CASE("factors are kept or set to 1, and a note has those of many materials") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  example::TinyScene scene = example::tableScene();
+  auto& materials = scene.json["materials"];
+  materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.5};
+  materials[1]["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};
+  for (int more = 0; more < 6; ++more)
+    materials.push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
+  const std::string path = writeScene(workplace, scene);
+  const Arguments triplanar{"--mapping", "triplanar"};
+  const Ended kept = apply(workplace, path, moss, "all", triplanar);
+  REQUIRE(kept.code == 0);
+  CHECK_THAT(kept.errors,
+             Catch::Contains("baseColorFactor [0.8,0,0,0.5] of material 'wood', baseColorFactor "
+                             "[0.5,0.5,0.5,1] of material 2,") &&
+                 Catch::Contains("and 3 others multiply the noise") &&
+                 Catch::Contains("--factors one") &&
+                 Catch::Contains("[0.05,0.09,0,1] of material 'glass' is below 0.1"));
+  CHECK(std::count(kept.errors.begin(), kept.errors.end(), '\n') == 2);
+  const json document =
+      applied(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one"});
+  const auto factorOf = [&](std::size_t material) {
+    return document["materials"][material]["pbrMetallicRoughness"]["baseColorFactor"];
+  };
+  CHECK(factorOf(0) == json{1.0, 1.0, 1.0, 0.5});
+  CHECK(factorOf(1) == json{1.0, 1.0, 1.0, 1.0});
+  CHECK(factorOf(7) == json{1.0, 1.0, 1.0, 1.0});
+  CHECK(
+      apply(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one", "--quiet"})
+          .errors.empty());
+  checkRefusal({"apply", path, "--noise", moss, "--material", "0", "--factors", "2", "-o",
+                workplace.path("x.glb")},
+               int(ErrorKind::usage), {"--factors 2", "keep or one"});
 }
 
 TEST_CASE("the same noise on a scene twice is stored once, under its name") {

@@ -223,12 +223,28 @@ TEST_CASE("synth and check refuse what is not a bundle") {
     checkRefusal({"check", file}, kBadInput, {std::filesystem::path(file).filename().string()});
 }
 
-TEST_CASE("check ends with 1 where a glTF has faults, however many") {
+TEST_CASE("check ends with 3 where a file is truncated anywhere, or no glTF 2") {
   const Made& m = made();
   const std::string whole = m.workplace.read("stone.glb");
-  const std::string half = m.workplace.write("half.glb", whole.substr(0, whole.size() / 2));
-  const std::string plain = m.workplace.write("plain.gltf", std::string("{\"asset\": 1}"));
-  for (const std::string& file : {half, plain})
+  const std::string text = R"({"asset": {"version": "2.0"}})";
+  for (const std::size_t length : {std::size_t(0), std::size_t(3), std::size_t(10), std::size_t(21),
+                                   whole.size() / 2, whole.size() - 1})
+    checkRefusal({"check", m.workplace.write("half.glb", whole.substr(0, length))}, kBadInput,
+                 {"half.glb"});
+  for (const std::size_t length : {std::size_t(0), std::size_t(1), text.size() - 1})
+    checkRefusal({"check", m.workplace.write("half.gltf", text.substr(0, length))}, kBadInput,
+                 {"half.gltf"});
+  checkRefusal({"check", m.workplace.write("plain.gltf", std::string("{\"asset\": 1}"))}, kBadInput,
+               {"plain.gltf", "/asset/version"});
+}
+
+TEST_CASE("check ends with 1 where a glTF has faults") {
+  const Made& m = made();
+  const std::string extension = "LICHEN_materials_exemplar_noise";
+  const std::string faulty =
+      m.workplace.write("faulty.gltf", R"({"asset": {"version": "2.0"}, "extensions": {")" +
+                                           extension + R"(": {"noises": 1}}})");
+  for (const std::string& file : {faulty})
     for (const Arguments& more : {Arguments{}, {"--quiet"}, {"--json"}}) {
       Arguments arguments{"check", file};
       arguments.insert(arguments.end(), more.begin(), more.end());

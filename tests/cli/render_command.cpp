@@ -222,7 +222,8 @@ TEST_CASE("what only the device can tell has its exit code too") {
   const Outcome noDevice = run(scene + out + "--device 99");
   INFO(noDevice.output);
   CHECK(noDevice.exitCode == 2);
-  CHECK(noDevice.output.find("no Vulkan device \"99\"; this machine has \"") != std::string::npos);
+  CHECK(noDevice.output.find("--device 99: no such Vulkan device; this machine has \"") !=
+        std::string::npos);
   CHECK(noDevice.output.find("(index 0)") != std::string::npos);
   CHECK(run(scene + out + "--camera nowhere").exitCode == 2);
   CHECK(run(scene + out + "--environment " + scene).exitCode == 3);

@@ -283,6 +283,6 @@ TEST_CASE("a camera is found by the name of its node or its own, and a refusal l
   CHECK(placeOf("front") == 0.0); // the first of its nodes
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());
-  CHECK(unknown.error().message ==
-        "no camera \"side\" in the scene; there are auto, Camera.left, Camera.right, front");
+  CHECK(unknown.error().message == "--camera side: no such camera in the scene; there are auto, "
+                                   "Camera.left, Camera.right, front");
 }

@@ -340,7 +340,7 @@ struct Finding {
 };
 
 /// Every fault of the extension and its tables that can be told without the exemplar. An Error only
-/// when the file cannot be read at all, or is neither a GLB nor JSON. Thread-safe.
+/// when the file cannot be read at all, or is no whole GLB or JSON of glTF 2. Thread-safe.
 [[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
 [[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);
 

@@ -58,11 +58,22 @@ public:
   /// for vertices that are compressed by an extension; resources.
   [[nodiscard]] Result<PrimitiveGeometry> geometry(PrimitivePlace place);
 
+  /// Reads positions, normals, texture coordinates and indices, of points and lines too, without
+  /// keeping them. Returns the extension by which they are compressed, then unread, or nothing.
+  /// Errors: badInput, naming the primitive and the accessor, where no viewer can draw it;
+  /// resources.
+  [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
+
   /// Adds vertices as an accessor of floats, and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
   /// Adds or replaces an attribute. Throws std::bad_alloc.
   void setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor);
+
+  /// Adds or replaces a factor of a material, a number or several, in the object `parent` of it, or
+  /// in the material itself where that is empty. Throws std::bad_alloc.
+  void setFactor(std::size_t material, std::string_view parent, std::string_view key,
+                 const std::vector<float>& value);
 
   /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which ends at its
   /// borders and does not repeat; returns the texture's index. Throws std::bad_alloc.

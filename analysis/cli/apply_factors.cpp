@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Materials and a noise -> the factors that multiply it; see apply_factors.h.
+// Source: glTF 2.0 specification, sections 5.19 and 5.22.
+#include "apply_factors.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace lichen::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kColors = 3; // of a factor's components, before alpha
+/// Below it less than a tenth of the noise's variation is left.
+constexpr float kLeastFactor = 0.1f;
+
+struct Factor {
+  const char* parent; ///< of the material, or "" for itself
+  const char* key;
+  MapTarget target;
+  MapChannel channel;
+  std::vector<float> preset; ///< where the material has no such factor
+};
+
+/// Those that multiply a channel of the noise.
+std::vector<Factor> factorsOf(const Noise& noise) {
+  constexpr const char* kMetallicRoughness = "pbrMetallicRoughness";
+  std::vector<Factor> factors{
+      {kMetallicRoughness, "baseColorFactor", MapTarget::baseColor, MapChannel::red, {1, 1, 1, 1}},
+      {kMetallicRoughness,
+       "metallicFactor",
+       MapTarget::occlusionRoughnessMetallic,
+       MapChannel::metallic,
+       {1}},
+      {kMetallicRoughness,
+       "roughnessFactor",
+       MapTarget::occlusionRoughnessMetallic,
+       MapChannel::roughness,
+       {1}},
+      {"", "emissiveFactor", MapTarget::emissive, MapChannel::red, {0, 0, 0}}};
+  std::erase_if(factors, [&](const Factor& factor) {
+    const std::optional<std::size_t> map = findMap(noise, factor.target);
+    if (!map)
+      return true;
+    const std::vector<MapChannel>& channels = noise.maps[*map].channels;
+    return std::find(channels.begin(), channels.end(), factor.channel) == channels.end();
+  });
+  return factors;
+}
+
+/// The components of a material's factor; the preset also where they are no numbers.
+std::vector<float> valueOf(const json& material, const Factor& factor) {
+  const json::json_pointer place((*factor.parent != '\0' ? "/" + std::string(factor.parent) : "") +
+                                 "/" + factor.key);
+  if (!material.contains(place))
+    return factor.preset;
+  const json& stored = material[place];
+  const json list = stored.is_array() ? stored : json::array({stored});
+  if (list.size() != factor.preset.size() ||
+      !std::all_of(list.begin(), list.end(), [](const json& each) { return each.is_number(); }))
+    return factor.preset;
+  return list.get<std::vector<float>>();
+}
+
+/// Without alpha, which is no part of the look that is spoken of.
+std::span<const float> colorsOf(const std::vector<float>& value) {
+  return std::span(value).first(std::min(value.size(), kColors));
+}
+
+bool isOne(const std::vector<float>& value) {
+  const auto colors = colorsOf(value);
+  return std::all_of(colors.begin(), colors.end(), [](float each) { return each == 1.0f; });
+}
+
+/// "0.8", "[0.5,0.25,0.125,1]": what floats were written as, not the doubles they became.
+std::string textOf(const std::vector<float>& value) {
+  return value.size() == 1 ? fmt::format("{}", value.front())
+                           : fmt::format("[{}]", fmt::join(value, ","));
+}
+
+} // namespace
+
+std::vector<std::string> notesOnFactors(const GltfScene& scene,
+                                        std::span<const std::size_t> materials, const Noise& noise,
+                                        bool areSetToOne) {
+  const std::vector<Factor> factors = areSetToOne ? std::vector<Factor>() : factorsOf(noise);
+  std::vector<std::string> changing, hiding, unlit;
+  for (const std::size_t material : materials) {
+    const json& core = scene.document()["materials"][material];
+    const std::string title = scene.materialTitle(material);
+    for (const Factor& factor : factors) {
+      const std::vector<float> value = valueOf(core, factor);
+      if (isOne(value))
+        continue;
+      const auto colors = colorsOf(value);
+      const bool hides = *std::max_element(colors.begin(), colors.end()) < kLeastFactor;
+      (hides ? hiding : changing)
+          .push_back(fmt::format("{} {} of {}", factor.key, textOf(value), title));
+    }
+    if (core.contains(json::json_pointer("/extensions/KHR_materials_unlit")))
+      unlit.push_back(title);
+  }
+  std::vector<std::string> notes;
+  const std::string path = scene.path().string();
+  const auto verb = [](const std::vector<std::string>& items, const char* one, const char* many) {
+    return items.size() == 1 ? one : many;
+  };
+  if (!changing.empty())
+    notes.push_back(fmt::format("{}: {} {} the noise; 1, which --factors one sets, shows it as it "
+                                "was baked",
+                                path, shortList(changing),
+                                verb(changing, "multiplies", "multiply")));
+  if (!hiding.empty())
+    notes.push_back(fmt::format("{}: {} {} below {}, so that the noise hardly shows; --factors one "
+                                "sets 1",
+                                path, shortList(hiding), verb(hiding, "is", "are"), kLeastFactor));
+  if (!unlit.empty())
+    notes.push_back(fmt::format("{}: {} {} unlit, so that the noise is not shown", path,
+                                shortList(unlit), verb(unlit, "is", "are")));
+  return notes;
+}
+
+void setFactorsToOne(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise) {
+  for (const std::size_t material : materials)
+    for (const Factor& factor : factorsOf(noise)) {
+      std::vector<float> value = valueOf(scene.document()["materials"][material], factor);
+      if (isOne(value))
+        continue;
+      std::fill_n(value.begin(), std::min(value.size(), kColors), 1.0f);
+      scene.setFactor(material, factor.parent, factor.key, value);
+    }
+}
+
+} // namespace lichen::cli

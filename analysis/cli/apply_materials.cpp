@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Names and indices of materials -> indices; see apply_materials.h.
+#include "apply_materials.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+
+namespace lichen::cli {
+namespace {
+
+/// The one material of a name, or of an index.
+Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& wanted) {
+  const auto refuse = [&](const std::string& what) {
+    return Error{ErrorKind::usage,
+                 fmt::format("--material {}: {} {}", wanted, scene.path().string(), what)};
+  };
+  const std::size_t count = scene.materialCount();
+  std::vector<std::size_t> found;
+  std::vector<std::string> titles;
+  for (std::size_t m = 0; m < count; ++m) {
+    const nlohmann::json& material = scene.document()["materials"][m];
+    const auto name = material.find("name");
+    titles.push_back(std::to_string(m));
+    if (name == material.end() || !name->is_string())
+      continue;
+    titles.back() += fmt::format(" '{}'", name->get<std::string>());
+    if (*name == wanted)
+      found.push_back(m);
+  }
+  if (found.size() > 1)
+    return refuse(
+        fmt::format("has that name for {}; an index is accepted", fmt::join(found, ", ")));
+  if (!found.empty())
+    return found.front();
+  std::size_t index = 0;
+  const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (code == std::errc{} && end == wanted.data() + wanted.size() && index < count)
+    return index;
+  constexpr std::size_t kMostNamed = 12;
+  const bool isMore = titles.size() > kMostNamed;
+  titles.resize(std::min(titles.size(), kMostNamed));
+  return refuse(fmt::format("has {}{}", fmt::join(titles, ", "), isMore ? " and others" : ""));
+}
+
+} // namespace
+
+Result<ChosenMaterials> findMaterials(const GltfScene& scene,
+                                      const std::vector<std::string>& wanted) {
+  if (scene.materialCount() == 0)
+    return Error{ErrorKind::badInput,
+                 scene.path().string() + ": has no materials; a scene with one is accepted"};
+  ChosenMaterials chosen;
+  for (const std::string& each : wanted) {
+    if (each == "all") {
+      chosen.areAll = true;
+      continue;
+    }
+    const Result<std::size_t> material = findMaterial(scene, each);
+    if (!material)
+      return material.error();
+    chosen.indices.push_back(material.value());
+  }
+  if (chosen.areAll && !chosen.indices.empty())
+    return Error{ErrorKind::usage, "--material all: another --material is there too; all, or the "
+                                   "materials by name or index, is accepted"};
+  if (chosen.areAll) {
+    chosen.indices.resize(scene.materialCount());
+    std::iota(chosen.indices.begin(), chosen.indices.end(), std::size_t(0));
+  }
+  std::sort(chosen.indices.begin(), chosen.indices.end());
+  chosen.indices.erase(std::unique(chosen.indices.begin(), chosen.indices.end()),
+                       chosen.indices.end());
+  return chosen;
+}
+
+Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, const GltfScene& scene,
+                                               const ChosenMaterials& chosen,
+                                               const std::string& option,
+                                               const std::string& instead,
+                                               std::vector<std::string>& notes) {
+  std::vector<std::size_t> fit;
+  std::vector<std::string> others;
+  std::string first; // that is without the attribute
+  for (const std::size_t material : chosen.indices) {
+    const std::vector<PrimitivePlace>& places = scene.primitivesOf(material);
+    const auto without = std::find_if(places.begin(), places.end(), [&](PrimitivePlace place) {
+      return !scene.attribute(place, attribute);
+    });
+    if (without == places.end()) {
+      fit.push_back(material);
+      continue;
+    }
+    others.push_back(scene.materialTitle(material));
+    if (first.empty())
+      first = fmt::format("{} with {} has no {}, which {} needs", scene.primitiveTitle(*without),
+                          scene.materialTitle(material), attribute, option);
+  }
+  if (others.empty())
+    return fit;
+  if (!chosen.areAll || fit.empty())
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {}; {} is accepted", scene.path().string(), first, instead)};
+  notes.push_back(fmt::format("{}: {} left out, since {}; {} is accepted there",
+                              scene.path().string(), shortList(others), first, instead));
+  return fit;
+}
+
+} // namespace lichen::cli
