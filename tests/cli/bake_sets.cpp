@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `lichen bake` of material sets: which file is which map, what each map holds, and what is
 // refused. Maps of one value come back exactly, so most sets here are made of those.
-#include "command_run.h"
+#include "set_run.h"
 
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
-#include <span>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -21,39 +18,6 @@ using nlohmann::json;
 namespace {
 
 constexpr int kBadInput = int(ErrorKind::badInput);
-
-using Pixel = std::vector<float>;
-
-SrgbImage flat(const Pixel& value, int width = 4, int height = 4) {
-  SrgbImage image(width, height, int(value.size()));
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = value[i % value.size()];
-  return image;
-}
-
-// Codes of 8 bits, so that files hold them exactly.
-float code(int value) { return float(value) / 255.0f; }
-const Pixel kColor{code(200), code(100), code(50)};
-/// A unit normal that leans to the left and down the image, to a code of 8 bits; its slopes are
-/// positive, as our reader of EXR wants values. Then its mirror image.
-const Pixel kNormal{code(66), code(82), code(230)};
-const Pixel kNormalDown{code(66), code(173), code(230)};
-
-void makeFolder(const Workplace& workplace, const std::string& name) {
-  std::filesystem::create_directory(workplace.path(name));
-}
-
-/// Bakes and returns what --json says.
-json baked(const Workplace& workplace, Arguments inputs, const Arguments& more = {}) {
-  inputs.insert(inputs.begin(), "bake");
-  inputs.insert(inputs.end(), {"-o", workplace.path("set.glb"), "--json"});
-  inputs.insert(inputs.end(), more.begin(), more.end());
-  const Ended ended = runLichen(inputs);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  CHECK(runLichen({"check", workplace.path("set.glb")}).code == 0);
-  return json::parse(ended.output);
-}
 
 /// Target -> channels of a report.
 std::map<std::string, std::vector<std::string>> mapsOf(const json& report) {
@@ -82,48 +46,6 @@ bool hasNote(const json& report, const std::string& words) {
     if (note.get<std::string>().find(words) != std::string::npos)
       return true;
   return false;
-}
-
-/// What a viewer without our extension sees of a GLB.
-struct CoreMaterial {
-  json material;
-  std::vector<SrgbImage> images; ///< of texture i, which has image i
-  bool hasTangents = false;      ///< some primitive has them
-};
-
-CoreMaterial coreMaterialOf(const std::string& glb) {
-  // A header of 12 bytes, then two chunks with headers of 8: the JSON and the buffer.
-  const auto wordAt = [&](std::size_t at) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, &glb[at], sizeof word);
-    return word;
-  };
-  const std::size_t textBytes = wordAt(12);
-  const json gltf = json::parse(glb.substr(20, textBytes));
-  const auto* buffer = reinterpret_cast<const std::byte*>(&glb[20 + textBytes + 8]);
-  CoreMaterial core{gltf.at("materials").at(0), {}, false};
-  for (const json& texture : gltf.at("textures")) {
-    const json& image = gltf.at("images").at(texture.at("source").get<std::size_t>());
-    const json& view = gltf.at("bufferViews").at(image.at("bufferView").get<std::size_t>());
-    const std::span file(buffer + view.at("byteOffset").get<std::size_t>(),
-                         view.at("byteLength").get<std::size_t>());
-    core.images.push_back(std::get<SrgbImage>(decodeImage(file, "preview").value().pixels));
-  }
-  for (const json& mesh : gltf.at("meshes"))
-    for (const json& primitive : mesh.at("primitives"))
-      core.hasTangents = core.hasTangents || primitive.at("attributes").contains("TANGENT");
-  return core;
-}
-
-/// The texture that `info` refers to is `wanted` everywhere.
-void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wanted) {
-  const SrgbImage& image = core.images.at(info.at("index").get<std::size_t>());
-  REQUIRE(std::size_t(image.channels) == wanted.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    largest =
-        std::max(largest, std::abs(double(image.values[i]) - double(wanted[i % wanted.size()])));
-  CHECK(largest < 1.5 / 255.0); // a table's rounding and PNG's
 }
 
 const std::map<std::string, std::vector<std::string>> kEveryMap{
@@ -183,38 +105,6 @@ TEST_CASE("synth writes heights in 16 bits, and other maps in 8") {
     synth(workplace, bundle, {"--map", map, "--size", "16"});
     CHECK(int(workplace.read("synth.png")[kBitDepth]) == bits);
   }
-}
-
-TEST_CASE("the core material of a set has every map in its slot") {
-  const Workplace workplace;
-  makeFolder(workplace, "set");
-  const Pixel glow{code(40), code(80), code(10)};
-  workplace.write("set/diff.png", flat(kColor));
-  workplace.write("set/opacity.png", flat({code(140)}));
-  workplace.write("set/nor_gl.png", flat(kNormal));
-  workplace.write("set/emissive.png", flat(glow));
-  workplace.write("set/rough.png", flat({code(102)}));
-  baked(workplace, {workplace.path("set")});
-  const CoreMaterial core = coreMaterialOf(workplace.read("set.glb"));
-  CHECK(core.material.at("alphaMode") == "BLEND");
-  const json& pbr = core.material.at("pbrMetallicRoughness");
-  CHECK(pbr.at("metallicFactor") == 0.0); // there is no such map
-  CHECK(pbr.at("roughnessFactor") == 1.0);
-  CHECK(core.material.at("emissiveFactor") == json({1.0, 1.0, 1.0}));
-  CHECK_FALSE(core.material.contains("occlusionTexture"));
-  Pixel colorAndOpacity = kColor;
-  colorAndOpacity.push_back(code(140));
-  checkPreview(core, pbr.at("baseColorTexture"), colorAndOpacity);
-  checkPreview(core, core.material.at("normalTexture"), kNormal);
-  checkPreview(core, pbr.at("metallicRoughnessTexture"), {1.0f, code(102), 1.0f});
-  checkPreview(core, core.material.at("emissiveTexture"), glow);
-  CHECK(core.hasTangents);
-
-  baked(workplace, {workplace.path("set/opacity.png"), workplace.path("set/rough.png")});
-  const CoreMaterial rest = coreMaterialOf(workplace.read("set.glb"));
-  CHECK_FALSE(rest.hasTangents);
-  checkPreview(rest, rest.material.at("pbrMetallicRoughness").at("baseColorTexture"),
-               {1.0f, 1.0f, 1.0f, code(140)});
 }
 
 TEST_CASE("an EXR of a map has normals as a normal map has them, and data as it is") {

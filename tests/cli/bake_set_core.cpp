@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What a viewer without the extension sees of a material set that `lichen bake` made.
+#include "set_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+using nlohmann::json;
+
+namespace {
+
+/// What a viewer without our extension sees of a GLB.
+struct CoreMaterial {
+  json material;
+  std::vector<SrgbImage> images; ///< of texture i, which has image i
+  bool hasTangents = false;      ///< some primitive has them
+};
+
+CoreMaterial coreMaterialOf(const std::string& glb) {
+  // A header of 12 bytes, then two chunks with headers of 8: the JSON and the buffer.
+  const auto wordAt = [&](std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &glb[at], sizeof word);
+    return word;
+  };
+  const std::size_t textBytes = wordAt(12);
+  const json gltf = json::parse(glb.substr(20, textBytes));
+  const auto* buffer = reinterpret_cast<const std::byte*>(&glb[20 + textBytes + 8]);
+  CoreMaterial core{gltf.at("materials").at(0), {}, false};
+  for (const json& texture : gltf.at("textures")) {
+    const json& image = gltf.at("images").at(texture.at("source").get<std::size_t>());
+    const json& view = gltf.at("bufferViews").at(image.at("bufferView").get<std::size_t>());
+    const std::span file(buffer + view.at("byteOffset").get<std::size_t>(),
+                         view.at("byteLength").get<std::size_t>());
+    core.images.push_back(std::get<SrgbImage>(decodeImage(file, "preview").value().pixels));
+  }
+  for (const json& mesh : gltf.at("meshes"))
+    for (const json& primitive : mesh.at("primitives"))
+      core.hasTangents = core.hasTangents || primitive.at("attributes").contains("TANGENT");
+  return core;
+}
+
+/// The texture that `info` refers to is `wanted` everywhere.
+void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wanted) {
+  const SrgbImage& image = core.images.at(info.at("index").get<std::size_t>());
+  REQUIRE(std::size_t(image.channels) == wanted.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    largest =
+        std::max(largest, std::abs(double(image.values[i]) - double(wanted[i % wanted.size()])));
+  CHECK(largest < 1.5 / 255.0); // a table's rounding and PNG's
+}
+
+} // namespace
+
+TEST_CASE("the core material of a set has every map in its slot") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  const Pixel glow{code(40), code(80), code(10)};
+  workplace.write("set/diff.png", flat(kColor));
+  workplace.write("set/opacity.png", flat({code(140)}));
+  workplace.write("set/nor_gl.png", flat(kNormal));
+  workplace.write("set/emissive.png", flat(glow));
+  workplace.write("set/rough.png", flat({code(102)}));
+  baked(workplace, {workplace.path("set")});
+  const CoreMaterial core = coreMaterialOf(workplace.read("set.glb"));
+  CHECK(core.material.at("alphaMode") == "BLEND");
+  const json& pbr = core.material.at("pbrMetallicRoughness");
+  CHECK(pbr.at("metallicFactor") == 0.0); // there is no such map
+  CHECK(pbr.at("roughnessFactor") == 1.0);
+  CHECK(core.material.at("emissiveFactor") == json({1.0, 1.0, 1.0}));
+  CHECK_FALSE(core.material.contains("occlusionTexture"));
+  Pixel colorAndOpacity = kColor;
+  colorAndOpacity.push_back(code(140));
+  checkPreview(core, pbr.at("baseColorTexture"), colorAndOpacity);
+  checkPreview(core, core.material.at("normalTexture"), kNormal);
+  checkPreview(core, pbr.at("metallicRoughnessTexture"), {1.0f, code(102), 1.0f});
+  checkPreview(core, core.material.at("emissiveTexture"), glow);
+  CHECK(core.hasTangents);
+
+  baked(workplace, {workplace.path("set/opacity.png"), workplace.path("set/rough.png")});
+  const CoreMaterial rest = coreMaterialOf(workplace.read("set.glb"));
+  CHECK_FALSE(rest.hasTangents);
+  checkPreview(rest, rest.material.at("pbrMetallicRoughness").at("baseColorTexture"),
+               {1.0f, 1.0f, 1.0f, code(140)});
+}
