@@ -24,7 +24,9 @@ constexpr float kGroundToRest = 3.0f;
 // The automatic camera: a portrait lens from slightly above and the side.
 constexpr float kAutoFieldOfView = 0.6f;
 constexpr glm::vec3 kAutoDirection{0.45f, 0.32f, 1.0f};
-constexpr float kAutoMargin = 1.12f;
+constexpr double kAutoMargin = 1.12; // of the picture over the subject in it
+// Of the subject's radius, from its nearest point: something as small as a point has no size.
+constexpr double kAutoLeastDistance = 0.1;
 // Of the near plane's distance, or half an orthographic picture's height: a float of half a step is
 // rounded by 3e-5 of that distance at most, a thirtieth of a pixel of a picture 1000 pixels high
 // there, and less of what is farther.
@@ -56,38 +58,88 @@ Box boxOf(const Scene& scene, const Instance& instance) {
   return box;
 }
 
-Camera autoCamera(const Sphere& subject, float aspect) {
+std::vector<Box> boxesOf(const Scene& scene) {
+  std::vector<Box> boxes;
+  for (const Instance& instance : scene.instances)
+    boxes.push_back(boxOf(scene, instance));
+  return boxes;
+}
+
+/// Of the instances in these boxes, those that are the scene's subject.
+std::vector<std::size_t> subjectInstances(const std::vector<Box>& boxes) {
+  Box solid;
+  for (const Box& box : boxes)
+    if (!box.flat())
+      solid.add(box);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (solid.empty() || !boxes[i].flat() || boxes[i].longest() <= kGroundToRest * solid.longest())
+      chosen.push_back(i);
+  return chosen;
+}
+
+/// Points along a camera's axes (z backwards) -> the nearest place that sees them all, between the
+/// sides of what is seen.
+class ClosestView {
+public:
+  /// Half the width and half the height of what is seen one unit away.
+  explicit ClosestView(const glm::dvec2& slopes) : slopes_(slopes) {}
+
+  void add(const glm::dvec3& p) {
+    lowest_ = glm::min(lowest_, glm::dvec2(p) - slopes_ * p.z);
+    highest_ = glm::max(highest_, glm::dvec2(p) + slopes_ * p.z);
+    front_ = std::max(front_, p.z);
+  }
+
+  [[nodiscard]] double front() const { return front_; }
+  [[nodiscard]] glm::dvec3 eye() const {
+    // A point is seen where |p - eye| <= slopes (eye.z - p.z), across: between these two planes.
+    const glm::dvec2 least = (highest_ - lowest_) / (2.0 * slopes_);
+    return {(lowest_ + highest_) * 0.5, std::max(least.x, least.y)};
+  }
+
+private:
+  glm::dvec2 slopes_;
+  glm::dvec2 lowest_{std::numeric_limits<double>::max()};
+  glm::dvec2 highest_{std::numeric_limits<double>::lowest()};
+  double front_ = std::numeric_limits<double>::lowest();
+};
+
+Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
+  const glm::dvec3 z = glm::normalize(glm::dvec3(kAutoDirection));
+  const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
+  const glm::dmat3 axes(x, glm::cross(z, x), z);
+  const double slope = std::tan(double(kAutoFieldOfView) / 2) / kAutoMargin;
+  ClosestView view({slope * double(aspect), slope});
+  for (const std::size_t i : subjectInstances(boxesOf(scene))) {
+    const Instance& instance = scene.instances[i];
+    for (const Vertex& vertex : scene.primitives[instance.primitive].vertices) {
+      const glm::dvec3 p(instance.worldFromObject * glm::dvec4(vertex.position, 1.0));
+      view.add((p - subject.center) * axes); // a row times a matrix: along each axis
+    }
+  }
+  glm::dvec3 eye = view.eye();
+  eye.z = std::max(eye.z, view.front() + kAutoLeastDistance * double(subject.radius));
+  constexpr double kNearShare = 0.02;
   Camera camera;
   camera.name = "auto";
   camera.verticalFieldOfView = kAutoFieldOfView;
-  const float halfAngle = std::atan(std::tan(kAutoFieldOfView / 2) * std::min(aspect, 1.0f));
-  const float distance = kAutoMargin * subject.radius / std::sin(halfAngle);
-  const glm::vec3 z = glm::normalize(kAutoDirection);
-  const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-  const glm::dvec3 eye = subject.center + glm::dvec3(z * distance);
-  camera.worldFromCamera = glm::dmat4(glm::dvec4(x, 0), glm::dvec4(glm::cross(z, x), 0),
-                                      glm::dvec4(z, 0), glm::dvec4(eye, 1));
-  constexpr float kNearShare = 0.02f;
-  camera.near = kNearShare * (distance - subject.radius);
+  camera.near = float(kNearShare * (eye.z - view.front()));
+  camera.worldFromCamera = glm::dmat4(axes);
+  camera.worldFromCamera[3] = glm::dvec4(subject.center + axes * eye, 1.0);
   return camera;
 }
 
 } // namespace
 
 Result<Sphere> subjectOf(const Scene& scene) {
-  std::vector<Box> boxes;
-  Box solid;
+  const std::vector<Box> boxes = boxesOf(scene);
   Box all;
-  for (const Instance& instance : scene.instances) {
-    boxes.push_back(boxOf(scene, instance));
-    all.add(boxes.back());
-    if (!boxes.back().flat())
-      solid.add(boxes.back());
-  }
-  Box subject = solid;
   for (const Box& box : boxes)
-    if (solid.empty() || (box.flat() && box.longest() <= kGroundToRest * solid.longest()))
-      subject.add(box);
+    all.add(box);
+  Box subject;
+  for (const std::size_t i : subjectInstances(boxes))
+    subject.add(boxes[i]);
   const double extent = std::max(glm::length(all.low), glm::length(all.high));
   if (!(extent < double(kMaxSceneReach)))
     return Error{
@@ -117,7 +169,7 @@ glm::dvec3 originNear(const Camera& camera) {
 Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std::string& choice,
                             float aspect) {
   if (choice == "auto" || (choice.empty() && scene.cameras.empty()))
-    return autoCamera(subject, aspect);
+    return autoCamera(scene, subject, aspect);
   const auto sound = [&](const Camera& camera) -> Result<Camera> {
     if (!camera.fault.empty())
       return Error{ErrorKind::badInput, scene.name + ": " + camera.fault};

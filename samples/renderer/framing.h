@@ -23,7 +23,7 @@ struct Sphere {
 /// The middle of the box around an instance, in the world.
 [[nodiscard]] glm::dvec3 centerOf(const Scene& scene, const Instance& instance);
 
-/// "auto", the name of a camera's node or of a camera of the file, or empty for the file's first
+/// "auto", which shows the subject as large as it fits; the name of a camera's node or of a camera of the file, or empty for the file's first
 /// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
 /// are; badInput for a camera with a fault.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,

@@ -240,7 +240,7 @@ TEST_CASE("a used extension that is unknown is named once and ignored") {
   CHECK(loaded.notes[0].find("KHR_materials_clearcoat") != std::string::npos);
 }
 
-TEST_CASE("the automatic camera has the whole subject in its picture, a ground left out") {
+TEST_CASE("the automatic camera has the whole subject in its picture, no smaller than it must be") {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());
   scene.addBall(material, {{"translation", {40, 1, 0}}});
@@ -251,12 +251,19 @@ TEST_CASE("the automatic camera has the whole subject in its picture, a ground l
   for (const float aspect : {0.5f, 1.0f, 2.5f}) {
     const auto camera = renderer::chooseCamera(loaded, subject, "auto", aspect).value();
     const glm::mat4 clip = renderer::clipFromWorld(camera, {}, aspect, glm::vec2(0.0f));
+    glm::vec2 low(2.0f), high(-2.0f);
     for (const Vertex& v : loaded.primitives[0].vertices) {
       const glm::vec4 p = clip * glm::vec4(v.position + glm::vec3(40, 1, 0), 1.0f);
       CHECK(std::abs(p.x) <= p.w);
       CHECK(std::abs(p.y) <= p.w);
       CHECK((p.z >= 0.0f && p.z <= p.w));
+      low = glm::min(low, glm::vec2(p) / p.w);
+      high = glm::max(high, glm::vec2(p) / p.w);
     }
+    const int tight = aspect < 1.0f ? 0 : 1;
+    const float edge = 1.0f / 1.12f; // framing.cpp's kAutoMargin
+    CHECK(low[tight] == Approx(-edge).margin(1e-3));
+    CHECK(high[tight] == Approx(edge).margin(1e-3));
   }
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());
