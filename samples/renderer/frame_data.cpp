@@ -20,6 +20,9 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSunRadius = 0.02f;
 // Directions close to the horizon graze the ground and give its depth map nothing but aliasing.
 constexpr float kLeastSkyHeight = 0.12f;
+// Of a picture and of each of its frames: as many as hide the single edges of the sky's shadows.
+constexpr std::uint32_t kSkyDirections = 64;
+constexpr std::uint32_t kLeastSkyDirections = 4;
 
 /// Clip space to texture space of a depth map.
 glm::mat4 textureFromClip() {
@@ -67,8 +70,12 @@ void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view)
   view.clipFromWorldOfSun = clipFromWorldAlong(towardSun, inputs.subject, inputs.origin);
   view.data.sunFromWorld = textureFromClip() * view.clipFromWorldOfSun;
   view.data.environment.w = lighting.hasSun ? 1.0f : 0.0f;
-  for (std::uint32_t k = 0; k < SKY_DIRECTIONS; ++k) {
-    const glm::vec3 direction = skyDirection(index * SKY_DIRECTIONS + k);
+  const std::uint32_t directions =
+      std::clamp((kSkyDirections + inputs.frames - 1) / inputs.frames, kLeastSkyDirections,
+                 std::uint32_t(MAX_SKY_DIRECTIONS));
+  view.data.counts.y = int(directions);
+  for (std::uint32_t k = 0; k < directions; ++k) {
+    const glm::vec3 direction = skyDirection(index * directions + k);
     view.clipFromWorldOfSky[k] = clipFromWorldAlong(direction, inputs.subject, inputs.origin);
     view.data.skyFromWorld[k] = textureFromClip() * view.clipFromWorldOfSky[k];
     view.data.skyDirection[k] = glm::vec4(direction, 0.0f);

@@ -28,7 +28,7 @@ struct FrameInputs {
 struct FrameView {
   shader::FrameData data{};
   glm::mat4 clipFromWorldOfSun{1.0f};
-  std::array<glm::mat4, SKY_DIRECTIONS> clipFromWorldOfSky{};
+  std::array<glm::mat4, MAX_SKY_DIRECTIONS> clipFromWorldOfSky{};
 };
 
 inline constexpr std::uint32_t kSunDepthSide = 2048;

@@ -49,7 +49,7 @@ LightMaps createLightMaps(HeadlessDevice& device, ObjectOwner& objects) {
   DeviceImageInfo sky;
   sky.format = kDepthFormat;
   sky.extent = {kSkyDepthSide, kSkyDepthSide, 1};
-  sky.layers = SKY_DIRECTIONS;
+  sky.layers = MAX_SKY_DIRECTIONS;
   sky.usage = kDepthMap;
   sky.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
   sky.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY;
@@ -58,7 +58,7 @@ LightMaps createLightMaps(HeadlessDevice& device, ObjectOwner& objects) {
   layer.image = maps.skyDepth.handle;
   layer.viewType = VK_IMAGE_VIEW_TYPE_2D;
   layer.format = kDepthFormat;
-  for (std::uint32_t k = 0; k < SKY_DIRECTIONS; ++k) {
+  for (std::uint32_t k = 0; k < MAX_SKY_DIRECTIONS; ++k) {
     layer.subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, k, 1};
     maps.skyLayers[k] = objects.view(layer);
   }

@@ -20,7 +20,7 @@ struct FrameTargets {
 struct LightMaps {
   DeviceImage sunDepth;
   DeviceImage skyDepth; ///< a layer for each direction
-  std::array<VkImageView, SKY_DIRECTIONS> skyLayers{};
+  std::array<VkImageView, MAX_SKY_DIRECTIONS> skyLayers{};
 };
 
 /// Throws a Failure: usage for a size beyond the device's.

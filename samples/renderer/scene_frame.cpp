@@ -121,7 +121,7 @@ void SceneRenderer::recordDepthMaps(VkCommandBuffer commands, const FrameView& v
   transition(commands, lightMaps_.sunDepth, kUndefined, kDepthTarget);
   transition(commands, lightMaps_.skyDepth, kUndefined, kDepthTarget);
   recordDepthMap(commands, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun);
-  for (std::size_t k = 0; k < SKY_DIRECTIONS; ++k)
+  for (std::size_t k = 0; k < std::size_t(view.data.counts.y); ++k)
     recordDepthMap(commands, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
   transition(commands, lightMaps_.sunDepth, kDepthTarget, kSampled);
   transition(commands, lightMaps_.skyDepth, kDepthTarget, kSampled);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light that is seen, reflected and given back: where a panorama's directions are, in the
-// background and in mirrors, and two laws of reflection, by pictures of a plane under lamps.
+// Light that is seen, reflected, given back and hidden: where a panorama's directions are, in the
+// background and in mirrors, two laws of reflection, by pictures of a plane under lamps, and the
+// share of a sky that a ball hides.
 #include "rendered.h"
 
 #include <algorithm>
@@ -113,6 +114,35 @@ std::vector<double> radiances(const std::vector<Plate>& plates,
   return result;
 }
 
+constexpr float kBallHeight = 1.5f;
+constexpr float kGroundHalf = 2.9f;
+
+/// A white ball over a white ground, from above, the ground to the picture's edges.
+GltfScene ballFromAbove() {
+  GltfScene scene;
+  const std::size_t white = scene.addMaterial(
+      {{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 1}}}});
+  scene.addBall(white, {{"translation", {0, kBallHeight, 0}}});
+  scene.addGround(white, kGroundHalf, 0.0f);
+  scene.json["cameras"] = {
+      {{"type", "orthographic"},
+       {"orthographic",
+        {{"xmag", kGroundHalf}, {"ymag", kGroundHalf}, {"znear", 0.1}, {"zfar", 9}}}}};
+  scene.json["nodes"].push_back({{"camera", 0},
+                                 {"translation", {0, 5, 0}},
+                                 {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}});
+  scene.json["scenes"][0]["nodes"].push_back(scene.json["nodes"].size() - 1);
+  return scene;
+}
+
+/// Of the light of an even sky on level ground, what a ball of radius 1 leaves at this distance
+/// from where it stands: it hides the cosine over the square of its distance, and the sky's lowest
+/// 0.12 are not looked at (frame_data.cpp), which have the square of that of the light.
+double lightBeside(double across) {
+  const double distance = std::hypot(across, double(kBallHeight));
+  return 1.0 - kBallHeight / (distance * distance * distance) / (1.0 - 0.12 * 0.12);
+}
+
 } // namespace
 
 TEST_CASE("what is seen of a panorama is what lies in that direction") {
@@ -202,5 +232,35 @@ TEST_CASE("a white metal gives back all the light of lamps in all directions", "
   for (std::size_t i = 0; i < plates.size(); ++i) {
     INFO("roughness " << plates[i].roughness << ", n.v " << plates[i].normal.z);
     CHECK(albedo[i] == Approx(1.0).epsilon(kTolerance));
+  }
+}
+
+TEST_CASE("a ball hides its share of the sky, in one frame nearly as in many") {
+  // Well spread directions must do better than as many random ones of equal weight would.
+  constexpr int kSide = 64;
+  LinearImage white(2, 1, 3);
+  std::fill(white.values.begin(), white.values.end(), 1.0f);
+  for (const auto& [frames, directions] : {std::pair(1, 16), {4, 64}, {16, 64}, {64, 256}}) {
+    RenderSettings settings = settingsUnder(white, kSide);
+    settings.frames = std::uint32_t(frames);
+    const LinearImage picture = render(ballFromAbove().glb(), settings);
+    double squares = 0.0;
+    double randomSquares = 0.0;
+    int count = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const auto place = [](int i) { return ((i + 0.5) / kSide * 2.0 - 1.0) * kGroundHalf; };
+        const double across = std::hypot(place(x), place(y));
+        if (across < 1.1) // the ball itself
+          continue;
+        const double light = lightBeside(across);
+        const double error = double(picture.pixel(x, y)[1]) - light;
+        randomSquares += light * (1.0 - light) / directions;
+        squares += error * error;
+        ++count;
+      }
+    INFO(frames << " frames");
+    REQUIRE(count > 3000);
+    CHECK(std::sqrt(squares / count) < std::sqrt(randomSquares / count));
   }
 }

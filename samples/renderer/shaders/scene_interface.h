@@ -6,7 +6,7 @@
 
 #define MAX_LIGHTS 16
 // Directions toward the sky of which each frame draws the visibility.
-#define SKY_DIRECTIONS 4
+#define MAX_SKY_DIRECTIONS 16
 
 #define SET_FRAME 0
 #define BINDING_FRAME 0
@@ -86,15 +86,15 @@ struct FrameData {
   mat4 clipFromWorld;
   mat4 worldFromClip; // as if the camera stood at the origin
   mat4 sunFromWorld;  // to [0, 1]^3 of the sun's depth map
-  mat4 skyFromWorld[SKY_DIRECTIONS];
-  vec4 skyDirection[SKY_DIRECTIONS]; // toward the sky
+  mat4 skyFromWorld[MAX_SKY_DIRECTIONS];
+  vec4 skyDirection[MAX_SKY_DIRECTIONS]; // toward the sky
   vec4 cameraPosition;               // w is 0 for an orthographic camera
   vec4 cameraForward;
   // x 1 / the distance over which haze takes 63 %, 0 for none; y last level of the specular cube
   // map; z scale of texture gradients; w 1 when light 0 is the sun, which the depth map is of.
   vec4 environment;
   vec4 shadow;  // x, y world size of a texel of the sun's and of a sky depth map; zw unused
-  ivec4 counts; // x lights; yzw unused
+  ivec4 counts; // x lights; y directions toward the sky; zw unused
   LightData lights[MAX_LIGHTS];
 };
 

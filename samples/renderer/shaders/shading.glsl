@@ -95,14 +95,14 @@ float sunVisibility(Shading s) {
                  textureLod(sunDepth, vec3(place.xy + texel, depth), 0.0));
 }
 
-/// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in
-/// SKY_DIRECTIONS directions; the average of frames looks everywhere.
+/// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in a few
+/// directions; the average of frames looks everywhere.
 float skyVisibility(Shading s) {
   const float kLeast = 0.02; // a normal that faces none of the directions sees no sky to be hidden
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.y);
   float seen = kLeast;
   float all = kLeast;
-  for (int k = 0; k < SKY_DIRECTIONS; ++k) {
+  for (int k = 0; k < frame.counts.y; ++k) {
     float weight = max(dot(s.normal, frame.skyDirection[k].xyz), 0.0);
     vec3 place = (frame.skyFromWorld[k] * vec4(lifted, 1.0)).xyz;
     bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
