@@ -2,7 +2,7 @@
 // Buffers and images with memory of their own, one-shot submits, readback, validation messages.
 #include "create_object.h"
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <algorithm>
 #include <cstring>
@@ -116,8 +116,8 @@ void DeviceImage::reset() {
   device_ = VK_NULL_HANDLE;
 }
 
-Result<VkDeviceMemory> HeadlessDevice::allocate(const VkMemoryRequirements& requirements,
-                                                VkMemoryPropertyFlags wanted) {
+Result<VkDeviceMemory> VulkanDevice::allocate(const VkMemoryRequirements& requirements,
+                                              VkMemoryPropertyFlags wanted) {
   const std::uint32_t most = properties_.limits.maxMemoryAllocationCount;
   if (allocations_ >= most)
     return Error{ErrorKind::resources, "this Vulkan device accepts up to " + std::to_string(most) +
@@ -145,8 +145,8 @@ Result<VkDeviceMemory> HeadlessDevice::allocate(const VkMemoryRequirements& requ
   return Error{ErrorKind::environment, "the Vulkan device has no memory of the kind needed"};
 }
 
-Result<DeviceBuffer> HeadlessDevice::createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
-                                                  bool hostVisible) {
+Result<DeviceBuffer> VulkanDevice::createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
+                                                bool hostVisible) {
   DeviceBuffer buffer;
   buffer.device_ = device_;
   buffer.size = size;
@@ -176,7 +176,7 @@ Result<DeviceBuffer> HeadlessDevice::createBuffer(VkDeviceSize size, VkBufferUsa
   return buffer;
 }
 
-Result<DeviceImage> HeadlessDevice::createImage(const DeviceImageInfo& wanted) {
+Result<DeviceImage> VulkanDevice::createImage(const DeviceImageInfo& wanted) {
   const std::string name = "an image of " + std::to_string(wanted.extent.width) + " x " +
                            std::to_string(wanted.extent.height);
   DeviceImage image;
@@ -215,7 +215,7 @@ Result<DeviceImage> HeadlessDevice::createImage(const DeviceImageInfo& wanted) {
   return image;
 }
 
-Result<void> HeadlessDevice::submit(const std::function<void(VkCommandBuffer)>& record) {
+Result<void> VulkanDevice::submit(const std::function<void(VkCommandBuffer)>& record) {
   VkCommandBufferAllocateInfo allocation{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   allocation.commandPool = commandPool_;
   allocation.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
@@ -247,7 +247,7 @@ Result<void> HeadlessDevice::submit(const std::function<void(VkCommandBuffer)>& 
 }
 
 Result<std::vector<std::byte>>
-HeadlessDevice::readImage(const DeviceImage& image, VkImageLayout layout, std::size_t texelBytes) {
+VulkanDevice::readImage(const DeviceImage& image, VkImageLayout layout, std::size_t texelBytes) {
   const VkExtent3D extent = image.info.extent;
   const VkDeviceSize size =
       VkDeviceSize(extent.width) * extent.height * extent.depth * VkDeviceSize(texelBytes);

@@ -2,7 +2,7 @@
 // Instance creation, the choice of a physical device, and device creation.
 #include "create_object.h"
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <algorithm>
 #include <array>
@@ -128,7 +128,7 @@ std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
 /// A family with graphics and compute, which both imply transfer, that presents where that is asked
 /// for. -1 when there is none.
 int queueFamilyOf(VkInstance instance, VkPhysicalDevice device,
-                  const HeadlessDeviceOptions& options) {
+                  const VulkanDeviceOptions& options) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
@@ -156,7 +156,7 @@ bool containsFeatures(const VkPhysicalDeviceFeatures& available,
 
 } // namespace
 
-Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options) {
+Result<void> VulkanDevice::createInstance(const VulkanDeviceOptions& options) {
   if (Result<void> loaded = loadVulkan(); !loaded)
     return loaded;
   if (options.validation && !hasLayer(kValidationLayer))
@@ -203,7 +203,7 @@ Result<void> HeadlessDevice::createInstance(const HeadlessDeviceOptions& options
   return {};
 }
 
-Result<void> HeadlessDevice::chooseDevice(const HeadlessDeviceOptions& options) {
+Result<void> VulkanDevice::chooseDevice(const VulkanDeviceOptions& options) {
   const std::vector<VkPhysicalDevice> handles = physicalDevices(instance_);
   if (handles.empty())
     return noDevice();
@@ -229,7 +229,7 @@ Result<void> HeadlessDevice::chooseDevice(const HeadlessDeviceOptions& options) 
   return {};
 }
 
-Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) {
+Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
   const std::string device = "Vulkan device \"" + std::string(properties_.deviceName) + "\"";
   const int family = queueFamilyOf(instance_, physicalDevice_, options);
   if (family < 0)
@@ -277,9 +277,8 @@ Result<void> HeadlessDevice::createDevice(const HeadlessDeviceOptions& options) 
   return {};
 }
 
-Result<std::unique_ptr<HeadlessDevice>>
-HeadlessDevice::create(const HeadlessDeviceOptions& options) {
-  std::unique_ptr<HeadlessDevice> device(new HeadlessDevice);
+Result<std::unique_ptr<VulkanDevice>> VulkanDevice::create(const VulkanDeviceOptions& options) {
+  std::unique_ptr<VulkanDevice> device(new VulkanDevice);
   if (Result<void> result = device->createInstance(options); !result)
     return result.error();
   if (Result<void> result = device->chooseDevice(options); !result)
@@ -289,8 +288,8 @@ HeadlessDevice::create(const HeadlessDeviceOptions& options) {
   return device;
 }
 
-Result<std::vector<std::string>> HeadlessDevice::listDevices() {
-  HeadlessDevice device;
+Result<std::vector<std::string>> VulkanDevice::listDevices() {
+  VulkanDevice device;
   if (Result<void> result = device.createInstance({}); !result)
     return result.error();
   std::vector<std::string> names;
@@ -302,7 +301,7 @@ Result<std::vector<std::string>> HeadlessDevice::listDevices() {
   return names;
 }
 
-HeadlessDevice::~HeadlessDevice() {
+VulkanDevice::~VulkanDevice() {
   if (device_ != VK_NULL_HANDLE) {
     vkDeviceWaitIdle(device_);
     vkDestroyFence(device_, fence_, nullptr);

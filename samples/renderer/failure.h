@@ -4,8 +4,8 @@
 // a Result and an exit code.
 #pragma once
 
-#include <lichen/headless_device.h>
 #include <lichen/result.h>
+#include <lichen/vulkan_device.h>
 
 #include <utility>
 

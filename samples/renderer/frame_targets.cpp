@@ -11,7 +11,7 @@
 namespace lichen::renderer {
 namespace {
 
-DeviceImage target(HeadlessDevice& device, VkFormat format, VkImageUsageFlags usage,
+DeviceImage target(VulkanDevice& device, VkFormat format, VkImageUsageFlags usage,
                    std::uint32_t width, std::uint32_t height) {
   DeviceImageInfo info;
   info.format = format;
@@ -24,7 +24,7 @@ DeviceImage target(HeadlessDevice& device, VkFormat format, VkImageUsageFlags us
 
 } // namespace
 
-FrameTargets createFrameTargets(HeadlessDevice& device, std::uint32_t width, std::uint32_t height) {
+FrameTargets createFrameTargets(VulkanDevice& device, std::uint32_t width, std::uint32_t height) {
   const std::uint32_t longest = device.properties().limits.maxImageDimension2D;
   if (std::max(width, height) > longest)
     throw Failure{{ErrorKind::usage, "--size " + std::to_string(width) + "x" +
@@ -41,7 +41,7 @@ FrameTargets createFrameTargets(HeadlessDevice& device, std::uint32_t width, std
   return targets;
 }
 
-LightMaps createLightMaps(HeadlessDevice& device, ObjectOwner& objects) {
+LightMaps createLightMaps(VulkanDevice& device, ObjectOwner& objects) {
   constexpr VkImageUsageFlags kDepthMap =
       VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   LightMaps maps;
@@ -67,7 +67,7 @@ LightMaps createLightMaps(HeadlessDevice& device, ObjectOwner& objects) {
 
 // Vulkan guarantees all that is asked of the colour formats, and of depth only that some format can
 // be drawn to.
-VkFilter depthFilter(const HeadlessDevice& device) {
+VkFilter depthFilter(const VulkanDevice& device) {
   VkFormatProperties depth{};
   vkGetPhysicalDeviceFormatProperties(device.physicalDevice(), kDepthFormat, &depth);
   constexpr VkFormatFeatureFlags kNeeded =

@@ -24,13 +24,13 @@ struct LightMaps {
 };
 
 /// Throws a Failure: usage for a size beyond the device's.
-[[nodiscard]] FrameTargets createFrameTargets(HeadlessDevice& device, std::uint32_t width,
+[[nodiscard]] FrameTargets createFrameTargets(VulkanDevice& device, std::uint32_t width,
                                               std::uint32_t height);
 
-[[nodiscard]] LightMaps createLightMaps(HeadlessDevice& device, ObjectOwner& objects);
+[[nodiscard]] LightMaps createLightMaps(VulkanDevice& device, ObjectOwner& objects);
 
 /// How depth maps are filtered. Throws a Failure: environment for a device that cannot draw and
 /// sample them.
-[[nodiscard]] VkFilter depthFilter(const HeadlessDevice& device);
+[[nodiscard]] VkFilter depthFilter(const VulkanDevice& device);
 
 } // namespace lichen::renderer

@@ -23,7 +23,7 @@ DeviceImageInfo halfImage(std::uint32_t width, std::uint32_t height) {
   return info;
 }
 
-DeviceImage uploadCube(HeadlessDevice& device, std::span<const CubeLevel> levels) {
+DeviceImage uploadCube(VulkanDevice& device, std::span<const CubeLevel> levels) {
   std::vector<glm::u16vec4> texels;
   for (const CubeLevel& level : levels)
     for (const glm::vec3 value : level.texels)
@@ -39,7 +39,7 @@ DeviceImage uploadCube(HeadlessDevice& device, std::span<const CubeLevel> levels
 
 } // namespace
 
-GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
+GpuEnvironment uploadEnvironment(VulkanDevice& device, ObjectOwner& objects,
                                  const Environment& environment) {
   GpuEnvironment gpu;
   std::vector<glm::u16vec4> texels;

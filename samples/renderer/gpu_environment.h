@@ -16,7 +16,7 @@ struct GpuEnvironment {
   VkSampler clampSampler = VK_NULL_HANDLE;
 };
 
-[[nodiscard]] GpuEnvironment uploadEnvironment(HeadlessDevice& device, ObjectOwner& objects,
+[[nodiscard]] GpuEnvironment uploadEnvironment(VulkanDevice& device, ObjectOwner& objects,
                                                const Environment& environment);
 
 } // namespace lichen::renderer

@@ -16,7 +16,7 @@ VkExtent3D levelExtent(VkExtent3D extent, std::uint32_t level) {
           std::max(extent.depth >> level, 1u)};
 }
 
-DeviceBuffer stagingBuffer(HeadlessDevice& device, std::span<const std::byte> bytes) {
+DeviceBuffer stagingBuffer(VulkanDevice& device, std::span<const std::byte> bytes) {
   DeviceBuffer staging =
       take(device.createBuffer(bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, true));
   std::memcpy(staging.mapped, bytes.data(), bytes.size());
@@ -191,7 +191,7 @@ void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageS
              {image.info.aspect, level, levels, 0, VK_REMAINING_ARRAY_LAYERS}, from, to);
 }
 
-DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,
+DeviceBuffer uploadBuffer(VulkanDevice& device, std::span<const std::byte> bytes,
                           VkBufferUsageFlags usage) {
   const DeviceBuffer staging = stagingBuffer(device, bytes);
   DeviceBuffer buffer =
@@ -212,7 +212,7 @@ DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> byt
   return buffer;
 }
 
-DeviceImage uploadImage(HeadlessDevice& device, DeviceImageInfo info,
+DeviceImage uploadImage(VulkanDevice& device, DeviceImageInfo info,
                         std::span<const std::byte> texels, bool makeMips) {
   info.usage |= VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   if (makeMips)

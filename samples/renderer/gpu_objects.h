@@ -2,7 +2,7 @@
 // Vulkan objects with an owner, uploads, and barriers.
 #pragma once
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -76,12 +76,12 @@ struct Descriptor {
 void writeSet(VkDevice device, VkDescriptorSet set, std::span<const Descriptor> descriptors);
 
 /// A device-local buffer of vertices or indices, as `usage` says.
-[[nodiscard]] DeviceBuffer uploadBuffer(HeadlessDevice& device, std::span<const std::byte> bytes,
+[[nodiscard]] DeviceBuffer uploadBuffer(VulkanDevice& device, std::span<const std::byte> bytes,
                                         VkBufferUsageFlags usage);
 
 /// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level 1
 /// and so on; with `makeMips` it holds level 0 alone and the others are averages.
-[[nodiscard]] DeviceImage uploadImage(HeadlessDevice& device, DeviceImageInfo info,
+[[nodiscard]] DeviceImage uploadImage(VulkanDevice& device, DeviceImageInfo info,
                                       std::span<const std::byte> texels, bool makeMips);
 
 [[nodiscard]] std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height);

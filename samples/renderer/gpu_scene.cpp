@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaterialStride = 512; // on any device's alignment
 static_assert(kMaterialStride >= sizeof(shader::MaterialData) && kMaterialStride % 256 == 0);
 
-void uploadGeometry(HeadlessDevice& device, const Scene& scene, GpuScene& gpu) {
+void uploadGeometry(VulkanDevice& device, const Scene& scene, GpuScene& gpu) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const Primitive& primitive : scene.primitives) {
@@ -64,7 +64,7 @@ VkSamplerCreateInfo samplerInfo(const Sampler& sampler) {
 /// Uploads each image once for each meaning, and makes each sampler once.
 class TextureCache {
 public:
-  TextureCache(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene, GpuScene& gpu)
+  TextureCache(VulkanDevice& device, ObjectOwner& objects, const Scene& scene, GpuScene& gpu)
       : device_(device), objects_(objects), scene_(scene), gpu_(gpu) {
     white_ = upload(TextureImage{1, 1, {255, 255, 255, 255}}, VK_FORMAT_R8G8B8A8_UNORM);
   }
@@ -98,7 +98,7 @@ private:
     return samplers_.emplace_back(wanted, objects_.sampler(samplerInfo(wanted))).second;
   }
 
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   ObjectOwner& objects_;
   const Scene& scene_;
   GpuScene& gpu_;
@@ -160,7 +160,7 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   return data;
 }
 
-void createMaterials(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
                      const NoiseHost& noises, GpuScene& gpu) {
   std::array<VkDescriptorType, 1 + MATERIAL_TEXTURES> types{};
   types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
@@ -210,7 +210,7 @@ Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits
   return {};
 }
 
-GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
                      const NoiseHost& noises) {
   take(fitsDevice(scene, device.properties().limits));
   GpuScene gpu;

@@ -31,7 +31,7 @@ struct GpuScene {
 [[nodiscard]] Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits);
 
 /// `noises` tells which maps a material takes from its noise. Throws a Failure.
-[[nodiscard]] GpuScene uploadScene(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene,
+[[nodiscard]] GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
                                    const NoiseHost& noises);
 
 /// Writes the materials' data again, of which the noises have changed. No frame may be in flight.

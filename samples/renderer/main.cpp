@@ -16,7 +16,7 @@ namespace lichen::renderer {
 namespace {
 
 Result<void> listDevices(bool json) {
-  Result<std::vector<std::string>> devices = HeadlessDevice::listDevices();
+  Result<std::vector<std::string>> devices = VulkanDevice::listDevices();
   if (!devices)
     return devices.error();
   if (json)
@@ -63,7 +63,7 @@ void report(const Command& command, const std::string& device, const Scene& scen
   }
 }
 
-Result<Picture> drawn(const Command& command, HeadlessDevice& device, const Scene& scene,
+Result<Picture> drawn(const Command& command, VulkanDevice& device, const Scene& scene,
                       RenderSettings settings) {
   cli::SharedOptions shared;
   shared.quiet = command.quiet;
@@ -97,10 +97,10 @@ Result<void> run(const Command& command) {
       return panorama.error();
     settings.environment = std::move(panorama).value();
   }
-  HeadlessDeviceOptions options;
+  VulkanDeviceOptions options;
   options.choice = command.device;
   options.validation = command.validate;
-  Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create(options);
+  Result<std::unique_ptr<VulkanDevice>> device = VulkanDevice::create(options);
   if (!device)
     return device.error();
   Result<Picture> picture = drawn(command, *device.value(), scene.value(), settings);

@@ -80,7 +80,7 @@ void check(LichenResult result) {
 
 } // namespace
 
-NoiseHost::NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene)
+NoiseHost::NoiseHost(VulkanDevice& device, ObjectOwner& objects, const Scene& scene)
     : noises_(scene.materials.size(), LICHEN_NO_NOISE), roles_(scene.materials.size()) {
   if (!scene.noiseBundle.empty())
     loadBundle(device, scene);
@@ -89,7 +89,7 @@ NoiseHost::NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& 
   change(device.device(), {});
 }
 
-void NoiseHost::loadBundle(HeadlessDevice& device, const Scene& scene) {
+void NoiseHost::loadBundle(VulkanDevice& device, const Scene& scene) {
   auto diagnostic = initialized<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   auto parse = initialized<LichenParseInfo>(LICHEN_STRUCTURE_PARSE_INFO);
   parse.headerVersion = LICHEN_HEADER_VERSION;
@@ -175,7 +175,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   return roles;
 }
 
-void NoiseHost::createPlaceholders(HeadlessDevice& device, ObjectOwner& objects) {
+void NoiseHost::createPlaceholders(VulkanDevice& device, ObjectOwner& objects) {
   constexpr std::array<std::uint8_t, 8> kWhite{255, 255, 255, 255, 255, 255, 255, 255};
   const auto bytes = std::as_bytes(std::span(kWhite));
   DeviceImageInfo info;
@@ -207,7 +207,7 @@ NoiseHost::imageInfos(std::uint32_t noise, const NoiseRoles& roles) const {
   return infos;
 }
 
-void NoiseHost::createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials) {
+void NoiseHost::createSets(VulkanDevice& device, ObjectOwner& objects, std::size_t materials) {
   std::array<VkDescriptorType, 1 + 2 * NOISE_ROLES> types{};
   types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
   types[BINDING_NOISE] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;

@@ -34,7 +34,7 @@ class NoiseHost {
 public:
   /// Throws a Failure: badInput for a bundle that the plugin refuses, environment for a device that
   /// lacks a format. Without noise materials in the scene the plugin is not called.
-  NoiseHost(HeadlessDevice& device, ObjectOwner& objects, const Scene& scene);
+  NoiseHost(VulkanDevice& device, ObjectOwner& objects, const Scene& scene);
 
   /// Draws the scene's noises with these changes in place of earlier ones. All that is told below
   /// may be different then. No frame may be in flight. Throws a Failure: usage for a noise that the
@@ -86,10 +86,10 @@ private:
   template <class T>
   using Owned = std::unique_ptr<std::remove_pointer_t<T>, Release>;
 
-  void loadBundle(HeadlessDevice& device, const Scene& scene);
-  void createPlaceholders(HeadlessDevice& device, ObjectOwner& objects);
+  void loadBundle(VulkanDevice& device, const Scene& scene);
+  void createPlaceholders(VulkanDevice& device, ObjectOwner& objects);
   void readMaterials(const Scene& scene);
-  void createSets(HeadlessDevice& device, ObjectOwner& objects, std::size_t materials);
+  void createSets(VulkanDevice& device, ObjectOwner& objects, std::size_t materials);
   [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material) const;
   [[nodiscard]] LichenMapping mappingOf(const LichenUniformInfo& info) const;
   [[nodiscard]] double tileSide(const LichenUniformInfo& info) const;

@@ -2,8 +2,8 @@
 // What the renderer's programs have in common: how they read arguments, speak, and end.
 #pragma once
 
-#include <lichen/headless_device.h>
 #include <lichen/result.h>
+#include <lichen/vulkan_device.h>
 
 #include <functional>
 #include <optional>

@@ -20,7 +20,7 @@ double secondsSince(Clock::time_point start) {
 
 } // namespace
 
-Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
+Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                             const RenderSettings& settings) {
   try {
     const Clock::time_point start = Clock::now();

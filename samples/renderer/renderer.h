@@ -9,8 +9,8 @@
 #include "scene.h"
 #include "sky_cache.h"
 
-#include <lichen/headless_device.h>
 #include <lichen/image.h>
+#include <lichen/vulkan_device.h>
 
 #include <functional>
 #include <memory>
@@ -43,7 +43,7 @@ struct Picture {
 /// Errors: usage for a camera or view that does not exist or a size beyond the device's; badInput
 /// for the scene's noise; environment and resources for what the device lacks. Waits for the
 /// device; leaves nothing on it.
-[[nodiscard]] Result<Picture> renderScene(HeadlessDevice& device, const Scene& scene,
+[[nodiscard]] Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                                           const RenderSettings& settings);
 
 } // namespace lichen::renderer

@@ -36,7 +36,7 @@ float reachOf(const Primitive& primitive) {
 
 } // namespace
 
-SceneRenderer::SceneRenderer(HeadlessDevice& device, const Scene& scene,
+SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
                              const RenderSettings& settings)
     : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
       debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),

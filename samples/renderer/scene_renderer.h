@@ -27,7 +27,7 @@ class SceneRenderer {
 public:
   /// Device and scene must outlive it. Of the settings, `frames` may be changed later, as may the
   /// size, the camera, the debug view and the exposure.
-  SceneRenderer(HeadlessDevice& device, const Scene& scene, const RenderSettings& settings);
+  SceneRenderer(VulkanDevice& device, const Scene& scene, const RenderSettings& settings);
 
   /// What was left out or changed, one sentence each.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
@@ -79,7 +79,7 @@ private:
   void recordSurfaces(VkCommandBuffer commands) const;
   void recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const;
 
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   const Scene& scene_;
   float exposureEv_;
   bool toneMap_;

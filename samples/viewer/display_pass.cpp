@@ -15,7 +15,7 @@ constexpr std::array kTypes{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE
 
 } // namespace
 
-DisplayPass::DisplayPass(HeadlessDevice& device) : device_(device), objects_(device.device()) {
+DisplayPass::DisplayPass(VulkanDevice& device) : device_(device), objects_(device.device()) {
   setLayout_ = objects_.setLayout(kTypes, VK_SHADER_STAGE_COMPUTE_BIT);
   set_ = objects_.set(objects_.pool(1, kTypes), setLayout_);
   layout_ = objects_.pipelineLayout(std::span(&setLayout_, 1), VK_SHADER_STAGE_COMPUTE_BIT,

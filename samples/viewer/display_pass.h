@@ -9,14 +9,14 @@ namespace lichen::renderer {
 /// Functions throw a Failure.
 class DisplayPass {
 public:
-  explicit DisplayPass(HeadlessDevice& device);
+  explicit DisplayPass(VulkanDevice& device);
 
   /// The average of `frames` frames in sRGB code, without a format of sRGB; in
   /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, ready to be copied from. Valid until the next call.
   const DeviceImage& show(const DeviceImage& sum, std::uint32_t frames);
 
 private:
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   ObjectOwner objects_;
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
   VkDescriptorSet set_ = VK_NULL_HANDLE;

@@ -30,7 +30,7 @@ VkSemaphore makeSemaphore(VkDevice device) {
 
 } // namespace
 
-Swapchain::Swapchain(HeadlessDevice& device, VkSurfaceKHR surface)
+Swapchain::Swapchain(VulkanDevice& device, VkSurfaceKHR surface)
     : Swapchain(device, surface, Nothing()) {
   VkBool32 presents = VK_FALSE;
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physicalDevice(), device.queueFamily(), surface,

@@ -2,7 +2,7 @@
 // The images of a window, and the way of a finished picture into one of them.
 #pragma once
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace lichen::renderer {
 class Swapchain {
 public:
   /// Owns the surface. The device must outlive it, and the window too.
-  Swapchain(HeadlessDevice& device, VkSurfaceKHR surface);
+  Swapchain(VulkanDevice& device, VkSurfaceKHR surface);
   ~Swapchain();
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
@@ -30,7 +30,7 @@ public:
 private:
   struct Nothing {};
   /// Holds the surface and nothing else, so that a set-up that fails is cleaned up.
-  Swapchain(HeadlessDevice& device, VkSurfaceKHR surface, Nothing)
+  Swapchain(VulkanDevice& device, VkSurfaceKHR surface, Nothing)
       : device_(device), surface_(surface) {}
 
   void chooseFormat();
@@ -38,7 +38,7 @@ private:
   void recordCopy(const DeviceImage& picture, VkImage target);
   void submitCopy(std::uint32_t index);
 
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   VkSurfaceKHR surface_;
   VkSurfaceFormatKHR format_{};
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;

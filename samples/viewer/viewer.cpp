@@ -44,7 +44,7 @@ class Viewer {
 public:
   /// `stamp`: that of the scene's file before it was read.
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
-         RenderSettings settings, HeadlessDevice& device, Window& window)
+         RenderSettings settings, VulkanDevice& device, Window& window)
       : command_(command), settings_(std::move(settings)), device_(device), window_(window),
         watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
         display_(device), shown_(prepare(std::move(scene))),
@@ -263,7 +263,7 @@ private:
 
   const ViewCommand& command_;
   RenderSettings settings_; ///< size and exposure as they are now
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   Window& window_;
   FileWatch watch_;
   Swapchain swapchain_;
@@ -301,13 +301,13 @@ Result<void> view(const ViewCommand& command) {
     settings.environment = take(readPanorama(command.environment));
 
   Window window(settings.width, settings.height, oneLine(scene.value().name));
-  HeadlessDeviceOptions options;
+  VulkanDeviceOptions options;
   options.choice = command.device;
   options.validation = command.validate;
   options.instanceExtensions = Window::instanceExtensions();
   options.deviceExtensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   options.canPresent = Window::canPresent;
-  std::unique_ptr<HeadlessDevice> device = take(HeadlessDevice::create(options));
+  std::unique_ptr<VulkanDevice> device = take(VulkanDevice::create(options));
   Viewer(command, std::move(scene).value(), stamp, std::move(settings), *device, window).run();
   const std::shared_ptr<const ValidationMessages> messages = device->keptMessages();
   device.reset(); // the layers report what was never destroyed

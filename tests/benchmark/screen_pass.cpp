@@ -98,7 +98,7 @@ void toColorAttachment(VkCommandBuffer commands, const DeviceImage& image) {
 
 } // namespace
 
-ScreenPass::ScreenPass(HeadlessDevice& device, std::span<const std::uint32_t> vertex,
+ScreenPass::ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
                        std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
     : device_(device) {
   const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(ScreenView)};

@@ -2,7 +2,7 @@
 // A pipeline that draws one rectangle over a whole image, for timing a fragment shader.
 #pragma once
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <cstdint>
 #include <span>
@@ -21,7 +21,7 @@ inline constexpr VkFormat kScreenFormat = VK_FORMAT_R8G8B8A8_UNORM;
 class ScreenPass {
 public:
   /// `layout` is of set 0. Throws std::runtime_error with the device's message.
-  ScreenPass(HeadlessDevice& device, std::span<const std::uint32_t> vertex,
+  ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
              std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
   ~ScreenPass();
   ScreenPass(const ScreenPass&) = delete;
@@ -32,7 +32,7 @@ public:
   [[nodiscard]] double draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view);
 
 private:
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };

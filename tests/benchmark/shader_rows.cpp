@@ -57,8 +57,8 @@ void prepare(test::PluginHost& host, LichenMapping mapping = LICHEN_MAPPING_UV,
              double blendSharpness = 1.0, std::uint32_t tileRotation = 0) {
   LichenUniformInfo uniforms;
   LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-  uniforms.overrides = LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS |
-                       LICHEN_OVERRIDE_TILE_ROTATION;
+  uniforms.overrides =
+      LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
   uniforms.mapping = mapping;
   uniforms.blendSharpness = blendSharpness;
   uniforms.tileRotation = tileRotation;
@@ -150,7 +150,7 @@ VkDescriptorSetLayout layoutOf(const test::PluginHost& host) {
 
 /// `unit` has the image whose plain fetch is the unit of all ratios.
 void appendRows(std::vector<Row>& rows, const Kind& kind, const test::PluginHost& unit,
-                HeadlessDevice& gpu, const DeviceImage& image) {
+                VulkanDevice& gpu, const DeviceImage& image) {
   test::PluginHost host(gpu, kind.glb);
   prepare(host);
   ScreenPass plain(gpu, view_vert, plain_frag, layoutOf(host));
@@ -164,7 +164,7 @@ void appendRows(std::vector<Row>& rows, const Kind& kind, const test::PluginHost
       ratioRow("the same, perspective", kind.floorTarget, drawn, fetched, image, kFloor, device));
 }
 
-void appendSurfaceRows(std::vector<Row>& rows, HeadlessDevice& gpu, const DeviceImage& image) {
+void appendSurfaceRows(std::vector<Row>& rows, VulkanDevice& gpu, const DeviceImage& image) {
   constexpr double kTarget = 3.0;
   test::PluginHost plane(gpu, textonGlb());
   test::PluginHost surface(gpu, textonGlb());
@@ -180,7 +180,7 @@ void appendSurfaceRows(std::vector<Row>& rows, HeadlessDevice& gpu, const Device
   rows.push_back(ratioRow("the same, perspective", kTarget, drawn, unit, image, kFloor, device));
 }
 
-void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
+void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, VulkanDevice& gpu,
                         const DeviceImage& image) {
   constexpr double kTarget = 2.2;
   test::PluginHost plane(gpu, kind.glb);
@@ -196,7 +196,7 @@ void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, HeadlessDevice
 }
 
 /// The quality levels of tiling, and a sharper blend of the highest.
-void appendLevelRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& gpu,
+void appendLevelRows(std::vector<Row>& rows, const Kind& kind, VulkanDevice& gpu,
                      const DeviceImage& image) {
   constexpr double kTarget = 1.0; // a level that is no cheaper is none
   constexpr double kSharpTarget = 1.25, kSharpness = 4.0;
@@ -222,7 +222,7 @@ void appendLevelRows(std::vector<Row>& rows, const Kind& kind, HeadlessDevice& g
 
 /// Tiles that are turned over tiles that are not; of colours, and of slopes, which are decoded tile
 /// by tile.
-void appendRotationRows(std::vector<Row>& rows, const Kind& colors, HeadlessDevice& gpu,
+void appendRotationRows(std::vector<Row>& rows, const Kind& colors, VulkanDevice& gpu,
                         const DeviceImage& image) {
   constexpr double kUnusedTarget = 1.1, kColorTarget = 1.3, kSlopeTarget = 2.5;
   const test::SyntheticMap slopeMap{2, kExemplarSide, kExemplarSide, false, 8};
@@ -251,10 +251,10 @@ void appendRotationRows(std::vector<Row>& rows, const Kind& colors, HeadlessDevi
 }
 
 std::vector<Row> measure() {
-  Result<std::unique_ptr<HeadlessDevice>> device = HeadlessDevice::create({});
+  Result<std::unique_ptr<VulkanDevice>> device = VulkanDevice::create({});
   if (!device)
     throw std::runtime_error(device.error().message);
-  HeadlessDevice& gpu = *device.value();
+  VulkanDevice& gpu = *device.value();
   DeviceImageInfo info;
   info.format = kScreenFormat;
   info.extent = {kWidth, kHeight, 1};

@@ -148,7 +148,7 @@ namespace {
 
 /// A run with its buffers, set and pipeline.
 struct Prepared {
-  Prepared(HeadlessDevice& device, const ComputeRun& r)
+  Prepared(VulkanDevice& device, const ComputeRun& r)
       : run(r), input(require(device.createBuffer(r.input.size(), kUsage, true))),
         output(require(device.createBuffer(r.outputBytes, kUsage, true))), own(device.device()),
         pipeline((run.pipelines ? *run.pipelines : own).of(run)), buffers(device.device()) {
@@ -179,7 +179,7 @@ struct Prepared {
 
 } // namespace
 
-std::vector<std::vector<std::byte>> runComputes(HeadlessDevice& device,
+std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
                                                 std::span<const ComputeRun> runs) {
   std::vector<std::unique_ptr<Prepared>> prepared;
   for (const ComputeRun& run : runs)
@@ -201,7 +201,7 @@ std::vector<std::vector<std::byte>> runComputes(HeadlessDevice& device,
   return outputs;
 }
 
-std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run) {
+std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run) {
   return runComputes(device, std::span(&run, 1)).front();
 }
 

@@ -2,7 +2,7 @@
 // Runs compute shaders over arrays of inputs.
 #pragma once
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <cstring>
 #include <functional>
@@ -44,10 +44,10 @@ struct ComputeRun {
 };
 
 /// The output buffer's bytes. Throws std::runtime_error with the device's message.
-[[nodiscard]] std::vector<std::byte> runCompute(HeadlessDevice& device, const ComputeRun& run);
+[[nodiscard]] std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run);
 
 /// Those of several runs, one after the other in one command buffer.
-[[nodiscard]] std::vector<std::vector<std::byte>> runComputes(HeadlessDevice& device,
+[[nodiscard]] std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
                                                               std::span<const ComputeRun> runs);
 
 /// Gives a run its input, one invocation for each element, and one or more outputs for each. The
@@ -68,7 +68,7 @@ std::vector<Output> asArray(std::span<const std::byte> bytes) {
 
 /// One run with typed arrays.
 template <class Output, class Input>
-std::vector<Output> runCompute(HeadlessDevice& device, ComputeRun run,
+std::vector<Output> runCompute(VulkanDevice& device, ComputeRun run,
                                const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
   setArrays<Output>(run, inputs, outputsEach);
   return asArray<Output>(runCompute(device, run));

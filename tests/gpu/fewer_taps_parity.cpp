@@ -106,7 +106,7 @@ struct OnDevice {
   std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
   Bundle bundle;
   TilingEvaluator twin;
-  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  std::unique_ptr<VulkanDevice> device = requireDevice();
   PluginHost host;
   std::vector<SpacePoint> points = samplePoints(2000);
 };

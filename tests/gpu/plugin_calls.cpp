@@ -97,7 +97,7 @@ VkResult VKAPI_CALL Proxy::allocateSets(VkDevice device, const VkDescriptorSetAl
   return vkAllocateDescriptorSets(device, info, sets);
 }
 
-HostMemory::HostMemory(HeadlessDevice& d) : device(d) {
+HostMemory::HostMemory(VulkanDevice& d) : device(d) {
   LICHEN_INIT(callbacks, LICHEN_STRUCTURE_DEVICE_ALLOCATOR);
   callbacks.userData = this;
   callbacks.allocate = allocate;

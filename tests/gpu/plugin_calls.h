@@ -3,8 +3,8 @@
 // fails on demand and counts, and a host's own allocator.
 #pragma once
 
-#include <lichen/headless_device.h>
 #include <lichen/lichen_vulkan.h>
+#include <lichen/vulkan_device.h>
 
 #include <cstring>
 
@@ -98,11 +98,11 @@ struct Proxy {
 
 /// A host's own allocator: one VkDeviceMemory for each request, at an offset.
 struct HostMemory {
-  explicit HostMemory(HeadlessDevice& d);
+  explicit HostMemory(VulkanDevice& d);
   HostMemory(const HostMemory&) = delete;
   HostMemory& operator=(const HostMemory&) = delete;
 
-  HeadlessDevice& device;
+  VulkanDevice& device;
   int alive = 0;
   int untilFailure = 0;
   LichenDeviceAllocator callbacks;

@@ -43,7 +43,7 @@ struct Fixture {
   }
   [[nodiscard]] std::vector<std::string> messages() const { return device->messages().texts(); }
 
-  std::unique_ptr<HeadlessDevice> device;
+  std::unique_ptr<VulkanDevice> device;
   LichenBundle bundle;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   DeviceBuffer buffer;

@@ -48,7 +48,7 @@ LichenBundle parseOrThrow(std::span<const std::byte> glb) {
   return bundle;
 }
 
-LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device) {
+LichenVulkanInfo defaultVulkanInfo(const VulkanDevice& device) {
   LichenVulkanInfo info;
   LICHEN_INIT(info, LICHEN_STRUCTURE_VULKAN_INFO);
   info.headerVersion = LICHEN_HEADER_VERSION;
@@ -59,7 +59,7 @@ LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device) {
   return info;
 }
 
-PluginHost::PluginHost(HeadlessDevice& device, std::span<const std::byte> glb,
+PluginHost::PluginHost(VulkanDevice& device, std::span<const std::byte> glb,
                        const LichenVulkanInfo& info)
     : device_(device), bundle_(parseOrThrow(glb)), pipelines_(device.device()) {
   LichenDiagnostic diagnostic;

@@ -16,12 +16,12 @@ namespace lichen::test {
 [[nodiscard]] LichenBundle parseOrThrow(std::span<const std::byte> glb);
 
 /// What a host gives the plugin for this device: the loader's entry point, nothing else.
-[[nodiscard]] LichenVulkanInfo defaultVulkanInfo(const HeadlessDevice& device);
+[[nodiscard]] LichenVulkanInfo defaultVulkanInfo(const VulkanDevice& device);
 
 class PluginHost {
 public:
-  PluginHost(HeadlessDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info);
-  PluginHost(HeadlessDevice& device, std::span<const std::byte> glb)
+  PluginHost(VulkanDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info);
+  PluginHost(VulkanDevice& device, std::span<const std::byte> glb)
       : PluginHost(device, glb, defaultVulkanInfo(device)) {}
   ~PluginHost();
   PluginHost(const PluginHost&) = delete;
@@ -54,7 +54,7 @@ private:
   [[nodiscard]] std::vector<std::byte> evaluateRun(ComputeRun run,
                                                    const LichenUniformInfo& uniforms);
 
-  HeadlessDevice& device_;
+  VulkanDevice& device_;
   LichenBundle bundle_ = nullptr;
   LichenVulkanContext context_ = nullptr;
   LichenVulkanAssets assets_ = nullptr;

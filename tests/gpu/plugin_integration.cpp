@@ -43,7 +43,7 @@ std::vector<std::byte> twoMaterials() {
 
 /// The engine around the integration's code: a pool and a uniform buffer.
 struct Engine {
-  explicit Engine(HeadlessDevice& d) : device(d) {
+  explicit Engine(VulkanDevice& d) : device(d) {
     constexpr std::uint32_t kSets = kGenerations * kMaterials;
     const VkDescriptorPoolSize sizes[] = {
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kSets},
@@ -115,7 +115,7 @@ struct Engine {
     return values;
   }
 
-  HeadlessDevice& device;
+  VulkanDevice& device;
   DeviceBuffer uniforms;
   Host host{};
   LichenVulkanContext context = nullptr;

@@ -77,7 +77,7 @@ TEST_CASE("shadows are filtered where depth can be") {
   const TemporaryFolder folder;
   const auto scene = renderer::readScene(writeInto(folder, "ball.glb", litBall().glb()));
   REQUIRE(scene.ok());
-  HeadlessDevice& device = testDevice();
+  VulkanDevice& device = testDevice();
   const DepthFormat filtered(kDrawnAndSampled | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
   CHECK(renderer::renderScene(device, scene.value(), settingsOf(32, 32, 1)).ok());
   CHECK(filtered.filters() == std::vector{VK_FILTER_LINEAR, VK_FILTER_LINEAR});
@@ -90,7 +90,7 @@ TEST_CASE("a device that cannot draw or sample depth is refused by the format") 
   REQUIRE(scene.ok());
   for (const VkFormatFeatureFlagBits only :
        {VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT}) {
-    HeadlessDevice& device = testDevice();
+    VulkanDevice& device = testDevice();
     const DepthFormat lesser(only);
     const auto drawn = renderer::renderScene(device, scene.value(), settingsOf(32, 32, 1));
     REQUIRE_FALSE(drawn.ok());

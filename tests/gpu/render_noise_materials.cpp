@@ -261,7 +261,7 @@ TEST_CASE("a device that cannot filter a noise's table is refused by the file an
   const auto path = writeInto(folder, "scene.glb", noiseBall({kBaseColor}).glb());
   const auto read = renderer::readScene(path);
   REQUIRE(read.ok());
-  HeadlessDevice& device = testDevice(); // loads the functions
+  VulkanDevice& device = testDevice(); // loads the functions
   static PFN_vkGetInstanceProcAddr real;
   real = vkGetInstanceProcAddr;
   vkGetInstanceProcAddr = [](VkInstance instance, const char* name) -> PFN_vkVoidFunction {

@@ -11,8 +11,8 @@
 
 namespace lichen::test {
 
-inline HeadlessDevice& testDevice() {
-  static const std::unique_ptr<HeadlessDevice> instance = requireDevice();
+inline VulkanDevice& testDevice() {
+  static const std::unique_ptr<VulkanDevice> instance = requireDevice();
   return *instance;
 }
 

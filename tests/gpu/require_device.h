@@ -3,7 +3,7 @@
 // "skipped" on a machine where no Vulkan device exists.
 #pragma once
 
-#include <lichen/headless_device.h>
+#include <lichen/vulkan_device.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -14,12 +14,12 @@ namespace lichen::test {
 /// SKIP_RETURN_CODE of the GPU tests.
 inline constexpr int kSkipped = 77;
 
-inline std::unique_ptr<HeadlessDevice> requireDevice() {
-  HeadlessDeviceOptions options;
+inline std::unique_ptr<VulkanDevice> requireDevice() {
+  VulkanDeviceOptions options;
   options.validation = true;
   if (const char* choice = std::getenv("LICHEN_TEST_DEVICE"))
     options.choice = choice;
-  auto device = HeadlessDevice::create(options);
+  auto device = VulkanDevice::create(options);
   if (device)
     return std::move(device).value();
   std::fprintf(stderr, "%s\n", device.error().message.c_str());

@@ -34,7 +34,7 @@ struct TextonTwins {
     return host.evaluate(committed, quantity, info, points);
   }
 
-  const std::unique_ptr<HeadlessDevice> device = requireDevice();
+  const std::unique_ptr<VulkanDevice> device = requireDevice();
   const Bundle bundle;
   PluginHost host; ///< and the uniforms of the last shader()
   const TextonEvaluator twin;

@@ -214,7 +214,7 @@ struct OnDevice {
     return host.evaluate(committed, quantity, info, points);
   }
 
-  std::unique_ptr<HeadlessDevice> device = requireDevice();
+  std::unique_ptr<VulkanDevice> device = requireDevice();
   Bundle bundle;
   PluginHost host;
 };

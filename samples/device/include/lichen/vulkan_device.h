@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 instance and device that needs no window, for the renderer, the GPU tests and the
-// benchmark: device choice, validation messages, plain buffers and images, one-shot submits and
+// A Vulkan 1.3 instance and device, with or without a window, for the renderer, the GPU tests and
+// the benchmark: device choice, validation messages, plain buffers and images, one-shot submits and
 // readback. Vulkan's own functions come from volk.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace lichen {
 
-struct HeadlessDeviceOptions {
+struct VulkanDeviceOptions {
   /// An index into listDevices(), or a part of a name (case-insensitive). Empty: the first discrete
   /// GPU, else the first integrated, virtual, or CPU device, of those that can present where that
   /// is asked for.
@@ -50,7 +50,7 @@ private:
   std::vector<std::string> texts_;
 };
 
-class HeadlessDevice;
+class VulkanDevice;
 
 /// A buffer with memory of its own, freed with it; must not outlive its device.
 class DeviceBuffer {
@@ -66,7 +66,7 @@ public:
   std::byte* mapped = nullptr; ///< coherent, for the buffer's whole life; null when device-local
 
 private:
-  friend class HeadlessDevice;
+  friend class VulkanDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
@@ -98,7 +98,7 @@ public:
   DeviceImageInfo info;
 
 private:
-  friend class HeadlessDevice;
+  friend class VulkanDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
@@ -107,18 +107,18 @@ private:
 /// One device with one queue for graphics, compute and transfer. Not thread-safe, but several may
 /// exist: volk holds the loader's own entry points, which serve every device (those of extensions
 /// only where the device created last enabled them).
-class HeadlessDevice {
+class VulkanDevice {
 public:
   /// Errors: environment without a loader, device, layer, feature or extension; usage when `choice`
   /// names none. The message lists the devices there are.
-  [[nodiscard]] static Result<std::unique_ptr<HeadlessDevice>>
-  create(const HeadlessDeviceOptions& options);
+  [[nodiscard]] static Result<std::unique_ptr<VulkanDevice>>
+  create(const VulkanDeviceOptions& options);
   /// Names of the machine's Vulkan devices, in the loader's order.
   [[nodiscard]] static Result<std::vector<std::string>> listDevices();
 
-  ~HeadlessDevice();
-  HeadlessDevice(const HeadlessDevice&) = delete;
-  HeadlessDevice& operator=(const HeadlessDevice&) = delete;
+  ~VulkanDevice();
+  VulkanDevice(const VulkanDevice&) = delete;
+  VulkanDevice& operator=(const VulkanDevice&) = delete;
 
   [[nodiscard]] VkInstance instance() const { return instance_; }
   [[nodiscard]] VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
@@ -145,10 +145,10 @@ public:
   readImage(const DeviceImage& image, VkImageLayout layout, std::size_t texelBytes);
 
 private:
-  HeadlessDevice() = default;
-  [[nodiscard]] Result<void> createInstance(const HeadlessDeviceOptions& options);
-  [[nodiscard]] Result<void> chooseDevice(const HeadlessDeviceOptions& options);
-  [[nodiscard]] Result<void> createDevice(const HeadlessDeviceOptions& options);
+  VulkanDevice() = default;
+  [[nodiscard]] Result<void> createInstance(const VulkanDeviceOptions& options);
+  [[nodiscard]] Result<void> chooseDevice(const VulkanDeviceOptions& options);
+  [[nodiscard]] Result<void> createDevice(const VulkanDeviceOptions& options);
   [[nodiscard]] Result<VkDeviceMemory> allocate(const VkMemoryRequirements& requirements,
                                                 VkMemoryPropertyFlags wanted);
 

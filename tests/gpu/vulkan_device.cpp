@@ -11,28 +11,28 @@ using namespace lichen;
 
 TEST_CASE("a choice that names no device is a usage error that lists the devices") {
   lichen::test::requireDevice();
-  HeadlessDeviceOptions options;
+  VulkanDeviceOptions options;
   options.choice = "no such device";
-  const auto device = HeadlessDevice::create(options);
+  const auto device = VulkanDevice::create(options);
   REQUIRE_FALSE(device.ok());
   CHECK(device.error().kind == ErrorKind::usage);
-  const std::vector<std::string> names = HeadlessDevice::listDevices().value();
+  const std::vector<std::string> names = VulkanDevice::listDevices().value();
   CHECK(device.error().message.find(names.front()) != std::string::npos);
 }
 
 TEST_CASE("a device is found by its index and by a part of its name") {
   const auto device = lichen::test::requireDevice();
-  HeadlessDeviceOptions options;
+  VulkanDeviceOptions options;
   options.choice = std::string(device->properties().deviceName).substr(0, 4);
-  CHECK(HeadlessDevice::create(options).ok());
+  CHECK(VulkanDevice::create(options).ok());
   options.choice = "0";
-  CHECK(HeadlessDevice::create(options).ok());
+  CHECK(VulkanDevice::create(options).ok());
 }
 
 namespace {
 
 /// Copies 256 bytes to the device and back, with or without the barrier between the two copies.
-void copyThereAndBack(HeadlessDevice& device, bool withBarrier, std::vector<std::byte>& result) {
+void copyThereAndBack(VulkanDevice& device, bool withBarrier, std::vector<std::byte>& result) {
   const VkBufferUsageFlags usage =
       VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   DeviceBuffer source = device.createBuffer(256, usage, true).value();
