@@ -156,6 +156,11 @@ glm::dvec3 centerOf(const Scene& scene, const Instance& instance) {
   return (box.low + box.high) * 0.5;
 }
 
+double distanceTo(const Scene& scene, const Instance& instance, const glm::dvec3& place) {
+  const Box box = boxOf(scene, instance);
+  return glm::distance(place, glm::clamp(place, box.low, box.high));
+}
+
 glm::dvec3 eyeOf(const Camera& camera) { return {camera.worldFromCamera[3]}; }
 
 glm::dvec3 originNear(const Camera& camera) {

@@ -23,6 +23,10 @@ struct Sphere {
 /// The middle of the box around an instance, in the world.
 [[nodiscard]] glm::dvec3 centerOf(const Scene& scene, const Instance& instance);
 
+/// From a place in the world to the box around an instance; 0 inside of it.
+[[nodiscard]] double distanceTo(const Scene& scene, const Instance& instance,
+                                const glm::dvec3& place);
+
 /// "auto", which shows the subject as large as it fits; the name of a camera's node or of a camera of the file, or empty for the file's first
 /// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
 /// are; badInput for a camera with a fault.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Set-up of a scene's renderer and changes to it; scene_frame.cpp draws with it.
+// Set-up of a scene's renderer and changes to it; scene_frame.cpp draws with it, scene_notes.cpp
+// tells of it.
 #include "scene_renderer.h"
 
 #include "debug_views.h"
@@ -9,13 +10,8 @@
 #include "sky_cache.h"
 #include "world_place.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <set>
 
 namespace lichen::renderer {
 namespace {
@@ -23,16 +19,6 @@ namespace {
 // Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
 // joins a ground to the sky and leaves the subject alone.
 constexpr float kHazeDistance = 80.0f;
-// A vertex this many tiles from its node is rounded by half a texel of tiles of 512.
-constexpr double kMostTilesFromNode = 16384.0;
-
-/// The farthest vertex from the origin of its mesh.
-float reachOf(const Primitive& primitive) {
-  float reach = 0.0f;
-  for (const Vertex& vertex : primitive.vertices)
-    reach = std::max(reach, glm::length(vertex.position));
-  return reach;
-}
 
 } // namespace
 
@@ -79,56 +65,6 @@ GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
   for (Light& light : lighting.lights)
     light.color *= sky.balance;
   return uploadEnvironment(device_, objects_, sky.environment);
-}
-
-/// Where vertices themselves are far from their node, in floats, no origin helps.
-void SceneRenderer::noteCoarseVertices() {
-  std::map<std::size_t, float> reaches; // of primitives
-  std::set<std::size_t> noted;
-  for (const Instance& instance : scene_.instances) {
-    const std::size_t m = scene_.primitives[instance.primitive].material;
-    const double side = noises_.tileSide(m);
-    if (side == 0.0 || noted.contains(m))
-      continue;
-    const auto [known, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
-    if (isNew)
-      known->second = reachOf(scene_.primitives[instance.primitive]);
-    const glm::dmat4& world = instance.worldFromObject;
-    const double scale =
-        noises_.roles(m).inObjectSpace
-            ? 1.0
-            : std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
-    const double reach = scale * double(known->second);
-    if (reach <= kMostTilesFromNode * side)
-      continue;
-    noted.insert(m);
-    const double spacing =
-        std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
-    notes_.push_back(fmt::format(
-        "/materials/{}: vertices are {:.3g} units from their node, where floats are "
-        "{:.2g} apart, in tiles of {:.2g}: its noise may be coarse there; vertices near "
-        "their node are drawn fine wherever it is",
-        m, reach, spacing, side));
-  }
-}
-
-void SceneRenderer::collectNotes(const RenderSettings& settings) {
-  notes_.assign(noises_.notes().begin(), noises_.notes().end());
-  noteCoarseVertices();
-  std::set<std::string> faults; // one camera may stand in several places
-  for (const Camera& camera : scene_.cameras)
-    if (!camera.fault.empty() && faults.insert(camera.fault).second)
-      notes_.push_back(camera.fault + "; this camera is not looked through");
-  if (inputs_.lighting.dropped > 0)
-    notes_.push_back("the scene has " +
-                     std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
-                     " lights; the " + std::to_string(MAX_LIGHTS) +
-                     " that light it most are drawn");
-  const VkExtent3D panorama = environment_.panorama.info.extent;
-  if (settings.environment && (panorama.width != std::uint32_t(settings.environment->width) ||
-                               panorama.height != std::uint32_t(settings.environment->height)))
-    notes_.push_back("the environment is larger than this device accepts; it is drawn at " +
-                     std::to_string(panorama.width) + " x " + std::to_string(panorama.height));
 }
 
 void SceneRenderer::createFrameSet(VkFilter depthFilter) {

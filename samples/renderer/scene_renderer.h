@@ -55,6 +55,7 @@ private:
   [[nodiscard]] GpuEnvironment lightAround(const RenderSettings& settings);
   void collectNotes(const RenderSettings& settings);
   void noteCoarseVertices();
+  void noteUnseenNoise();
   void createFrameSet(VkFilter depthFilter);
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
                                           VkShaderStageFlags stages, VkDescriptorSetLayout& layout);

@@ -276,6 +276,23 @@ TEST_CASE("shaded noise in the world looks alike whatever the origin that it is 
   CHECK(greatestDifference(pictures[0], pictures[1]) < 2.0f * kLevel);
 }
 
+TEST_CASE("noise that is too small to be seen is named") {
+  BundleFile file = tilingBundle();
+  setParameters(file, Mapping::triplanar);
+  const Place place{0.0, 0.0, 0.0};
+  const auto notesAt = [&](double pixels) {
+    const double height = 2.0 * kDistance * std::tan(kFieldOfView / 2); // in stillSettings()' 48
+    file.bundle.materials[0]->scale = pixels / 48.0 * height / file.bundle.noises[0].tileSizeMetres;
+    const renderer::Scene scene = read(squares(file, {&place, 1}));
+    return renderer::SceneRenderer(testDevice(), scene, stillSettings()).notes();
+  };
+  CHECK(notesAt(4.1).empty());
+  CHECK(notesAt(3.2) ==
+        std::vector<std::string>{
+            "/materials/0: an exemplar's width of its noise is 3.2 pixels at most: little but the "
+            "mean is seen; a larger scale or a nearer camera shows the noise"});
+}
+
 TEST_CASE("noise that floats or the lattice cannot place finely is named") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
@@ -291,5 +308,7 @@ TEST_CASE("noise that floats or the lattice cannot place finely is named") {
           "/materials/0 is beyond them is coarse",
           "/materials/0: vertices are 1.41 units from their node, where floats are 1.2e-07 "
           "apart, in tiles of 6.1e-05: its noise may be coarse there; vertices near their node are "
-          "drawn fine wherever it is"});
+          "drawn fine wherever it is",
+          "/materials/0: an exemplar's width of its noise is 0.0032 pixels at most: little but the "
+          "mean is seen; a larger scale or a nearer camera shows the noise"});
 }
