@@ -20,6 +20,6 @@ output=$1
 "$bin/lichen" apply "$work/most.glb" --noise "$work/rock.glb" --material "rock edge" \
   --mapping triplanar --scale 1.5 -o "$work/scene.glb" --quiet
 /usr/bin/time -f '%M KiB at most' "$bin/lichen-render" "$work/scene.glb" --camera view \
-  --size 1600x900 --frames 4 -o "$work/landscape.png" --json
+  --size 1600x900 -o "$work/landscape.png" --json
 convert "$work/landscape.png" -quality 86 "$output"
 echo "$output"
