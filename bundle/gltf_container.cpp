@@ -84,8 +84,10 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
   if (const std::uint32_t version = word(file, 4); version != kGlbVersion)
     fail("glb-version", "GLB version " + std::to_string(version) + "; 2 is accepted");
   if (const std::uint32_t length = word(file, 8); length != file.size())
-    fail("glb-length", "the GLB header says " + std::to_string(length) + " bytes, the file has " +
-                           std::to_string(file.size()));
+    fail(
+        "glb-length",
+        (file.size() < length ? "the GLB is truncated: its header says " : "the GLB header says ") +
+            std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
   std::size_t offset = kGlbHeaderBytes;
   for (int chunk = 0; offset < file.size(); ++chunk) {
     if (file.size() - offset < kGlbChunkHeaderBytes)

@@ -119,11 +119,19 @@ std::optional<Error> firstError(const FindingList& findings, const std::filesyst
   return std::nullopt;
 }
 
-std::string titleOf(const char* kind, const json& element, std::size_t index) {
-  const auto name = element.find("name");
-  return name != element.end() && name->is_string() && !name->get_ref<const std::string&>().empty()
-             ? std::string(kind) + " '" + name->get<std::string>() + "'"
-             : std::string(kind) + " " + std::to_string(index);
+/// By name, by index, or by both where another has the name.
+std::string titleOf(const char* kind, const json& elements, std::size_t index) {
+  const auto nameOf = [](const json& element) {
+    const auto name = element.find("name");
+    return name != element.end() && name->is_string() ? name->get<std::string>() : std::string();
+  };
+  const std::string name = nameOf(elements[index]);
+  const auto count = std::count_if(elements.begin(), elements.end(),
+                                   [&](const json& each) { return nameOf(each) == name; });
+  std::string title = kind;
+  if (name.empty() || count > 1)
+    title += " " + std::to_string(index);
+  return name.empty() ? title : title + " '" + name + "'";
 }
 
 /// The accessor of a new view.
@@ -218,11 +226,11 @@ const json& GltfScene::document() const { return state_->document(); }
 std::size_t GltfScene::materialCount() const { return state_->countOf("materials"); }
 
 std::string GltfScene::materialTitle(std::size_t material) const {
-  return titleOf("material", document()["materials"][material], material);
+  return titleOf("material", document()["materials"], material);
 }
 
 std::string GltfScene::meshTitle(std::size_t mesh) const {
-  return titleOf("mesh", document()["meshes"][mesh], mesh);
+  return titleOf("mesh", document()["meshes"], mesh);
 }
 
 std::string GltfScene::primitiveTitle(PrimitivePlace place) const {

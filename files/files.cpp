@@ -141,7 +141,9 @@ Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
     return unreadable(path, errno);
   if (!S_ISREG(status.st_mode))
-    return Error{ErrorKind::badInput, path.string() + ": not a regular file"};
+    return Error{ErrorKind::badInput,
+                 path.string() + (S_ISDIR(status.st_mode) ? ": is a folder; a file is accepted"
+                                                          : ": not a regular file")};
   const Result<std::size_t> size = wanted(std::size_t(status.st_size));
   if (!size)
     return size.error();

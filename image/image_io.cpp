@@ -51,6 +51,7 @@ constexpr OtherFormat kOtherFormats[] = {
     {0, "\xff\x0a", "a JPEG XL"},
     {4, "JXL \r\n\x87\n", "a JPEG XL"},
     {4, "jP  \r\n\x87\n", "a JPEG 2000"},
+    {0, "glTF", "a binary glTF"},
     {0, "#?RADIANCE", "a Radiance HDR"},
     {0, "DDS ", "a DDS"},
     {1, "KTX ", "a KTX"},

@@ -44,15 +44,26 @@ std::string placesOf(const std::vector<FrameSingularity>& singularities) {
 
 std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes) {
   std::vector<std::string> notes, smoothed;
+  const MeshFrames* singular = nullptr; // the first of them
+  std::size_t singularMeshes = 0;
   for (const MeshFrames& frames : meshes) {
-    const std::string title = scene.path().string() + ": " + frames.mesh;
     if (frames.hasNewNormals)
       smoothed.push_back(frames.mesh);
-    if (const std::size_t count = frames.singularities.size(); count > 0)
-      notes.push_back(fmt::format("{}: the frame has {} singular {}, around which the noise turns, "
-                                  "at {} of the mesh",
-                                  title, count, count == 1 ? "triangle" : "triangles",
-                                  placesOf(frames.singularities)));
+    if (!frames.singularities.empty() && singularMeshes++ == 0)
+      singular = &frames;
+  }
+  if (singular != nullptr) {
+    const std::size_t count = singular->singularities.size();
+    const std::size_t more = singularMeshes - 1;
+    const std::string others = more > 0
+                                   ? fmt::format("; {} more {} such triangles, which --json lists",
+                                                 more, more == 1 ? "mesh has" : "meshes have")
+                                   : "";
+    notes.push_back(fmt::format("{}: {}: the frame has {} singular {}, around which the noise "
+                                "turns, at {} of the mesh{}",
+                                scene.path().string(), singular->mesh, count,
+                                count == 1 ? "triangle" : "triangles",
+                                placesOf(singular->singularities), others));
   }
   if (!smoothed.empty())
     notes.push_back(fmt::format("{}: {}: had no normals and {} given smooth ones",

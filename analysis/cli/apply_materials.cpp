@@ -2,6 +2,8 @@
 // Names and indices of materials -> indices; see apply_materials.h.
 #include "apply_materials.h"
 
+#include <lichen/surface_frames.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -106,6 +108,30 @@ Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, con
                  fmt::format("{}: {}; {} is accepted", scene.path().string(), first, instead)};
   notes.push_back(fmt::format("{}: {} left out, since {}; {} is accepted there",
                               scene.path().string(), shortList(others), first, instead));
+  return fit;
+}
+
+Result<std::vector<std::size_t>> materialsWithFrames(const GltfScene& scene,
+                                                     const ChosenMaterials& chosen,
+                                                     bool bringsNormals,
+                                                     std::vector<std::string>& notes) {
+  std::vector<std::size_t> fit;
+  std::vector<std::string> others;
+  std::optional<Error> first;
+  for (const std::size_t material : chosen.indices) {
+    const Result<void> checked = checkFrames(scene, material, bringsNormals);
+    if (checked) {
+      fit.push_back(material);
+      continue;
+    }
+    others.push_back(scene.materialTitle(material));
+    if (!first)
+      first = checked.error();
+  }
+  if (first && (!chosen.areAll || fit.empty()))
+    return *first;
+  if (first)
+    notes.push_back(fmt::format("{}; left out: {}", first->message, shortList(others)));
   return fit;
 }
 

@@ -96,9 +96,12 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
       accepted.emplace_back(nameOf(each));
   return Error{ErrorKind::usage,
                fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
-                           "{} is accepted",
+                           "{} is accepted{}",
                            nameOf(mapping), noise.name, nameOf(noise.method),
-                           alternatives(accepted))};
+                           alternatives(accepted),
+                           mappingFits(Method::texton, mapping)
+                               ? ", or a noise that is baked with --method texton"
+                               : "")};
 }
 
 /// Whether the mapping has what the options set: places in space, and planes.
@@ -157,6 +160,22 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
 }
 
+/// Those that have what the mapping needs, or can be given it.
+Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
+                                                   const ChosenMaterials& chosen,
+                                                   const Noise& noise, const MaterialNoise& use,
+                                                   std::vector<std::string>& notes) {
+  switch (use.mapping) {
+  case Mapping::uv:
+    return materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen, "--mapping uv",
+                         "another mapping", notes);
+  case Mapping::surface:
+    return materialsWithFrames(scene, chosen, findMap(noise, MapTarget::normal).has_value(), notes);
+  default:
+    return chosen.indices;
+  }
+}
+
 Result<Outcome> apply(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
   if (name.empty() && file.size() < arguments.noise.size())
@@ -185,10 +204,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
   Outcome outcome;
   const Result<std::vector<std::size_t>> materials =
-      use.mapping == Mapping::uv
-          ? materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen.value(),
-                          "--mapping uv", "another mapping", outcome.notes)
-          : chosen.value().indices;
+      suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
   if (!materials)
     return materials.error();
   const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use, materials.value(), scene);

@@ -401,7 +401,9 @@ Result<int> run(const Arguments& arguments) {
     return read.error();
   const Bundle& bundle = read.value();
   if (bundle.noises.empty() && bundle.ignoredNoises.empty())
-    return Error{ErrorKind::badInput, arguments.bundle + ": has no noise"};
+    return Error{ErrorKind::badInput, arguments.bundle +
+                                          ": has no noise; a bundle of 'lichen bake', or "
+                                          "a scene of 'lichen apply', is accepted"};
   const Result<std::size_t> diskBytes = bytesOnDisk(arguments.bundle);
   if (!diskBytes)
     return diskBytes.error();

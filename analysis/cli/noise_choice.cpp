@@ -46,7 +46,8 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                              noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
   if (bundle.noises.empty())
     return Error{ErrorKind::badInput, file + (bundle.ignoredNoises.empty()
-                                                  ? ": has no noise"
+                                                  ? ": has no noise; a bundle of 'lichen bake', or "
+                                                    "a scene of 'lichen apply', is accepted"
                                                   : ": has no noise of a revision that is known")};
   return placeOf(wanted, noises, "--noise", file);
 }

@@ -175,6 +175,11 @@ Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>
 
 } // namespace
 
+Result<void> checkFrames(const GltfScene& scene, std::size_t material, bool bringsNormals) {
+  const auto places = placesWithoutFrame(scene, {&material, 1}, bringsNormals);
+  return places ? Result<void>() : Result<void>(places.error());
+}
+
 Result<std::vector<MeshFrames>> addSurfaceFrames(GltfScene& scene,
                                                  std::span<const std::size_t> materials,
                                                  const FrameOptions& options,

@@ -20,8 +20,9 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kSunRadius = 0.02f;
 // Directions close to the horizon graze the ground and give its depth map nothing but aliasing.
 constexpr float kLeastSkyHeight = 0.12f;
-// Of a picture and of each of its frames: as many as hide the single edges of the sky's shadows.
-constexpr std::uint32_t kSkyDirections = 64;
+// Of a picture and of each of its frames: as many as hide the single edges of the sky's shadows, in
+// a room with a window too, which few of them reach.
+constexpr std::uint32_t kSkyDirections = 256;
 constexpr std::uint32_t kLeastSkyDirections = 4;
 
 /// Clip space to texture space of a depth map.

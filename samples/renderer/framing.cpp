@@ -78,28 +78,51 @@ std::vector<std::size_t> subjectInstances(const std::vector<Box>& boxes) {
   return chosen;
 }
 
-/// Points along a camera's axes (z backwards) -> the nearest place that sees them all, between the
-/// sides of what is seen.
+/// Points along a camera's axes (z backwards) -> the nearest place that sees them all.
 class ClosestView {
 public:
   /// Half the width and half the height of what is seen one unit away.
   explicit ClosestView(const glm::dvec2& slopes) : slopes_(slopes) {}
 
   void add(const glm::dvec3& p) {
+    points_.push_back(p);
     lowest_ = glm::min(lowest_, glm::dvec2(p) - slopes_ * p.z);
     highest_ = glm::max(highest_, glm::dvec2(p) + slopes_ * p.z);
     front_ = std::max(front_, p.z);
   }
 
   [[nodiscard]] double front() const { return front_; }
-  [[nodiscard]] glm::dvec3 eye() const {
+
+  /// At least `margin` before all points, which are then in the middle of what is seen.
+  [[nodiscard]] glm::dvec3 eye(double margin) const {
     // A point is seen where |p - eye| <= slopes (eye.z - p.z), across: between these two planes.
     const glm::dvec2 least = (highest_ - lowest_) / (2.0 * slopes_);
-    return {(lowest_ + highest_) * 0.5, std::max(least.x, least.y)};
+    const double z = std::max({least.x, least.y, front_ + margin});
+    return {centered(0, z), centered(1, z), z};
   }
 
 private:
+  /// Where an axis has as much of what is seen on one side of the points as on the other.
+  [[nodiscard]] double centered(int axis, double z) const {
+    double low = highest_[axis] - slopes_[axis] * z;
+    double high = lowest_[axis] + slopes_[axis] * z;
+    constexpr int kHalvings = 20; // far below a pixel
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (low + high) / 2;
+      double least = std::numeric_limits<double>::max();
+      double most = std::numeric_limits<double>::lowest();
+      for (const glm::dvec3& p : points_) {
+        const double seen = (p[axis] - middle) / (z - p.z);
+        least = std::min(least, seen);
+        most = std::max(most, seen);
+      }
+      (least + most > 0.0 ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
   glm::dvec2 slopes_;
+  std::vector<glm::dvec3> points_;
   glm::dvec2 lowest_{std::numeric_limits<double>::max()};
   glm::dvec2 highest_{std::numeric_limits<double>::lowest()};
   double front_ = std::numeric_limits<double>::lowest();
@@ -118,8 +141,7 @@ Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
       view.add((p - subject.center) * axes); // a row times a matrix: along each axis
     }
   }
-  glm::dvec3 eye = view.eye();
-  eye.z = std::max(eye.z, view.front() + kAutoLeastDistance * double(subject.radius));
+  const glm::dvec3 eye = view.eye(kAutoLeastDistance * double(subject.radius));
   constexpr double kNearShare = 0.02;
   Camera camera;
   camera.name = "auto";

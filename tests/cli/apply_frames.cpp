@@ -92,6 +92,37 @@ TEST_CASE("tangents that a mesh has are its frame") {
   CHECK(document["meshes"] == json(scene.json["meshes"]));
 }
 
+TEST_CASE("of all materials those that need other tangents are left out with a note") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
+  const Arguments surface{"--mapping", "surface"};
+  const Ended ended = apply(workplace, writeScene(workplace, scene), wool, "all", surface);
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("primitive 0 of mesh 'table': has no TANGENT") &&
+                               Catch::Contains("left out: material 'wood'\n"));
+  const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+  CHECK(!document["materials"][0].contains("extensions"));
+  CHECK(document["materials"][1].contains("extensions"));
+  scene.json["materials"][1]["normalTexture"] = {{"index", 0}};
+  checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "all",
+                "--mapping", "surface", "-o", workplace.path("x.glb")},
+               int(ErrorKind::badInput), {"material 'wood'", "TANGENT"});
+}
+
+TEST_CASE("one note tells of the singular triangles of many meshes, by index where names agree") {
+  const Workplace workplace;
+  const std::string wool = writeTexton(workplace);
+  example::TinyScene scene = example::tableScene();
+  scene.json["meshes"].push_back(scene.json["meshes"][0]);
+  const std::string path = writeScene(workplace, scene);
+  const Ended ended = apply(workplace, path, wool, "glass", {"--mapping", "surface"});
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains(path + ": mesh 0 'table': the frame has") &&
+                               Catch::Contains("; 1 more mesh has such triangles"));
+}
+
 TEST_CASE("noise with normals of its own needs no tangents of a normal texture") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("bumps"));

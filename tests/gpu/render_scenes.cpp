@@ -264,6 +264,7 @@ TEST_CASE("the automatic camera has the whole subject in its picture, no smaller
     const float edge = 1.0f / 1.12f; // framing.cpp's kAutoMargin
     CHECK(low[tight] == Approx(-edge).margin(1e-3));
     CHECK(high[tight] == Approx(edge).margin(1e-3));
+    CHECK(low[1 - tight] == Approx(-high[1 - tight]).margin(1e-3)); // the other one is centred
   }
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());

@@ -54,7 +54,8 @@ TEST_CASE("what is not a readable regular file is refused with the reason") {
   CHECK(readFile(folder / "absent").error().kind == ErrorKind::badInput);
   CHECK(readFile(folder / "absent").error().message ==
         path + ": cannot be read: No such file or directory");
-  CHECK(readFile(folder.path()).error().message == folder.path().string() + ": not a regular file");
+  CHECK(readFile(folder.path()).error().message ==
+        folder.path().string() + ": is a folder; a file is accepted");
   CHECK(readFile("/dev/zero").error().message == "/dev/zero: not a regular file");
 }
 

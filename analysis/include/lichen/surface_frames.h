@@ -31,12 +31,16 @@ struct FrameOptions {
   bool bringsNormals = false;
 };
 
+/// Whether the primitives of a material have frames or can be given some. Errors: badInput, naming
+/// the first whose material needs tangents of its texture coordinates, which would be lost.
+[[nodiscard]] Result<void> checkFrames(const GltfScene& scene, std::size_t material,
+                                       bool bringsNormals);
+
 /// Adds TANGENT (w = 1) to the primitives of these materials that have none, and NORMAL averaged by
 /// area where that is absent too: tangents then count for nothing and are replaced. One field for
 /// all such primitives of a mesh.
 /// Errors, naming the primitive: badInput for what GltfScene::geometry() or directionField()
-/// refuses, and for a material that needs tangents of its texture coordinates, which would be lost;
-/// usage for a grain that directionField() refuses; resources.
+/// refuses, and as checkFrames(); usage for a grain that directionField() refuses; resources.
 [[nodiscard]] Result<std::vector<MeshFrames>>
 addSurfaceFrames(GltfScene& scene, std::span<const std::size_t> materials,
                  const FrameOptions& options = {}, const Progress& progress = {});

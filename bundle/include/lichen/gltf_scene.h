@@ -44,7 +44,8 @@ public:
   [[nodiscard]] const std::filesystem::path& path() const;
   [[nodiscard]] const nlohmann::json& document() const; ///< as it was read
   [[nodiscard]] std::size_t materialCount() const;
-  /// "material 2" or "material 'wood'", and so on; for messages.
+  /// "material 2", "material 'wood'", or "material 2 'wood'" where another is called so; for
+  /// messages.
   [[nodiscard]] std::string materialTitle(std::size_t material) const;
   [[nodiscard]] std::string meshTitle(std::size_t mesh) const;
   [[nodiscard]] std::string primitiveTitle(PrimitivePlace place) const;
