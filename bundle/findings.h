@@ -4,6 +4,8 @@
 
 #include <lichen/bundle.h>
 
+#include <algorithm>
+
 namespace lichen {
 
 class FindingList {
@@ -13,6 +15,13 @@ public:
   }
   void warn(std::string code, std::string pointer, std::string message) {
     add({Finding::Severity::warning, std::move(code), std::move(pointer), std::move(message)});
+  }
+  /// Records a fault that is known already, if this list has it not.
+  void repeat(const Finding& known) {
+    if (std::none_of(findings_.begin(), findings_.end(), [&](const Finding& each) {
+          return each.pointer == known.pointer && each.code == known.code;
+        }))
+      add(known);
   }
   [[nodiscard]] std::size_t errorCount() const { return errors_; }
   [[nodiscard]] const std::vector<Finding>& all() const { return findings_; }

@@ -161,64 +161,44 @@ Result<std::vector<std::byte>> GltfFile::readFileUri(const std::string& uri) con
   return path ? readFile(path.value()) : path.error();
 }
 
-bool GltfFile::loadBuffer(std::size_t index, Buffer& target, FindingList& findings) {
+std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   const std::string pointer = "/buffers/" + std::to_string(index);
+  const auto fault = [&](const char* code, const char* member, std::string message) {
+    return Finding{Finding::Severity::error, code, pointer + member, std::move(message)};
+  };
   const json* description = element(document(), "buffers", index);
-  if (description == nullptr) {
-    findings.error("buffer", pointer, "absent or not an object");
-    return false;
-  }
+  if (description == nullptr)
+    return fault("buffer", "", "absent or not an object");
   const auto length = countMember(*description, "byteLength", std::nullopt);
-  if (!length || *length == 0) {
-    findings.error("buffer", pointer + "/byteLength", "absent or not a positive integer");
-    return false;
-  }
+  if (!length || *length == 0)
+    return fault("buffer", "/byteLength", "absent or not a positive integer");
   const auto uri = description->find("uri");
   if (uri == description->end()) {
-    if (index != 0 || !container_.binaryChunk) {
-      findings.error("buffer", pointer, "no uri, and no GLB chunk that would hold it");
-      return false;
-    }
+    if (index != 0 || !container_.binaryChunk)
+      return fault("buffer", "", "no uri, and no GLB chunk that would hold it");
     target.bytes = *container_.binaryChunk;
   } else {
-    if (!uri->is_string()) {
-      findings.error("buffer-uri", pointer + "/uri", "not a string");
-      return false;
-    }
-    if (*length > kMaxStoredBytes - storedBytes_) {
-      findings.error("buffer", pointer + "/byteLength",
-                     std::to_string(*length) + " bytes; at most " +
-                         std::to_string(kMaxStoredBytes) + " of all buffers are accepted");
-      return false;
-    }
+    if (!uri->is_string())
+      return fault("buffer-uri", "/uri", "not a string");
+    if (*length > kMaxStoredBytes - storedBytes_)
+      return fault("buffer", "/byteLength",
+                   std::to_string(*length) + " bytes; at most " + std::to_string(kMaxStoredBytes) +
+                       " of all buffers are accepted");
     Result<std::vector<std::byte>> read =
         readUri(uri->get_ref<const std::string&>(), std::size_t(*length));
-    if (!read) {
-      findings.error(read.error().kind == ErrorKind::resources ? "memory" : "buffer-uri",
-                     pointer + "/uri", read.error().message);
-      return false;
-    }
+    if (!read)
+      return fault(read.error().kind == ErrorKind::resources ? "memory" : "buffer-uri", "/uri",
+                   read.error().message);
     target.storage = std::move(read).value();
     storedBytes_ += std::size_t(*length);
     target.bytes = target.storage;
   }
-  if (*length > target.bytes.size()) {
-    findings.error("buffer", pointer + "/byteLength",
-                   std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
-                       " are there");
-    return false;
-  }
+  if (*length > target.bytes.size())
+    return fault("buffer", "/byteLength",
+                 std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
+                     " are there");
   target.bytes = target.bytes.first(std::size_t(*length));
-  return true;
-}
-
-const GltfFile::Buffer& GltfFile::buffer(std::size_t index, FindingList& findings) {
-  Buffer& target = buffers_[index];
-  if (!target.loaded) {
-    target.loaded = true;
-    target.usable = loadBuffer(index, target, findings);
-  }
-  return target;
+  return std::nullopt;
 }
 
 std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index,
@@ -272,8 +252,16 @@ std::optional<GltfFile::StridedView> GltfFile::stridedView(std::size_t index,
 
 std::optional<std::span<const std::byte>> GltfFile::wholeBuffer(std::size_t index,
                                                                 FindingList& findings) {
-  const Buffer& source = buffer(index, findings);
-  return source.usable ? std::optional(source.bytes) : std::nullopt;
+  Buffer& source = buffers_[index];
+  if (!source.loaded) {
+    source.loaded = true;
+    source.fault = loadBuffer(index, source);
+  }
+  if (source.fault) {
+    findings.repeat(*source.fault);
+    return std::nullopt;
+  }
+  return source.bytes;
 }
 
 std::size_t GltfFile::loadedBytes() const {

@@ -21,8 +21,8 @@ public:
   [[nodiscard]] const GltfContainer& container() const { return container_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// The bytes of a buffer view of a table, in bounds. Faults are recorded once for each view or
-  /// buffer.
+  /// The bytes of a buffer view of a table, in bounds. Faults are recorded at each call, those of a
+  /// buffer once in each list.
   [[nodiscard]] std::optional<std::span<const std::byte>> bufferView(std::size_t index,
                                                                      FindingList& findings);
   /// As above of a view with vertices, whose elements may lie apart.
@@ -42,13 +42,13 @@ public:
 private:
   struct Buffer {
     bool loaded = false;
-    bool usable = false;
+    std::optional<Finding> fault;   ///< for which it cannot be used
     std::vector<std::byte> storage; ///< empty for the GLB chunk, which is borrowed
     std::span<const std::byte> bytes;
   };
 
-  const Buffer& buffer(std::size_t index, FindingList& findings);
-  [[nodiscard]] bool loadBuffer(std::size_t index, Buffer& target, FindingList& findings);
+  /// Fills `target`; returns the fault for which it cannot.
+  [[nodiscard]] std::optional<Finding> loadBuffer(std::size_t index, Buffer& target);
   /// The file that a URI names inside the folder, or what is wrong.
   [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
   /// The first `length` bytes of what a URI names, or what is wrong. A file must have them, a data

@@ -23,10 +23,11 @@ public:
 
   void run() {
     for (const char* array :
-         {"accessors", "bufferViews", "buffers", "images", "materials", "samplers", "textures"})
+         {"accessors", "bufferViews", "buffers", "images", "samplers", "textures"})
       objects(root_, array, "");
-    for (std::size_t m = 0; root_.contains("materials") && m < root_["materials"].size(); ++m)
-      material(root_["materials"][m], "/materials/" + std::to_string(m));
+    const json* materials = objects(root_, "materials", "");
+    for (std::size_t m = 0; materials != nullptr && m < materials->size(); ++m)
+      material((*materials)[m], "/materials/" + std::to_string(m));
     const json* meshes = objects(root_, "meshes", "");
     for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
       const std::string mesh = "/meshes/" + std::to_string(m);
@@ -51,8 +52,6 @@ private:
 
   /// The noise takes the place of textures and is multiplied by what stands beside them.
   void material(const json& value, const std::string& pointer) {
-    if (!value.is_object())
-      return; // which has been said of the array
     for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
       texture(value, key, pointer);
     const auto core = value.find("pbrMetallicRoughness");

@@ -19,6 +19,13 @@ struct AddedView {
   bool isVertices = false;
 };
 
+/// Accessors without a fault.
+struct SoundAccessors {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t>
+      vectors;                                           ///< elements, by accessor and components
+  std::set<std::pair<std::size_t, std::size_t>> indices; ///< by accessor and limit
+};
+
 struct GltfScene::State {
   std::filesystem::path path;
   std::vector<std::byte> bytes; ///< of the file, which `file` borrows
@@ -28,6 +35,7 @@ struct GltfScene::State {
   std::size_t ignoredNoises = 0;    ///< likewise
   std::set<std::string> noiseNames; ///< of all noises of the file
 
+  SoundAccessors soundAccessors;                         ///< those that checkVertices() has read
   std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< each material
   bool listsExtension = false;                           ///< in extensionsUsed
 

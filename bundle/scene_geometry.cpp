@@ -48,6 +48,10 @@ std::optional<std::string> unreadable(const json& primitive) {
   return std::nullopt;
 }
 
+std::string countMismatch(std::size_t count, const char* what, std::size_t positions) {
+  return std::to_string(count) + " " + what + " for " + std::to_string(positions) + " positions";
+}
+
 /// Its `triangles` are the indices as they are stored. Errors are recorded; the result is then
 /// incomplete.
 PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingList& findings) {
@@ -64,8 +68,7 @@ PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingLis
     return geometry;
   if (!geometry.normals.empty() && geometry.normals.size() != geometry.positions.size())
     findings.error("accessor", "",
-                   std::to_string(geometry.normals.size()) + " normals for " +
-                       std::to_string(geometry.positions.size()) + " positions");
+                   countMismatch(geometry.normals.size(), "normals", geometry.positions.size()));
   if (primitive.contains("indices")) {
     auto values = readIndices(file, primitive["indices"].get<std::size_t>(),
                               geometry.positions.size(), findings);
@@ -78,19 +81,56 @@ PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingLis
   return geometry;
 }
 
-/// Texture coordinates that are there are as many as positions, and numbers. Errors are recorded.
-void checkTexCoords(GltfFile& file, const json& primitive, std::size_t positions,
-                    FindingList& findings) {
-  for (const auto& [name, accessor] : primitive["attributes"].items()) {
-    if (!name.starts_with("TEXCOORD_"))
-      continue;
-    const auto values = readVectors<2>(file, accessor.get<std::size_t>(), findings);
-    if (values && values->size() != positions)
-      findings.error("accessor", "/accessors/" + std::to_string(accessor.get<std::size_t>()),
-                     std::to_string(values->size()) + " texture coordinates for " +
-                         std::to_string(positions) + " positions");
+/// Checks the vertices of a scene's primitives, each accessor once. Errors are recorded.
+class VertexCheck {
+public:
+  VertexCheck(GltfFile& file, SoundAccessors& sound, FindingList& findings)
+      : file_(file), sound_(sound), findings_(findings) {}
+
+  void run(const json& primitive) {
+    const json& attributes = primitive["attributes"];
+    const std::optional<std::size_t> positions = count<3>(attributes["POSITION"]);
+    if (!positions)
+      return;
+    if (attributes.contains("NORMAL"))
+      expectCount(count<3>(attributes["NORMAL"]), *positions, "normals", attributes["NORMAL"]);
+    for (const auto& [name, accessor] : attributes.items())
+      if (name.starts_with("TEXCOORD_"))
+        expectCount(count<2>(accessor), *positions, "texture coordinates", accessor);
+    if (primitive.contains("indices"))
+      indices(primitive["indices"].get<std::size_t>(), *positions);
   }
-}
+
+private:
+  /// Of the accessor's vectors; nothing where they are at fault.
+  template <std::size_t kComponents>
+  std::optional<std::size_t> count(const json& accessor) {
+    const std::pair key{accessor.get<std::size_t>(), kComponents};
+    if (const auto known = sound_.vectors.find(key); known != sound_.vectors.end())
+      return known->second;
+    const auto values = readVectors<kComponents>(file_, key.first, findings_);
+    if (!values)
+      return std::nullopt;
+    return sound_.vectors[key] = values->size();
+  }
+
+  void expectCount(std::optional<std::size_t> count, std::size_t positions, const char* what,
+                   const json& accessor) {
+    if (count && *count != positions)
+      findings_.error("accessor", "/accessors/" + accessor.dump(),
+                      countMismatch(*count, what, positions));
+  }
+
+  void indices(std::size_t accessor, std::size_t limit) {
+    const std::pair key{accessor, limit};
+    if (!sound_.indices.contains(key) && readIndices(file_, accessor, limit, findings_))
+      sound_.indices.insert(key);
+  }
+
+  GltfFile& file_;
+  SoundAccessors& sound_; // added to
+  FindingList& findings_;
+};
 
 /// The extension that compresses what would be read of a primitive, or nothing.
 std::optional<std::string> compressionOf(const json& document, const json& primitive) {
@@ -98,10 +138,15 @@ std::optional<std::string> compressionOf(const json& document, const json& primi
     return kDraco;
   const auto ofAccessor = [&](const json& index) -> std::optional<std::string> {
     const json& accessor = document["accessors"][index.get<std::size_t>()];
-    const auto view = accessor.find("bufferView");
-    return view != accessor.end() && view->is_number_unsigned()
-               ? compressionOfView(document, view->get<std::size_t>())
-               : std::nullopt;
+    for (const char* place :
+         {"/bufferView", "/sparse/indices/bufferView", "/sparse/values/bufferView"}) {
+      const json::json_pointer view(place);
+      if (!accessor.contains(view) || !accessor[view].is_number_unsigned())
+        continue;
+      if (auto name = compressionOfView(document, accessor[view].get<std::size_t>()))
+        return name;
+    }
+    return std::nullopt;
   };
   for (const json& accessor : primitive["attributes"])
     if (std::optional<std::string> name = ofAccessor(accessor))
@@ -149,9 +194,7 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
     if (!primitive["attributes"].contains("POSITION"))
       return Compression(); // which glTF allows, and nothing is drawn
     FindingList findings;
-    const PrimitiveGeometry geometry = readGeometry(*state_->file, primitive, findings);
-    if (findings.errorCount() == 0)
-      checkTexCoords(*state_->file, primitive, geometry.positions.size(), findings);
+    VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
     if (findings.errorCount() > 0)
       return faultOf(findings, title);
     return Compression();

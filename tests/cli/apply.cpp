@@ -236,6 +236,11 @@ TEST_CASE("vertices that are compressed get the noise, with a note") {
   const std::size_t view = scene.json["accessors"][position]["bufferView"];
   scene.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
   noted(scene, "EXT_meshopt_compression");
+  scene = sound; // of an accessor whose values are replaced in part
+  const std::size_t values = scene.addView(std::as_bytes(std::span<const float>()));
+  scene.json["bufferViews"][values]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+  scene.json["accessors"][position]["sparse"]["values"]["bufferView"] = values;
+  noted(scene, "EXT_meshopt_compression");
 }
 
 TEST_CASE("the report tells frames, singularities and what multiplies the noise") {

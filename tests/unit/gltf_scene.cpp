@@ -217,6 +217,9 @@ TEST_CASE("meshes that cannot be read are refused by name") {
              Contains("/bufferViews/0/buffer"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["materials"] = json::object(); }),
              Contains("/materials"));
+  for (const json& materials : {json(5), json("x"), json::array({1})})
+    CHECK_THAT(broken([&](auto& s, auto&) { s.json["materials"] = materials; }),
+               Contains("/materials: not an array of objects"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["meshes"][0]["primitives"] = {1}; }),
              Contains("/meshes/0/primitives"));
   CHECK_THAT(broken([](auto& s, auto&) {
@@ -228,6 +231,39 @@ TEST_CASE("meshes that cannot be read are refused by name") {
                p["indices"] = s.addAccessor(std::vector<std::uint16_t>{0, 1, 4}, "SCALAR", 5123, 1);
              }),
              Contains("index 4"));
+}
+
+TEST_CASE("what is at fault is said of every primitive that has it") {
+  const Folder folder;
+  const std::string text = example::tableScene().gltf("absent.bin");
+  GltfScene opened = openScene(folder.write("scene.gltf", std::as_bytes(std::span(text))));
+  for (int again = 0; again < 2; ++again)
+    for (std::size_t primitive = 0; primitive < 2; ++primitive) {
+      const PrimitivePlace place{0, primitive};
+      CHECK(!opened.geometry(place).ok());
+      const auto checked = opened.checkVertices(place);
+      REQUIRE(!checked.ok());
+      CHECK_THAT(checked.error().message, Catch::Contains("/buffers/0/uri") &&
+                                              Catch::Contains(opened.primitiveTitle(place)));
+    }
+}
+
+TEST_CASE("vertices that primitives share are checked once, indices against each") {
+  const Folder folder;
+  TinyScene scene = example::tableScene();
+  auto& primitives = scene.json["meshes"][0]["primitives"];
+  const auto first = primitives[0];
+  primitives = {first, first, first};
+  primitives[1]["indices"] =
+      scene.addAccessor(std::vector<std::uint16_t>{0, 1, 4}, "SCALAR", 5123, 1);
+  primitives[2]["attributes"]["TEXCOORD_0"] = primitives[0]["attributes"]["POSITION"];
+  GltfScene opened = openScene(folder.write("scene.glb", scene.glb()));
+  CHECK(opened.checkVertices({0, 0}).ok());
+  const auto outside = opened.checkVertices({0, 1}), type = opened.checkVertices({0, 2});
+  REQUIRE(!outside.ok());
+  REQUIRE(!type.ok());
+  CHECK_THAT(outside.error().message, Catch::Contains("index 4"));
+  CHECK_THAT(type.error().message, Catch::Contains("VEC2"));
 }
 
 TEST_CASE(
