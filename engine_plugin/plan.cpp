@@ -252,7 +252,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   LichenNoiseProperties values{};
   values.name = source.name.c_str();
   values.mapCount = std::uint32_t(source.maps.size());
-  values.tileSizeMetres = float(source.tileSizeMetres);
+  values.tileSizeMetres = source.tileSizeMetres;
   values.uniformBufferCount = 1;
   values.method = source.method == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
   values.combinedImageSamplerCount = 2 * values.mapCount;

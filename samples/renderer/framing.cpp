@@ -185,10 +185,15 @@ double distanceTo(const Scene& scene, const Instance& instance, const glm::dvec3
 
 glm::dvec3 eyeOf(const Camera& camera) { return {camera.worldFromCamera[3]}; }
 
-glm::dvec3 originNear(const Camera& camera) {
+glm::dvec3 originNear(const Camera& camera, const glm::dvec3& subject) {
   const double nearest = double(camera.perspective ? camera.near : camera.halfHeight);
   const double step = std::exp2(std::ceil(std::log2(kOriginStep * nearest)));
-  const glm::dvec3 origin = glm::round(eyeOf(camera) / step) * step;
+  glm::dvec3 center = eyeOf(camera);
+  if (!camera.perspective) { // what it sees as finely may be far along its axis
+    const auto axis = glm::normalize(glm::dvec3(camera.worldFromCamera[2]));
+    center += axis * glm::dot(subject - center, axis);
+  }
+  const glm::dvec3 origin = glm::round(center / step) * step;
   // Farther out there is nothing to be seen.
   return glm::clamp(origin, -double(kMaxSceneReach), double(kMaxSceneReach));
 }
@@ -238,7 +243,10 @@ glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float as
     projection[2][2] = 1.0f / (camera.far - camera.near);
     projection[3] = glm::vec4(jitterClip, camera.far / (camera.far - camera.near), 1.0f);
   }
-  return projection * glm::inverse(relativeTo(origin, camera.worldFromCamera));
+  // In doubles: an orthographic camera may be far from the origin along its axis.
+  glm::dmat4 pose = camera.worldFromCamera;
+  pose[3] -= glm::dvec4(origin, 0.0);
+  return glm::mat4(glm::dmat4(projection) * glm::inverse(pose));
 }
 
 glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject, const glm::dvec3& origin) {

@@ -36,10 +36,11 @@ struct Sphere {
 /// Where a camera is in the world.
 [[nodiscard]] glm::dvec3 eyeOf(const Camera& camera);
 
-/// A place in the world near the camera, for all that is drawn to be relative to. It follows the
-/// camera in whole steps, so that little changes from frame to frame and a scene around the world's
-/// origin is drawn relative to just that; what rounding over a step moves is far below a pixel.
-[[nodiscard]] glm::dvec3 originNear(const Camera& camera);
+/// A place in the world for all that is drawn to be relative to: near a perspective camera; of an
+/// orthographic one on its axis, where the subject's center is beside it. It follows the camera in
+/// whole steps, so that little changes from frame to frame and a scene around the world's origin is
+/// drawn relative to just that; what rounding over a step moves is far below a pixel.
+[[nodiscard]] glm::dvec3 originNear(const Camera& camera, const glm::dvec3& subject);
 
 /// Places relative to `origin` to Vulkan's clip space (y down), depth reversed: 1 at the near plane
 /// and 0 at the far one. A picture wider than the camera's own aspect ratio shows more at the

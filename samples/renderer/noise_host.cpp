@@ -309,7 +309,7 @@ double NoiseHost::tileSide(const LichenUniformInfo& info) const {
   check(lichenGetNoiseProperties(bundle_.get(), noises_[info.material], &noise));
   const double scale =
       info.overrides & LICHEN_OVERRIDE_SCALE ? info.scale : materials_[info.material].scale;
-  return scale * double(noise.tileSizeMetres);
+  return scale * noise.tileSizeMetres;
 }
 
 double NoiseHost::tileSide(std::size_t material) const {

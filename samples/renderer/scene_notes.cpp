@@ -18,10 +18,11 @@ constexpr double kMostTilesFromNode = 16384.0;
 // Of an exemplar's width: in fewer, its mips have next to no variation left.
 constexpr double kFewestPixels = 4.0;
 
-/// The farthest vertex from the origin of its mesh.
-float reachOf(const Primitive& primitive) {
+/// The farthest vertex from the origin of its mesh, of those that place the noise.
+float reachOf(const Primitive& primitive, bool inObjectSpace) {
   float reach = 0.0f;
-  for (const Vertex& vertex : primitive.vertices)
+  const bool isUndeformed = inObjectSpace && !primitive.undeformed.empty();
+  for (const Vertex& vertex : isUndeformed ? primitive.undeformed : primitive.vertices)
     reach = std::max(reach, glm::length(vertex.position));
   return reach;
 }
@@ -43,10 +44,11 @@ void SceneRenderer::noteCoarseVertices() {
     const double side = noises_.tileSide(m);
     if (side == 0.0 || noted.contains(m))
       continue;
+    const bool inObjectSpace = noises_.roles(m).inObjectSpace;
     const auto [known, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
     if (isNew)
-      known->second = reachOf(scene_.primitives[instance.primitive]);
-    const double scale = noises_.roles(m).inObjectSpace ? 1.0 : scaleOf(instance);
+      known->second = reachOf(scene_.primitives[instance.primitive], inObjectSpace);
+    const double scale = inObjectSpace ? 1.0 : scaleOf(instance);
     const double reach = scale * double(known->second);
     if (reach <= kMostTilesFromNode * side)
       continue;

@@ -149,7 +149,7 @@ void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
 
 void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
-  const glm::dvec3 origin = originNear(camera);
+  const glm::dvec3 origin = originNear(camera, inputs_.subject.center);
   if (origin != std::exchange(inputs_.origin, origin)) {
     noises_.place(origin);
     writeMaterials(scene_, noises_, gpu_);

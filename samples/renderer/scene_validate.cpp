@@ -53,7 +53,7 @@ public:
     root_.each("textures", [&](const Place& p, std::size_t) { texture(p); });
     root_.each("materials", [&](const Place& p, std::size_t) { material(p); });
     root_.each("meshes", [&](const Place& p, std::size_t) { mesh(p); });
-    root_.each("cameras", [&](const Place& p, std::size_t) { camera(p); });
+    root_.each("cameras", [&](const Place& p, std::size_t i) { camera(p, i); });
     root_.extension("KHR_lights_punctual").each("lights", [&](const Place& p, std::size_t) {
       light(p);
     });
@@ -319,7 +319,7 @@ private:
                [](const Place& weight, std::size_t) { weight.asNumber(-kLargest, kLargest); });
   }
 
-  static void camera(const Place& place) {
+  void camera(const Place& place, std::size_t index) {
     (void)place.member("type");
     const std::string type = *place.string("type");
     const bool perspective = type == "perspective";
@@ -335,6 +335,10 @@ private:
       (void)lens.member("xmag");
       (void)lens.member("ymag");
     }
+    for (const char* key : {"zfar", "aspectRatio"}) // of which tinygltf tells only the value
+      if (perspective && lens.find(key) && lens.number(key, -kLargest, kLargest, 1) == 0.0)
+        notes_.push_back("/cameras/" + std::to_string(index) + "/perspective/" + key +
+                         ": 0 is taken as absent; more than 0 is accepted");
   }
 
   static void light(const Place& place) {

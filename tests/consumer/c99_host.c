@@ -24,7 +24,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
   failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
-  failures += KEEPS(LichenNoiseProperties, mixSteps, 48, 44);
+  failures += KEEPS(LichenNoiseProperties, reserved, 56, 52);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
   failures += KEEPS(LichenMaterialProperties, tileRotation, 128, 124);
   failures += KEEPS(LichenImageProperties, byteCount, 72, 64);

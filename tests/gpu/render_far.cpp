@@ -43,8 +43,9 @@ void setParameters(BundleFile& file, Mapping mapping) {
   MaterialNoise& use = *file.bundle.materials[0];
   use.mapping = mapping;
   use.rotation = 0.4;
-  use.scale = 0.6;
+  use.scale = 2.0;
   use.seed = 3;
+  file.bundle.noises[0].tileSizeMetres = 0.3; // which no float is
 }
 
 /// At each of the places a square, and a camera that faces it and sees nothing else.
@@ -270,10 +271,31 @@ TEST_CASE("shaded noise in the world looks alike whatever the origin that it is 
     drawn.setCamera(camera);
     drawn.drawFrame(0);
     pictures.push_back(drawn.average(1));
-    origins.push_back(renderer::originNear(camera));
+    origins.push_back(renderer::originNear(camera, {}));
   }
   CHECK(glm::distance(origins[0], origins[1]) > 10.0);
   CHECK(greatestDifference(pictures[0], pictures[1]) < 2.0f * kLevel);
+}
+
+TEST_CASE("an orthographic camera sees as finely from afar as from near by") {
+  BundleFile file = tilingBundle();
+  setParameters(file, Mapping::triplanar);
+  const renderer::Scene scene = read(moved(stillLife(file), {77.7, 55.5, -33.3}));
+  renderer::SceneRenderer drawn(testDevice(), scene, stillSettings());
+  std::vector<LinearImage> pictures;
+  for (const double away : {0.0, 1e5, 1e7}) {
+    renderer::Camera camera = scene.cameras[0];
+    camera.perspective = false;
+    camera.halfHeight = 1.5f;
+    camera.worldFromCamera[3] += away * camera.worldFromCamera[2];
+    camera.near = float(away);
+    camera.far = float(away + 20.0);
+    drawn.setCamera(camera);
+    drawn.drawFrame(0);
+    pictures.push_back(drawn.average(1));
+  }
+  for (std::size_t i = 1; i < pictures.size(); ++i)
+    CHECK(greatestDifference(pictures[i], pictures[0]) < 2.0f * kLevel);
 }
 
 TEST_CASE("noise that is too small to be seen is named") {
@@ -296,7 +318,7 @@ TEST_CASE("noise that is too small to be seen is named") {
 TEST_CASE("noise that floats or the lattice cannot place finely is named") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
-  file.bundle.materials[0]->scale = 1.0 / 16384.0; // corners are sqrt(2) from their node
+  file.bundle.materials[0]->scale = 1.0 / 16384.0 / 0.3; // corners are sqrt(2) from their node
   const Place place{0.0, 1e8, 0.0};
   const renderer::Scene scene = read(squares(file, {&place, 1}));
   renderer::RenderSettings settings = stillSettings();

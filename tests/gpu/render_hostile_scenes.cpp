@@ -412,6 +412,21 @@ TEST_CASE("a lens that nothing can be seen through is refused where its camera i
   }
 }
 
+TEST_CASE("a lens whose ratio or far plane is 0 has none, with a note") {
+  for (const std::string key : {"aspectRatio", "zfar"}) {
+    GltfScene source = triangleScene();
+    source.addCamera(4.0f, 0.6f);
+    source.json["cameras"][0]["perspective"][key] = 0.0;
+    const TemporaryFolder folder;
+    const auto scene = renderer::readScene(writeInto(folder, "scene.glb", source.glb()));
+    REQUIRE(scene.ok());
+    CHECK(scene.value().notes ==
+          std::vector<std::string>{"/cameras/0/perspective/" + key +
+                                   ": 0 is taken as absent; more than 0 is accepted"});
+    CHECK(scene.value().cameras[0].fault.empty());
+  }
+}
+
 TEST_CASE("a scene cut off at any byte is refused") {
   const TemporaryFolder folder;
   const std::vector<std::byte> whole = triangleScene().glb();

@@ -152,15 +152,16 @@ typedef struct LichenNoiseProperties {
   LichenStructureType type;
   uint32_t size;
   void* next;
-  const char* name;     /* UTF-8, as long as the bundle lives */
-  uint32_t mapCount;    /* LICHEN_MAP_COUNT of the shader, 1 to 6 */
-  float tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
+  const char* name;      /* UTF-8, as long as the bundle lives */
+  double tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
+  uint32_t mapCount;     /* LICHEN_MAP_COUNT of the shader, 1 to 6 */
   /* What one descriptor set of this noise takes from a pool. */
   uint32_t uniformBufferCount; /* UNIFORM_BUFFER_DYNAMIC with LICHEN_VULKAN_DYNAMIC_UNIFORMS */
   uint32_t combinedImageSamplerCount;
   LichenNoiseMethod method;
   uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
                         shader library may be 0 where no noise is a mix */
+  uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -429,8 +430,8 @@ typedef struct LichenUniformInfo {
    * LICHEN_PLACE_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for
    * LICHEN_MAPPING_SURFACE, which only textons have. */
   LichenMapping mapping;
-  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536: any
-   * angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
+  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536:
+   * any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
   uint32_t tileRotation;
   double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
 } LichenUniformInfo;
