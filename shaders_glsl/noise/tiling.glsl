@@ -217,7 +217,11 @@ vec4 lichenTilingDecodeTiles(sampler3D table, LichenTiles tiles, vec3 blend, Lic
   vec3 shares = taps.weights * inversesqrt(dot(taps.weights, taps.weights));
   vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
   // One loop for both, tested at both ends: lichenTriplanarBlend says why.
-  int count = isEach ? LICHEN_TILING_TAPS : 1;
+  int count = 1;
+  if (isEach && lichenIsTaken(taps.weights.y))
+    count = 2;
+  if (isEach && LICHEN_TILING_TAPS > 2 && lichenIsTaken(taps.weights.z))
+    count = 3;
   int tile = 0;
   while (tile < count) {
     vec3 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
