@@ -36,7 +36,7 @@ double scaleOf(const Instance& instance) {
 } // namespace
 
 /// Where vertices themselves are far from their node, in floats, no origin helps.
-void SceneRenderer::noteCoarseVertices() {
+void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
   std::map<std::size_t, float> reaches; // of primitives
   std::set<std::size_t> noted;
   for (const Instance& instance : scene_.instances) {
@@ -55,7 +55,7 @@ void SceneRenderer::noteCoarseVertices() {
     noted.insert(m);
     const double spacing =
         std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
-    notes_.push_back(fmt::format(
+    notes.push_back(fmt::format(
         "/materials/{}: vertices are {:.3g} units from their node, where floats are "
         "{:.2g} apart, in tiles of {:.2g}: its noise may be coarse there; vertices near "
         "their node are drawn fine wherever it is",
@@ -64,7 +64,7 @@ void SceneRenderer::noteCoarseVertices() {
 }
 
 /// Of a noise that lies in space, as the camera stands.
-void SceneRenderer::noteUnseenNoise() {
+void SceneRenderer::noteUnseenNoise(std::vector<std::string>& notes) const {
   const Camera& camera = inputs_.camera;
   const double slope = 2.0 * std::tan(double(camera.verticalFieldOfView) / 2);
   std::map<std::size_t, double> widest; // pixels of an exemplar, by material
@@ -88,31 +88,48 @@ void SceneRenderer::noteUnseenNoise() {
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::string others =
       widest.size() > 1 ? fmt::format(", and of {} more materials less", widest.size() - 1) : "";
-  notes_.push_back(
-      fmt::format("/materials/{}: an exemplar's width of its noise is {:.2g} pixels at "
-                  "most{}: little but the mean is seen; a larger scale or a nearer "
-                  "camera shows the noise",
-                  first->first, first->second, others));
+  notes.push_back(fmt::format("/materials/{}: an exemplar's width of its noise is {:.2g} pixels at "
+                              "most{}: little but the mean is seen; a larger scale or a nearer "
+                              "camera shows the noise",
+                              first->first, first->second, others));
 }
 
-void SceneRenderer::collectNotes(const RenderSettings& settings) {
-  notes_.assign(noises_.notes().begin(), noises_.notes().end());
-  noteCoarseVertices();
-  noteUnseenNoise();
+/// A noise by texture coordinates that a mesh does not have, or that are all alike.
+void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const {
+  std::set<std::size_t> noted;
+  for (const Primitive& primitive : scene_.primitives) {
+    const std::size_t m = primitive.material;
+    if (!noises_.hasNoise(m) || noises_.tileSide(m) != 0.0 || noted.contains(m))
+      continue;
+    const std::uint32_t set = noises_.roles(m).texCoord;
+    const auto coordinates = set == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1;
+    const glm::vec2 first = primitive.vertices.front().*coordinates;
+    if (std::any_of(primitive.vertices.begin(), primitive.vertices.end(),
+                    [&](const Vertex& vertex) { return vertex.*coordinates != first; }))
+      continue;
+    noted.insert(m);
+    notes.push_back(fmt::format("/materials/{}: its noise lies by TEXCOORD_{}, of which a mesh has "
+                                "none or one value, so that one value of the noise is seen; the "
+                                "mapping triplanar needs none",
+                                m, set));
+  }
+}
+
+std::vector<std::string> SceneRenderer::notes() const {
+  std::vector<std::string> notes(noises_.notes().begin(), noises_.notes().end());
+  noteCoarseVertices(notes);
+  noteUnseenNoise(notes);
+  noteMissingTexCoords(notes);
   std::set<std::string> faults; // one camera may stand in several places
   for (const Camera& camera : scene_.cameras)
     if (!camera.fault.empty() && faults.insert(camera.fault).second)
-      notes_.push_back(camera.fault + "; this camera is not looked through");
+      notes.push_back(camera.fault + "; this camera is not looked through");
   if (inputs_.lighting.dropped > 0)
-    notes_.push_back("the scene has " +
-                     std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
-                     " lights; the " + std::to_string(MAX_LIGHTS) +
-                     " that light it most are drawn");
-  const VkExtent3D panorama = environment_.panorama.info.extent;
-  if (settings.environment && (panorama.width != std::uint32_t(settings.environment->width) ||
-                               panorama.height != std::uint32_t(settings.environment->height)))
-    notes_.push_back("the environment is larger than this device accepts; it is drawn at " +
-                     std::to_string(panorama.width) + " x " + std::to_string(panorama.height));
+    notes.push_back("the scene has " +
+                    std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
+                    " lights; the " + std::to_string(MAX_LIGHTS) + " that light it most are drawn");
+  notes.insert(notes.end(), environmentNotes_.begin(), environmentNotes_.end());
+  return notes;
 }
 
 } // namespace lichen::renderer

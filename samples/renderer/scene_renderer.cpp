@@ -39,7 +39,6 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
   hasHaze_ = !settings.environment; // a panorama shows itself what is far away
   setCamera(take(chooseCamera(scene, inputs_.subject, settings.camera, aspect)));
   environment_ = lightAround(settings);
-  collectNotes(settings);
   const VkFilter filter = depthFilter(device);
   targets_ = createFrameTargets(device, settings.width, settings.height);
   lightMaps_ = createLightMaps(device, objects_);
@@ -53,8 +52,15 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
 GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
   if (settings.environment) {
     const int longestSide = int(device_.properties().limits.maxImageDimension2D);
-    return uploadEnvironment(device_, objects_,
-                             prepareEnvironment(fitted(*settings.environment, longestSide)));
+    GpuEnvironment around = uploadEnvironment(
+        device_, objects_, prepareEnvironment(fitted(*settings.environment, longestSide)));
+    const VkExtent3D drawn = around.panorama.info.extent;
+    if (drawn.width != std::uint32_t(settings.environment->width) ||
+        drawn.height != std::uint32_t(settings.environment->height))
+      environmentNotes_.push_back(
+          "the environment is larger than this device accepts; it is drawn at " +
+          std::to_string(drawn.width) + " x " + std::to_string(drawn.height));
+    return around;
   }
   Lighting& lighting = inputs_.lighting;
   const glm::vec3 sunlight =

@@ -29,8 +29,8 @@ public:
   /// size, the camera, the debug view and the exposure.
   SceneRenderer(VulkanDevice& device, const Scene& scene, const RenderSettings& settings);
 
-  /// What was left out or changed, one sentence each.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// What is left out or changed, with the camera and the noise as they are, one sentence each.
+  [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] const Camera& camera() const { return inputs_.camera; }
   [[nodiscard]] const Sphere& subject() const { return inputs_.subject; }
   /// Of the bundle's noises, as the file has them; may be empty.
@@ -53,9 +53,9 @@ public:
 
 private:
   [[nodiscard]] GpuEnvironment lightAround(const RenderSettings& settings);
-  void collectNotes(const RenderSettings& settings);
-  void noteCoarseVertices();
-  void noteUnseenNoise();
+  void noteCoarseVertices(std::vector<std::string>& notes) const;
+  void noteUnseenNoise(std::vector<std::string>& notes) const;
+  void noteMissingTexCoords(std::vector<std::string>& notes) const;
   void createFrameSet(VkFilter depthFilter);
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
                                           VkShaderStageFlags stages, VkDescriptorSetLayout& layout);
@@ -100,7 +100,7 @@ private:
   VkDescriptorSetLayout accumulateLayout_ = VK_NULL_HANDLE;
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
-  std::vector<std::string> notes_;
+  std::vector<std::string> environmentNotes_;
   std::unique_ptr<ObjectOwner> pipelineObjects_; ///< of pipelines_, which a change makes anew
   Pipelines pipelines_;
 };

@@ -29,9 +29,9 @@ void addOptions(CLI::App& app, ViewCommand& command) {
   addText(app, "--environment", command.environment, "FILE",
           "Light from a latitude-longitude panorama, EXR, PNG or JPEG [default: a built-in sky]");
   addValue(app, "--exposure", command.exposureEv, number({-kMaxExposure, kMaxExposure}), "0",
-           "In stops");
+           "In stops, -20 to 20");
   addValue(app, "--frames", command.frames, wholeNumber(1, kMaxFrames), "64",
-           "Frames to average while nothing moves");
+           "Frames to average while nothing moves, 1 to 4096");
   addText(app, "-o,--output", command.output, "FOLDER",
           "Where pictures are written [default: the current folder]");
   addText(app, "--device", command.device, "INDEX|NAME",

@@ -169,7 +169,7 @@ std::string Controls::summary() const {
   if (look_.exposureEv != 0.0f)
     add(fmt::format("exposure {:+g}", look_.exposureEv));
   if (!look_.debugView.empty())
-    add(look_.debugView);
+    add("debug view " + look_.debugView);
   return text;
 }
 

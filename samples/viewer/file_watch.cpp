@@ -14,14 +14,14 @@ std::optional<FileStamp> stampOf(const std::filesystem::path& path) {
   return error ? std::nullopt : std::optional(stamp);
 }
 
-bool FileWatch::look(std::optional<FileStamp> stamp, Clock::time_point now) {
+FileWatch::Change FileWatch::look(std::optional<FileStamp> stamp, Clock::time_point now) {
   nextLook_ = now + kInterval;
   const bool isStable = stamp == seen_;
   seen_ = stamp;
-  if (!stamp || !isStable || stamp == read_)
-    return false;
+  if (!isStable || stamp == read_)
+    return Change::none;
   read_ = stamp;
-  return true;
+  return stamp ? Change::written : Change::gone;
 }
 
 } // namespace lichen::renderer

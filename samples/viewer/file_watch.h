@@ -29,8 +29,9 @@ public:
 
   /// Whether a look is due.
   [[nodiscard]] bool isDue(Clock::time_point now) const { return now >= nextLook_; }
-  /// A look at the file. True once for each change; a file that is gone is not one.
-  [[nodiscard]] bool look(std::optional<FileStamp> stamp, Clock::time_point now);
+  enum class Change { none, written, gone };
+  /// A look at the file. Tells each change once, when two looks in turn have seen it.
+  [[nodiscard]] Change look(std::optional<FileStamp> stamp, Clock::time_point now);
 
 private:
   std::optional<FileStamp> read_;

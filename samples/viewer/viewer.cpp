@@ -23,6 +23,9 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace lichen::renderer {
 namespace {
@@ -80,9 +83,16 @@ private:
     auto shown = std::make_unique<Shown>();
     shown->scene = std::move(scene);
     shown->renderer = std::make_unique<SceneRenderer>(device_, shown->scene, settings_);
-    writeNotes(shown->scene.notes);
-    writeNotes(shown->renderer->notes());
+    told_.clear();
+    tell(shown->scene.notes);
+    tell(shown->renderer->notes());
     return shown;
+  }
+
+  /// Those notes on the scene that have not been told.
+  void tell(std::vector<std::string> notes) {
+    std::erase_if(notes, [&](const std::string& note) { return !told_.insert(note).second; });
+    writeNotes(notes);
   }
 
   void take(const WindowEvent& event) {
@@ -136,7 +146,12 @@ private:
   /// What cannot be read or drawn leaves the last good scene where it is.
   void reloadIfChanged() {
     const auto now = FileWatch::Clock::now();
-    if (!watch_.isDue(now) || !watch_.look(stampOf(command_.scene), now))
+    if (!watch_.isDue(now))
+      return;
+    const FileWatch::Change change = watch_.look(stampOf(command_.scene), now);
+    if (change == FileWatch::Change::gone)
+      tellLastSceneStays(command_.scene + ": is gone");
+    if (change != FileWatch::Change::written)
       return;
     try {
       settings_.exposureEv = look_.exposureEv;
@@ -177,8 +192,10 @@ private:
     if (look_ != wanted) {
       renderer.setExposure(wanted.exposureEv);
       renderer.setDebugView(wanted.debugView);
-      if (look_.noise != wanted.noise)
+      if (look_.noise != wanted.noise) {
         renderer.setNoise(wanted.noise);
+        tell(renderer.notes());
+      }
       look_ = wanted;
       restart();
     }
@@ -268,6 +285,7 @@ private:
   FileWatch watch_;
   Swapchain swapchain_;
   DisplayPass display_;
+  std::set<std::string> told_; ///< notes
   std::unique_ptr<Shown> shown_;
   OrbitCamera camera_;
   Controls controls_;

@@ -159,13 +159,17 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   CHECK(eventually([&] { return same(view.shot(), reloaded); }));
   CHECK(view.showsLastShot());
 
+  std::filesystem::remove(scene);
+  CHECK(eventually(
+      [&] { return view.errors().find("is gone; the last good") != std::string::npos; }));
+
   view.press('h');
   CHECK(eventually([&] { return view.output().find("Keys") != std::string::npos; }));
   server.closeWindow();
   CHECK(view.wait() == 0);
   const std::string errors = view.errors();
   INFO(errors);
-  CHECK(std::count(errors.begin(), errors.end(), '\n') == 1); // of the broken file
+  CHECK(std::count(errors.begin(), errors.end(), '\n') == 2); // of the broken file and the lost one
 }
 
 TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {

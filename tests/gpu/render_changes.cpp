@@ -102,6 +102,26 @@ TEST_CASE(
   CHECK(session.picture() == first);
 }
 
+TEST_CASE("noise by texture coordinates that a mesh does not have is named once it is asked for") {
+  GltfScene scene = twoNoises();
+  Session whole(scene);
+  CHECK(whole.renderer().notes().empty());
+  useOf(scene)["mapping"] = "triplanar";
+  for (json& mesh : scene.json["meshes"])
+    for (json& primitive : mesh["primitives"])
+      primitive["attributes"].erase("TEXCOORD_0");
+  Session bare(scene);
+  CHECK(bare.renderer().notes().empty());
+  renderer::NoiseChanges changes;
+  changes.mapping = renderer::NoiseMapping::uv;
+  bare.renderer().setNoise(changes);
+  const std::vector<std::string> notes = bare.renderer().notes();
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::Contains("/materials/0: its noise lies by TEXCOORD_0"));
+  bare.renderer().setNoise({});
+  CHECK(bare.renderer().notes().empty());
+}
+
 TEST_CASE("textons that take another noise's place keep the material's impacts") {
   GltfScene scene(syntheticTextonGlb({.coefficientsX = 15, .coefficientsY = 15, .mipLevels = 2}));
   json& noises = scene.json["extensions"][kExtension]["noises"];

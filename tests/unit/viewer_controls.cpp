@@ -182,17 +182,22 @@ TEST_CASE("a file counts as changed once, when two looks in turn see it alike") 
   const FileWatch::Clock::time_point start{};
   FileWatch watch(stamp(10));
   CHECK(watch.isDue(start));
-  CHECK_FALSE(watch.look(stamp(10), start));
+  using Change = FileWatch::Change;
+  CHECK(watch.look(stamp(10), start) == Change::none);
   CHECK_FALSE(watch.isDue(start + FileWatch::kInterval / 2));
   CHECK(watch.isDue(start + FileWatch::kInterval));
-  CHECK_FALSE(watch.look(stamp(4), start)); // being written
-  CHECK_FALSE(watch.look(stamp(8), start)); // still
-  CHECK(watch.look(stamp(8), start));
-  CHECK_FALSE(watch.look(stamp(8), start));
-  CHECK_FALSE(watch.look(std::nullopt, start)); // being replaced
-  CHECK_FALSE(watch.look(std::nullopt, start));
-  CHECK_FALSE(watch.look(stamp(12), start));
-  CHECK(watch.look(stamp(12), start));
+  CHECK(watch.look(stamp(4), start) == Change::none); // being written
+  CHECK(watch.look(stamp(8), start) == Change::none); // still
+  CHECK(watch.look(stamp(8), start) == Change::written);
+  CHECK(watch.look(stamp(8), start) == Change::none);
+  CHECK(watch.look(std::nullopt, start) == Change::none); // being replaced
+  CHECK(watch.look(stamp(12), start) == Change::none);
+  CHECK(watch.look(stamp(12), start) == Change::written);
+  CHECK(watch.look(std::nullopt, start) == Change::none);
+  CHECK(watch.look(std::nullopt, start) == Change::gone);
+  CHECK(watch.look(std::nullopt, start) == Change::none);
+  CHECK(watch.look(stamp(12), start) == Change::none);
+  CHECK(watch.look(stamp(12), start) == Change::written); // it is back
 }
 
 TEST_CASE("a screenshot takes the first name that no file has") {
