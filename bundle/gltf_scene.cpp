@@ -274,7 +274,7 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
 }
 
 void GltfScene::setFactor(std::size_t material, std::string_view parent, std::string_view key,
-                          const std::vector<float>& value) {
+                          const std::vector<double>& value) {
   JsonChange& whole = state_->changes.member("materials").element(material);
   JsonChange& change = (parent.empty() ? whole : whole.member(parent)).member(key);
   if (value.size() == 1)

@@ -137,7 +137,9 @@ private:
           return fileError(path_,
                            state_.path.string() + " names files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
-                               "; an output in the same folder is accepted",
+                               (isGlb_ || state_.countOf("buffers") > 1
+                                    ? "; an output in the same folder is accepted"
+                                    : "; a .glb, or an output in the same folder, is accepted"),
                            ErrorKind::usage);
       }
     return {};

@@ -23,7 +23,7 @@ struct Factor {
   const char* key;
   MapTarget target;
   MapChannel channel;
-  std::vector<float> preset; ///< where the material has no such factor
+  std::vector<double> preset; ///< where the material has no such factor
 };
 
 /// Those that multiply a channel of the noise.
@@ -53,7 +53,7 @@ std::vector<Factor> factorsOf(const Noise& noise) {
 }
 
 /// The components of a material's factor; the preset also where they are no numbers.
-std::vector<float> valueOf(const json& material, const Factor& factor) {
+std::vector<double> valueOf(const json& material, const Factor& factor) {
   const json::json_pointer place((*factor.parent != '\0' ? "/" + std::string(factor.parent) : "") +
                                  "/" + factor.key);
   if (!material.contains(place))
@@ -63,23 +63,24 @@ std::vector<float> valueOf(const json& material, const Factor& factor) {
   if (list.size() != factor.preset.size() ||
       !std::all_of(list.begin(), list.end(), [](const json& each) { return each.is_number(); }))
     return factor.preset;
-  return list.get<std::vector<float>>();
+  return list.get<std::vector<double>>();
 }
 
 /// Without alpha, which is no part of the look that is spoken of.
-std::span<const float> colorsOf(const std::vector<float>& value) {
+std::span<const double> colorsOf(const std::vector<double>& value) {
   return std::span(value).first(std::min(value.size(), kColors));
 }
 
-bool isOne(const std::vector<float>& value) {
+bool isOne(const std::vector<double>& value) {
   const auto colors = colorsOf(value);
-  return std::all_of(colors.begin(), colors.end(), [](float each) { return each == 1.0f; });
+  return std::all_of(colors.begin(), colors.end(), [](double each) { return each == 1.0; });
 }
 
 /// "0.8", "[0.5,0.25,0.125,1]": what floats were written as, not the doubles they became.
-std::string textOf(const std::vector<float>& value) {
-  return value.size() == 1 ? fmt::format("{}", value.front())
-                           : fmt::format("[{}]", fmt::join(value, ","));
+std::string textOf(const std::vector<double>& value) {
+  const std::vector<float> written(value.begin(), value.end());
+  return written.size() == 1 ? fmt::format("{}", written.front())
+                             : fmt::format("[{}]", fmt::join(written, ","));
 }
 
 } // namespace
@@ -87,15 +88,20 @@ std::string textOf(const std::vector<float>& value) {
 std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                         std::span<const std::size_t> materials, const Noise& noise,
                                         bool areSetToOne) {
-  const std::vector<Factor> factors = areSetToOne ? std::vector<Factor>() : factorsOf(noise);
-  std::vector<std::string> changing, hiding, unlit;
+  const std::vector<Factor> factors = factorsOf(noise);
+  std::vector<std::string> changing, hiding, glowing, unlit;
   for (const std::size_t material : materials) {
     const json& core = scene.document()["materials"][material];
     const std::string title = scene.materialTitle(material);
     for (const Factor& factor : factors) {
-      const std::vector<float> value = valueOf(core, factor);
+      const std::vector<double> value = valueOf(core, factor);
       if (isOne(value))
         continue;
+      if (areSetToOne) {
+        if (factor.target == MapTarget::emissive && !core.contains("emissiveTexture"))
+          glowing.push_back(title);
+        continue;
+      }
       const auto colors = colorsOf(value);
       const bool hides = *std::max_element(colors.begin(), colors.end()) < kLeastFactor;
       (hides ? hiding : changing)
@@ -118,6 +124,10 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
     notes.push_back(fmt::format("{}: {} {} below {}, so that the noise hardly shows; --factors one "
                                 "sets 1",
                                 path, shortList(hiding), verb(hiding, "is", "are"), kLeastFactor));
+  if (!glowing.empty())
+    notes.push_back(fmt::format("{}: emissiveFactor of {} is 1 without an emissiveTexture: viewers "
+                                "that do not know the noise show it white",
+                                path, shortList(glowing)));
   if (!unlit.empty())
     notes.push_back(fmt::format("{}: {} {} unlit, so that the noise is not shown", path,
                                 shortList(unlit), verb(unlit, "is", "are")));
@@ -127,10 +137,10 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
 void setFactorsToOne(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise) {
   for (const std::size_t material : materials)
     for (const Factor& factor : factorsOf(noise)) {
-      std::vector<float> value = valueOf(scene.document()["materials"][material], factor);
+      std::vector<double> value = valueOf(scene.document()["materials"][material], factor);
       if (isOne(value))
         continue;
-      std::fill_n(value.begin(), std::min(value.size(), kColors), 1.0f);
+      std::fill_n(value.begin(), std::min(value.size(), kColors), 1.0);
       scene.setFactor(material, factor.parent, factor.key, value);
     }
 }

@@ -13,7 +13,8 @@
 namespace lichen::cli {
 
 /// Notes on the factors of materials that change the look of a noise, and on materials without
-/// light: one note of each kind. Factors that are set to 1 are none.
+/// light: one note of each kind. Factors that are set to 1 change nothing, but other viewers show
+/// an emissive one.
 [[nodiscard]] std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                                       std::span<const std::size_t> materials,
                                                       const Noise& noise, bool areSetToOne);

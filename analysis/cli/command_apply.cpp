@@ -5,6 +5,7 @@
 #include "apply_materials.h"
 #include "apply_meshes.h"
 #include "apply_mix.h"
+#include "apply_textures.h"
 #include "command.h"
 #include "noise_choice.h"
 #include "options.h"
@@ -168,7 +169,7 @@ Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
   switch (use.mapping) {
   case Mapping::uv:
     return materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen, "--mapping uv",
-                         "another mapping", notes);
+                         "--mapping triplanar", notes);
   case Mapping::surface:
     return materialsWithFrames(scene, chosen, findMap(noise, MapTarget::normal).has_value(), notes);
   default:
@@ -176,14 +177,20 @@ Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
   }
 }
 
-Result<Outcome> apply(const Arguments& arguments) {
+struct ChosenNoise {
+  Bundle bundle;
+  std::size_t index = 0; ///< of its noises
+};
+
+/// The noise that was named, whose method has what was asked for.
+Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
   if (name.empty() && file.size() < arguments.noise.size())
     return Error{ErrorKind::usage,
                  fmt::format("--noise {}: the name behind the colon is empty; {} or {}:NAME is "
                              "accepted",
                              arguments.noise, file, file)};
-  const Result<Bundle> bundle = readBundle(file);
+  Result<Bundle> bundle = readBundle(file);
   if (!bundle)
     return bundle.error();
   const Result<std::size_t> index = findNoise(bundle.value(), file, name);
@@ -194,6 +201,30 @@ Result<Outcome> apply(const Arguments& arguments) {
     return fits.error();
   if (Result<void> fits = checkMethodOptions(arguments, noise); !fits)
     return fits.error();
+  return ChosenNoise{std::move(bundle).value(), index.value()};
+}
+
+/// What changes the look of the noise that a user may not have meant.
+std::vector<std::string> notesOnLook(const Arguments& arguments, const GltfScene& scene,
+                                     std::span<const std::size_t> materials, const Noise& noise) {
+  std::vector<std::string> notes = notesOnFactors(scene, materials, noise, arguments.setsFactors);
+  for (std::string& text : notesOnTextures(scene, materials, noise))
+    notes.push_back(std::move(text));
+  constexpr std::uint32_t kManySteps = 16; // of a turn; rarely meant
+  const std::uint32_t steps = arguments.tileRotation.value_or(0);
+  if (steps > kManySteps && steps < kMostTileRotation)
+    notes.push_back(fmt::format("--tile-rotation {}: a number of steps of a turn, not an angle; 2 "
+                                "or 4 keep the finest detail, free is any angle",
+                                steps));
+  return notes;
+}
+
+Result<Outcome> apply(const Arguments& arguments) {
+  const Result<ChosenNoise> noiseChosen = chooseNoise(arguments);
+  if (!noiseChosen)
+    return noiseChosen.error();
+  const auto& [bundle, index] = noiseChosen.value();
+  const Noise& noise = bundle.noises[index];
   Result<GltfScene> opened = GltfScene::open(arguments.scene);
   if (!opened)
     return opened.error();
@@ -201,7 +232,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
   if (!chosen)
     return chosen.error();
-  MaterialNoise use = parametersOf(bundle.value(), index.value(), arguments);
+  MaterialNoise use = parametersOf(bundle, index, arguments);
   Outcome outcome;
   const Result<std::vector<std::size_t>> materials =
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
@@ -220,8 +251,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!frames)
     return frames.error();
   outcome.frames = std::move(frames.value().meshes);
-  Result<AppliedNoise> applied =
-      scene.applyNoise(bundle.value(), index.value(), use, materials.value());
+  Result<AppliedNoise> applied = scene.applyNoise(bundle, index, use, materials.value());
   if (!applied)
     return applied.error();
   outcome.noise = std::move(applied).value();
@@ -232,7 +262,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
   for (const std::size_t material : materials.value())
     outcome.materials.push_back(scene.materialTitle(material));
-  for (std::string& text : notesOnFactors(scene, materials.value(), noise, arguments.setsFactors))
+  for (std::string& text : notesOnLook(arguments, scene, materials.value(), noise))
     outcome.notes.push_back(std::move(text));
   outcome.notes.insert(outcome.notes.end(), frames.value().notes.begin(),
                        frames.value().notes.end());
@@ -274,9 +304,10 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
            "Of triplanar and surface: world, where one pattern runs from mesh to mesh, or object, "
            "which it moves, turns and scales with [default: the bundle's]");
-  addValue(verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
-           "Texture-coordinate units that one exemplar spans; but for uv, multiples of its own "
-           "width [default: the bundle's]");
+  addValue(
+      verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
+      "Of uv: texture-coordinate units that one exemplar spans; of other mappings: multiples of "
+      "its own width [default: the bundle's]");
   addValue(verb, "--rotation", arguments->rotationDegrees, optional(number(kDegreesRange)), "",
            "Degrees, as KHR_texture_transform turns a texture [default: the bundle's]");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",

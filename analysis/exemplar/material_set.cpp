@@ -182,7 +182,7 @@ Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
   if (part.x < 0 || part.y < 0 || part.width < 1 || part.height < 1 ||
       part.width > width - part.x || part.height > height - part.y)
     return Error{ErrorKind::usage,
-                 fmt::format("crop {},{},{},{}: a rectangle inside the {} x {} pixels of {} is "
+                 fmt::format("--crop {},{},{},{}: a rectangle inside the {} x {} pixels of {} is "
                              "accepted",
                              part.x, part.y, part.width, part.height, width, height, largest.name)};
   for (NamedMap& named : maps) {

@@ -97,7 +97,8 @@ TEST_CASE("of all materials those without texture coordinates are left out with 
   const Ended ended = apply(workplace, path, wool, "all");
   REQUIRE(ended.code == 0);
   CHECK_THAT(ended.errors, Catch::Contains("material 'glass' left out") &&
-                               Catch::Contains("TEXCOORD_0") && Catch::Contains("another mapping"));
+                               Catch::Contains("TEXCOORD_0") &&
+                               Catch::Contains("--mapping triplanar is accepted"));
   const json document = GltfScene::open(workplace.path("out.glb")).value().document();
   CHECK(document["materials"][0].contains("extensions"));
   CHECK(!document["materials"][1].contains("extensions"));
@@ -168,7 +169,8 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
                    int(ErrorKind::badInput), words);
     const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
     CHECK(other.code == 0); // what is at fault stays as it is
-    CHECK_THAT(other.errors, Catch::Contains(words.back()) && Catch::Contains("stays as it is"));
+    CHECK_THAT(other.errors,
+               Catch::Contains(words.back()) && Catch::Contains("it stays without the noise"));
   };
   const example::TinyScene sound = example::tableScene();
   const auto attributeOf = [](example::TinyScene & scene) -> auto& {
@@ -282,7 +284,7 @@ TEST_CASE("factors are kept or set to 1, and a note has those of many materials"
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
   auto& materials = scene.json["materials"];
-  materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.5};
+  materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.51};
   materials[1]["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};
   for (int more = 0; more < 6; ++more)
     materials.push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
@@ -291,7 +293,7 @@ TEST_CASE("factors are kept or set to 1, and a note has those of many materials"
   const Ended kept = apply(workplace, path, moss, "all", triplanar);
   REQUIRE(kept.code == 0);
   CHECK_THAT(kept.errors,
-             Catch::Contains("baseColorFactor [0.8,0,0,0.5] of material 'wood', baseColorFactor "
+             Catch::Contains("baseColorFactor [0.8,0,0,0.51] of material 'wood', baseColorFactor "
                              "[0.5,0.5,0.5,1] of material 2,") &&
                  Catch::Contains("and 3 others multiply the noise") &&
                  Catch::Contains("--factors one") &&
@@ -302,7 +304,7 @@ TEST_CASE("factors are kept or set to 1, and a note has those of many materials"
   const auto factorOf = [&](std::size_t material) {
     return document["materials"][material]["pbrMetallicRoughness"]["baseColorFactor"];
   };
-  CHECK(factorOf(0) == json{1.0, 1.0, 1.0, 0.5});
+  CHECK(factorOf(0) == json{1.0, 1.0, 1.0, 0.51});
   CHECK(factorOf(1) == json{1.0, 1.0, 1.0, 1.0});
   CHECK(factorOf(7) == json{1.0, 1.0, 1.0, 1.0});
   CHECK(
@@ -311,6 +313,51 @@ TEST_CASE("factors are kept or set to 1, and a note has those of many materials"
   checkRefusal({"apply", path, "--noise", moss, "--material", "0", "--factors", "2", "-o",
                 workplace.path("x.glb")},
                int(ErrorKind::usage), {"--factors 2", "keep or one"});
+}
+
+TEST_CASE("an emissive factor that is set to 1 without a texture is noted") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("set"));
+  for (const char* map : {"set/diff.png", "set/emissive.png"})
+    workplace.write(map, smooth(8));
+  const std::string glow = bake(workplace, workplace.path("set"), "glow.glb");
+  example::TinyScene scene = example::tableScene();
+  const auto noted = [&] {
+    const Ended ended =
+        apply(workplace, writeScene(workplace, scene), glow, "wood", {"--factors", "one"});
+    CHECK(ended.code == 0);
+    return ended.errors.find("emissiveFactor of material 'wood' is 1 without") != std::string::npos;
+  };
+  CHECK(noted());
+  scene.json["materials"][0]["emissiveFactor"] = {1.0, 1.0, 1.0};
+  CHECK_FALSE(noted()); // it glowed before
+}
+
+TEST_CASE("textures that the noise has no map for are named, as they stay") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  example::TinyScene scene = example::tableScene();
+  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  scene.json["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
+  const Ended ended = apply(workplace, writeScene(workplace, scene), moss, "wood");
+  REQUIRE(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("normalTexture of material 'wood', "
+                                           "metallicRoughnessTexture of material 'wood' stay: the "
+                                           "noise has no such map"));
+  CHECK_THAT(ended.errors, !Catch::Contains("baseColorTexture"));
+}
+
+TEST_CASE("a number of steps that may have been meant as an angle is noted") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  const std::string scene = writeScene(workplace, example::tableScene());
+  const auto errorsOf = [&](const char* steps) {
+    return apply(workplace, scene, moss, "wood", {"--tile-rotation", steps}).errors;
+  };
+  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: a number of steps"));
+  for (const char* meant : {"4", "free", "none"})
+    CHECK_THAT(errorsOf(meant), !Catch::Contains("--tile-rotation"));
 }
 
 TEST_CASE("the same noise on a scene twice is stored once, under its name") {

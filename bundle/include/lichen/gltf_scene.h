@@ -74,7 +74,7 @@ public:
   /// Adds or replaces a factor of a material, a number or several, in the object `parent` of it, or
   /// in the material itself where that is empty. Throws std::bad_alloc.
   void setFactor(std::size_t material, std::string_view parent, std::string_view key,
-                 const std::vector<float>& value);
+                 const std::vector<double>& value);
 
   /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which ends at its
   /// borders and does not repeat; returns the texture's index. Throws std::bad_alloc.

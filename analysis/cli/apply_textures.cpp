@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Materials and a noise -> the textures that stay; see apply_textures.h.
+#include "apply_textures.h"
+
+#include "apply_materials.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace lichen::cli {
+namespace {
+
+using nlohmann::json;
+
+/// A texture of a material and the channels by which a noise takes its place.
+struct Slot {
+  const char* place; ///< a JSON pointer into the material
+  MapTarget target;
+  std::vector<MapChannel> channels;
+};
+
+bool takesPlaceOf(const Noise& noise, const Slot& slot) {
+  const std::optional<std::size_t> map = findMap(noise, slot.target);
+  if (!map)
+    return false;
+  const std::vector<MapChannel>& has = noise.maps[*map].channels;
+  return std::find_first_of(has.begin(), has.end(), slot.channels.begin(), slot.channels.end()) !=
+         has.end();
+}
+
+} // namespace
+
+std::vector<std::string> notesOnTextures(const GltfScene& scene,
+                                         std::span<const std::size_t> materials,
+                                         const Noise& noise) {
+  const std::vector<Slot> slots{
+      {"/pbrMetallicRoughness/baseColorTexture", MapTarget::baseColor, {MapChannel::red}},
+      {"/normalTexture", MapTarget::normal, {MapChannel::slopeX}},
+      {"/pbrMetallicRoughness/metallicRoughnessTexture",
+       MapTarget::occlusionRoughnessMetallic,
+       {MapChannel::roughness, MapChannel::metallic}},
+      {"/occlusionTexture", MapTarget::occlusionRoughnessMetallic, {MapChannel::occlusion}},
+      {"/emissiveTexture", MapTarget::emissive, {MapChannel::red}}};
+  std::vector<std::string> staying;
+  for (const std::size_t material : materials)
+    for (const Slot& slot : slots) {
+      const json::json_pointer place(slot.place);
+      if (!takesPlaceOf(noise, slot) && scene.document()["materials"][material].contains(place))
+        staying.push_back(fmt::format("{} of {}", place.back(), scene.materialTitle(material)));
+    }
+  if (staying.empty())
+    return {};
+  return {fmt::format("{}: {} {}: the noise has no such map", scene.path().string(),
+                      shortList(staying), staying.size() == 1 ? "stays" : "stay")};
+}
+
+} // namespace lichen::cli
