@@ -118,24 +118,24 @@ constexpr std::size_t kLeastToAverage = 4;
 /// Shares of a pixel, sum 1, in the cells of an axis from `first` on.
 struct CellShares {
   int first = 0;
-  std::vector<double> shares;
+  int count = 1;
+  std::array<double, 2> shares{1.0, 0.0};
 };
 
-/// A pixel lies anywhere in the step of 8 bits about its Gaussian value: in the middle of an axis
-/// cells are hardly wider than such a step.
+/// A pixel lies anywhere in the step of 8 bits about its Gaussian value, whatever the bits it is
+/// stored with: in the middle of an axis a cell is 1.7 such steps wide, and at least so elsewhere.
 CellShares cellShares(double gaussian, int side) {
+  static_assert(kTableSide[1] <= 64); // else a step may lie in three cells
   constexpr double kHalfStep = 0.5 / 255.0;
   const double begin = gaussianCdf(gaussian - kHalfStep) * side;
   const double end = gaussianCdf(gaussian + kHalfStep) * side;
-  CellShares result{std::clamp(int(begin), 0, side - 1), {}};
-  const int last = std::clamp(int(end), result.first, side - 1);
-  if (last == result.first) {
-    result.shares = {1.0}; // far in the tails the step is nothing
+  CellShares result{std::clamp(int(begin), 0, side - 1)};
+  const double border = result.first + 1.0;
+  if (end <= border || result.first == side - 1)
     return result;
-  }
-  for (int cell = result.first; cell <= last; ++cell)
-    result.shares.push_back((std::min(end, cell + 1.0) - std::max(begin, double(cell))) /
-                            (end - begin));
+  const double share = (border - begin) / (end - begin);
+  result.count = 2;
+  result.shares = {share, 1.0 - share};
   return result;
 }
 
@@ -153,11 +153,10 @@ std::optional<InverseTable> fitMeans(const Gaussianized& gaussian, std::span<con
   for (std::size_t i = 0; i < gaussian.matched.size(); ++i) {
     const CellShares x = cellShares(double(gaussian.matched[i].x), table.side);
     const CellShares y = cellShares(double(gaussian.matched[i].y), table.side);
-    for (std::size_t v = 0; v < y.shares.size(); ++v)
-      for (std::size_t u = 0; u < x.shares.size(); ++u) {
-        const std::size_t cell =
-            (std::size_t(y.first) + v) * std::size_t(table.side) + std::size_t(x.first) + u;
-        const double share = x.shares[u] * y.shares[v];
+    for (int v = 0; v < y.count; ++v)
+      for (int u = 0; u < x.count; ++u) {
+        const auto cell = std::size_t((y.first + v) * table.side + x.first + u);
+        const double share = x.shares[std::size_t(u)] * y.shares[std::size_t(v)];
         weights[cell] += share;
         for (std::size_t c = 0; c < count; ++c)
           sums[cell * count + c] += share * double(decoded[i * count + c]);

@@ -244,14 +244,13 @@ TEST_CASE("check ends with 1 where a glTF has faults") {
   const std::string faulty =
       m.workplace.write("faulty.gltf", R"({"asset": {"version": "2.0"}, "extensions": {")" +
                                            extension + R"(": {"noises": 1}}})");
-  for (const std::string& file : {faulty})
-    for (const Arguments& more : {Arguments{}, {"--quiet"}, {"--json"}}) {
-      Arguments arguments{"check", file};
-      arguments.insert(arguments.end(), more.begin(), more.end());
-      const Ended ended = runLichen(arguments);
-      CHECK(ended.code == 1);
-      CHECK_THAT(ended.output, Catch::Contains("error"));
-    }
+  for (const Arguments& more : {Arguments{}, {"--quiet"}, {"--json"}}) {
+    Arguments arguments{"check", faulty};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = runLichen(arguments);
+    CHECK(ended.code == 1);
+    CHECK_THAT(ended.output, Catch::Contains("error"));
+  }
 }
 
 TEST_CASE("check names the faults of a broken bundle and ends with 1") {

@@ -93,6 +93,21 @@ TEST_CASE("zooming comes closer by factors, back as many, and never through the 
   CHECK(std::isfinite(eyeOf(orbit.camera()).z));
 }
 
+TEST_CASE("far from the world's origin the camera turns, moves and zooms as at it") {
+  const glm::dvec3 way{1e7 + 0.1, -2e7 + 0.3, 3e7 - 0.7};
+  Camera start = levelCamera();
+  start.worldFromCamera[3] += glm::dvec4(way, 0.0);
+  Sphere subject = kSubject;
+  subject.center += way;
+  OrbitCamera home(levelCamera(), kSubject), away(start, subject);
+  for (OrbitCamera* orbit : {&home, &away}) {
+    orbit->turn({0.3f, 0.1f});
+    orbit->pan({0.01f, 0.02f});
+    orbit->zoom(3.0f);
+  }
+  CHECK(glm::distance(eyeOf(away.camera()) - way, eyeOf(home.camera())) < 1e-5);
+}
+
 TEST_CASE("an orthographic camera zooms by the size of its view") {
   Camera start = levelCamera();
   start.perspective = false;

@@ -342,6 +342,7 @@ struct Finding {
 /// Every fault of the extension and its tables that can be told without the exemplar. An Error only
 /// when the file cannot be read at all, or is no whole GLB or JSON of glTF 2. Thread-safe.
 [[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
+/// As above from memory; what cannot be read at all is a finding too.
 [[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);
 
 } // namespace lichen
