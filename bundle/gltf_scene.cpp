@@ -118,17 +118,26 @@ std::optional<Error> firstError(const FindingList& findings, const std::filesyst
   return std::nullopt;
 }
 
+/// Empty where it has none.
+std::string nameOf(const json& element) {
+  const auto name = element.find("name");
+  return name != element.end() && name->is_string() ? name->get<std::string>() : std::string();
+}
+
+NameCounts countNames(const json& document, const char* array) {
+  NameCounts counts;
+  if (const auto elements = document.find(array); elements != document.end())
+    for (const json& element : *elements)
+      ++counts[nameOf(element)];
+  return counts;
+}
+
 /// By name, by index, or by both where another has the name.
-std::string titleOf(const char* kind, const json& elements, std::size_t index) {
-  const auto nameOf = [](const json& element) {
-    const auto name = element.find("name");
-    return name != element.end() && name->is_string() ? name->get<std::string>() : std::string();
-  };
+std::string titleOf(const char* kind, const json& elements, std::size_t index,
+                    const NameCounts& names) {
   const std::string name = nameOf(elements[index]);
-  const auto count = std::count_if(elements.begin(), elements.end(),
-                                   [&](const json& each) { return nameOf(each) == name; });
   std::string title = kind;
-  if (name.empty() || count > 1)
+  if (name.empty() || names.at(name) > 1)
     title += " " + std::to_string(index);
   return name.empty() ? title : title + " '" + name + "'";
 }
@@ -187,6 +196,8 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
                             std::find(used->begin(), used->end(), kExtensionName) != used->end();
     state->readNoises();
     state->sortPrimitives();
+    state->materialNames = countNames(state->document(), "materials");
+    state->meshNames = countNames(state->document(), "meshes");
     return GltfScene(std::move(state));
   };
   return withinMemory([&] { return path.string() + ": not enough memory to read it"; }, read);
@@ -225,11 +236,11 @@ const json& GltfScene::document() const { return state_->document(); }
 std::size_t GltfScene::materialCount() const { return state_->countOf("materials"); }
 
 std::string GltfScene::materialTitle(std::size_t material) const {
-  return titleOf("material", document()["materials"], material);
+  return titleOf("material", document()["materials"], material, state_->materialNames);
 }
 
 std::string GltfScene::meshTitle(std::size_t mesh) const {
-  return titleOf("mesh", document()["meshes"], mesh);
+  return titleOf("mesh", document()["meshes"], mesh, state_->meshNames);
 }
 
 std::string GltfScene::primitiveTitle(PrimitivePlace place) const {

@@ -19,6 +19,9 @@ struct AddedView {
   bool isVertices = false;
 };
 
+/// How many elements of an array have a name; those without have the empty one.
+using NameCounts = std::map<std::string, std::size_t>;
+
 /// Accessors without a fault.
 struct SoundAccessors {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t>
@@ -37,7 +40,8 @@ struct GltfScene::State {
 
   SoundAccessors soundAccessors;                         ///< those that checkVertices() has read
   std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< each material
-  bool listsExtension = false;                           ///< in extensionsUsed
+  NameCounts materialNames, meshNames;
+  bool listsExtension = false; ///< in extensionsUsed
 
   JsonChange changes;
   std::vector<std::byte> added;
