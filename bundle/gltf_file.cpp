@@ -254,8 +254,8 @@ std::optional<std::span<const std::byte>> GltfFile::wholeBuffer(std::size_t inde
                                                                 FindingList& findings) {
   Buffer& source = buffers_[index];
   if (!source.loaded) {
+    source.fault = loadBuffer(index, source); // which may throw
     source.loaded = true;
-    source.fault = loadBuffer(index, source);
   }
   if (source.fault) {
     findings.repeat(*source.fault);

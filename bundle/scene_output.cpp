@@ -110,16 +110,21 @@ private:
     } else {
       FindingList findings;
       const auto bytes = state_.file->wholeBuffer(0, findings);
-      if (!bytes && !findings.all().empty())
-        return fileError(state_.path,
-                         findings.all().front().pointer + ": " + findings.all().front().message);
-      if (!bytes)
-        return fileError(state_.path, "/buffers/0: cannot be read");
+      if (!bytes) {
+        const Finding& fault = findings.all().front();
+        return fileError(state_.path, fault.pointer + ": " + fault.message,
+                         fault.code == "memory" ? ErrorKind::resources : ErrorKind::badInput);
+      }
       before_ = *bytes;
       state_.changes.member("buffers").element(0).member("uri").remove();
     }
     takesFirst_ = true;
     return {};
+  }
+
+  /// Whether a .glb in its place would need no file beside it.
+  [[nodiscard]] bool takesAllAsGlb() const {
+    return !isGlb_ && !state_.file->container().isGlb && state_.countOf("buffers") < 2;
   }
 
   /// Other files that the asset names must be found from where it is written.
@@ -137,9 +142,9 @@ private:
           return fileError(path_,
                            state_.path.string() + " names files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
-                               (isGlb_ || state_.countOf("buffers") > 1
-                                    ? "; an output in the same folder is accepted"
-                                    : "; a .glb, or an output in the same folder, is accepted"),
+                               (takesAllAsGlb() ? "; a .glb, or an output in the same folder, is "
+                                                  "accepted"
+                                                : "; an output in the same folder is accepted"),
                            ErrorKind::usage);
       }
     return {};

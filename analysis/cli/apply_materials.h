@@ -29,7 +29,7 @@ materialsWith(const std::string& attribute, const GltfScene& scene, const Chosen
               const std::string& option, const std::string& instead,
               std::vector<std::string>& notes);
 
-/// Those whose meshes have frames or can be given some; as materialsWith() where not all can.
+/// Those of which no mesh needs other tangents than the frame's; as materialsWith() where some do.
 /// `bringsNormals` as checkFrames() has it. Errors: badInput.
 [[nodiscard]] Result<std::vector<std::size_t>> materialsWithFrames(const GltfScene& scene,
                                                                    const ChosenMaterials& chosen,

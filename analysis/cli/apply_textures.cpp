@@ -14,20 +14,21 @@ namespace {
 
 using nlohmann::json;
 
-/// A texture of a material and the channels by which a noise takes its place.
+/// A texture of a material and the channels of a noise that take its place.
 struct Slot {
   const char* place; ///< a JSON pointer into the material
   MapTarget target;
   std::vector<MapChannel> channels;
 };
 
-bool takesPlaceOf(const Noise& noise, const Slot& slot) {
+bool takesWholePlaceOf(const Noise& noise, const Slot& slot) {
   const std::optional<std::size_t> map = findMap(noise, slot.target);
   if (!map)
     return false;
   const std::vector<MapChannel>& has = noise.maps[*map].channels;
-  return std::find_first_of(has.begin(), has.end(), slot.channels.begin(), slot.channels.end()) !=
-         has.end();
+  return std::all_of(slot.channels.begin(), slot.channels.end(), [&](MapChannel channel) {
+    return std::find(has.begin(), has.end(), channel) != has.end();
+  });
 }
 
 } // namespace
@@ -47,13 +48,15 @@ std::vector<std::string> notesOnTextures(const GltfScene& scene,
   for (const std::size_t material : materials)
     for (const Slot& slot : slots) {
       const json::json_pointer place(slot.place);
-      if (!takesPlaceOf(noise, slot) && scene.document()["materials"][material].contains(place))
+      if (!takesWholePlaceOf(noise, slot) &&
+          scene.document()["materials"][material].contains(place))
         staying.push_back(fmt::format("{} of {}", place.back(), scene.materialTitle(material)));
     }
   if (staying.empty())
     return {};
-  return {fmt::format("{}: {} {}: the noise has no such map", scene.path().string(),
-                      shortList(staying), staying.size() == 1 ? "stays" : "stay")};
+  return {fmt::format("{}: {} {}: the noise has no such map, or not all its channels",
+                      scene.path().string(), shortList(staying),
+                      staying.size() == 1 ? "stays" : "stay")};
 }
 
 } // namespace lichen::cli

@@ -10,10 +10,9 @@
 
 namespace lichen::cli {
 
-/// A note on the textures that stay, since the noise has no channel of theirs; none where none
-/// does. They lie as before, not as the noise does.
-[[nodiscard]] std::vector<std::string> notesOnTextures(const GltfScene& scene,
-                                                       std::span<const std::size_t> materials,
-                                                       const Noise& noise);
+/// A note on the textures that stay, in part too, since the noise lacks channels of theirs; none
+/// where none does. They lie as before, not as the noise does.
+[[nodiscard]] std::vector<std::string>
+notesOnTextures(const GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
 } // namespace lichen::cli

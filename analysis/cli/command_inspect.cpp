@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen inspect: what a bundle holds and what it costs.
 #include "command.h"
+#include "noise_choice.h"
 #include "options.h"
 
 #include <lichen/bundle.h>
@@ -401,9 +402,7 @@ Result<int> run(const Arguments& arguments) {
     return read.error();
   const Bundle& bundle = read.value();
   if (bundle.noises.empty() && bundle.ignoredNoises.empty())
-    return Error{ErrorKind::badInput, arguments.bundle +
-                                          ": has no noise; a bundle of 'lichen bake', or "
-                                          "a scene of 'lichen apply', is accepted"};
+    return noNoiseIn(arguments.bundle);
   const Result<std::size_t> diskBytes = bytesOnDisk(arguments.bundle);
   if (!diskBytes)
     return diskBytes.error();

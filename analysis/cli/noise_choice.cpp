@@ -33,6 +33,11 @@ Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::st
                fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
 }
 
+Error noNoiseIn(const std::string& file) {
+  return {ErrorKind::badInput, file + ": has no noise; a bundle of 'lichen bake', or a scene of "
+                                      "'lichen apply', is accepted"};
+}
+
 Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                               const std::string& wanted) {
   std::vector<std::string> noises;
@@ -44,11 +49,10 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                              "lichen wrote it{}{}",
                              file, ignored->name, ignored->revision, kNoiseRevision,
                              noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
+  if (bundle.noises.empty() && bundle.ignoredNoises.empty())
+    return noNoiseIn(file);
   if (bundle.noises.empty())
-    return Error{ErrorKind::badInput, file + (bundle.ignoredNoises.empty()
-                                                  ? ": has no noise; a bundle of 'lichen bake', or "
-                                                    "a scene of 'lichen apply', is accepted"
-                                                  : ": has no noise of a revision that is known")};
+    return Error{ErrorKind::badInput, file + ": has no noise of a revision that is known"};
   return placeOf(wanted, noises, "--noise", file);
 }
 

@@ -15,6 +15,9 @@ namespace lichen::cli {
                                           const std::vector<std::string>& names,
                                           const std::string& option, const std::string& owner);
 
+/// That a file has no noise, of any revision: badInput.
+[[nodiscard]] Error noNoiseIn(const std::string& file);
+
 /// The noise of that name, the first for no name. `file` is what messages call the bundle.
 [[nodiscard]] Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                                             const std::string& wanted);

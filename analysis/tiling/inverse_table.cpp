@@ -5,6 +5,7 @@
 #include "transport/covariance_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>

@@ -23,7 +23,6 @@ constexpr float kLeastSkyHeight = 0.12f;
 // Of a picture and of each of its frames: as many as hide the single edges of the sky's shadows, in
 // a room with a window too, which few of them reach.
 constexpr std::uint32_t kSkyDirections = 256;
-constexpr std::uint32_t kLeastSkyDirections = 4;
 
 /// Clip space to texture space of a depth map.
 glm::mat4 textureFromClip() {
@@ -71,9 +70,7 @@ void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view)
   view.clipFromWorldOfSun = clipFromWorldAlong(towardSun, inputs.subject, inputs.origin);
   view.data.sunFromWorld = textureFromClip() * view.clipFromWorldOfSun;
   view.data.environment.w = lighting.hasSun ? 1.0f : 0.0f;
-  const std::uint32_t directions =
-      std::clamp((kSkyDirections + inputs.frames - 1) / inputs.frames, kLeastSkyDirections,
-                 std::uint32_t(MAX_SKY_DIRECTIONS));
+  const std::uint32_t directions = inputs.skyDirections;
   view.data.counts.y = int(directions);
   for (std::uint32_t k = 0; k < directions; ++k) {
     const glm::vec3 direction = skyDirection(index * directions + k);
@@ -86,6 +83,11 @@ void fillLights(const FrameInputs& inputs, std::uint32_t index, FrameView& view)
 }
 
 } // namespace
+
+std::uint32_t skyDirectionsOf(std::uint32_t frames) {
+  return std::clamp((kSkyDirections + frames - 1) / frames, kLeastSkyDirections,
+                    std::uint32_t(MAX_SKY_DIRECTIONS));
+}
 
 FrameView frameView(const FrameInputs& inputs, std::uint32_t index) {
   FrameView view;

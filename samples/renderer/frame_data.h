@@ -14,6 +14,9 @@ namespace lichen::renderer {
 // many nothing is gained but noise.
 inline constexpr std::uint32_t kMostSharpeningFrames = 8;
 
+// Fewer, in a frame that is soon followed by others, would leave all of it in one shadow or none.
+inline constexpr std::uint32_t kLeastSkyDirections = 4;
+
 struct FrameInputs {
   Camera camera;
   glm::dvec3 origin{0.0}; ///< that everything is drawn relative to
@@ -23,6 +26,7 @@ struct FrameInputs {
   std::uint32_t width = 1;
   std::uint32_t height = 1;
   std::uint32_t frames = 1;
+  std::uint32_t skyDirections = 1; ///< that each frame looks in, up to MAX_SKY_DIRECTIONS
 };
 
 struct FrameView {
@@ -30,6 +34,9 @@ struct FrameView {
   glm::mat4 clipFromWorldOfSun{1.0f};
   std::array<glm::mat4, MAX_SKY_DIRECTIONS> clipFromWorldOfSky{};
 };
+
+/// Of each of the frames of a picture.
+[[nodiscard]] std::uint32_t skyDirectionsOf(std::uint32_t frames);
 
 inline constexpr std::uint32_t kSunDepthSide = 2048;
 inline constexpr std::uint32_t kSkyDepthSide = 512;

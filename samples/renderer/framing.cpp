@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -56,6 +57,14 @@ Box boxOf(const Scene& scene, const Instance& instance) {
   for (const Vertex& vertex : scene.primitives[instance.primitive].vertices)
     box.add(glm::dvec3(instance.worldFromObject * glm::dvec4(vertex.position, 1.0)));
   return box;
+}
+
+std::array<glm::dvec3, 8> cornersOf(const Box& box) {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = {(k & 1) != 0 ? box.high.x : box.low.x, (k & 2) != 0 ? box.high.y : box.low.y,
+                  (k & 4) != 0 ? box.high.z : box.low.z};
+  return corners;
 }
 
 std::vector<Box> boxesOf(const Scene& scene) {
@@ -128,19 +137,40 @@ private:
   double front_ = std::numeric_limits<double>::lowest();
 };
 
+/// Its vertices in the world, or the corners of its box where the whole subject has too many to be
+/// kept and fitted.
+void addPoints(const Scene& scene, const Instance& instance, bool isLarge,
+               std::vector<glm::dvec3>& points) {
+  if (!isLarge) {
+    for (const Vertex& vertex : scene.primitives[instance.primitive].vertices)
+      points.emplace_back(instance.worldFromObject * glm::dvec4(vertex.position, 1.0));
+    return;
+  }
+  const std::array<glm::dvec3, 8> corners = cornersOf(boxOf(scene, instance));
+  points.insert(points.end(), corners.begin(), corners.end());
+}
+
+/// What of the subject is to be seen, in the world.
+std::vector<glm::dvec3> subjectPoints(const Scene& scene) {
+  constexpr std::size_t kMostPoints = std::size_t(1) << 22;
+  const std::vector<std::size_t> instances = subjectInstances(boxesOf(scene));
+  std::size_t count = 0;
+  for (const std::size_t i : instances)
+    count += scene.primitives[scene.instances[i].primitive].vertices.size();
+  std::vector<glm::dvec3> points;
+  for (const std::size_t i : instances)
+    addPoints(scene, scene.instances[i], count > kMostPoints, points);
+  return points;
+}
+
 Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
   const glm::dvec3 z = glm::normalize(glm::dvec3(kAutoDirection));
   const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
   const glm::dmat3 axes(x, glm::cross(z, x), z);
   const double slope = std::tan(double(kAutoFieldOfView) / 2) / kAutoMargin;
   ClosestView view({slope * double(aspect), slope});
-  for (const std::size_t i : subjectInstances(boxesOf(scene))) {
-    const Instance& instance = scene.instances[i];
-    for (const Vertex& vertex : scene.primitives[instance.primitive].vertices) {
-      const glm::dvec3 p(instance.worldFromObject * glm::dvec4(vertex.position, 1.0));
-      view.add((p - subject.center) * axes); // a row times a matrix: along each axis
-    }
-  }
+  for (const glm::dvec3& p : subjectPoints(scene))
+    view.add((p - subject.center) * axes); // a row times a matrix: along each axis
   const glm::dvec3 eye = view.eye(kAutoLeastDistance * double(subject.radius));
   constexpr double kNearShare = 0.02;
   Camera camera;
@@ -178,9 +208,12 @@ glm::dvec3 centerOf(const Scene& scene, const Instance& instance) {
   return (box.low + box.high) * 0.5;
 }
 
-double distanceTo(const Scene& scene, const Instance& instance, const glm::dvec3& place) {
-  const Box box = boxOf(scene, instance);
-  return glm::distance(place, glm::clamp(place, box.low, box.high));
+double depthOf(const Scene& scene, const Instance& instance, const Camera& camera) {
+  const auto forward = -glm::normalize(glm::dvec3(camera.worldFromCamera[2]));
+  double least = std::numeric_limits<double>::max();
+  for (const glm::dvec3& corner : cornersOf(boxOf(scene, instance)))
+    least = std::min(least, glm::dot(corner - eyeOf(camera), forward));
+  return least;
 }
 
 glm::dvec3 eyeOf(const Camera& camera) { return {camera.worldFromCamera[3]}; }
@@ -225,19 +258,23 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
                                      ": no such camera in the scene; there are " + list};
 }
 
+float halfHeightOf(const Camera& camera, float aspect) {
+  const float narrower =
+      camera.aspectRatio > 0.0f ? std::max(camera.aspectRatio / aspect, 1.0f) : 1.0f;
+  return (camera.perspective ? std::tan(camera.verticalFieldOfView / 2) : camera.halfHeight) *
+         narrower;
+}
+
 glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,
                         glm::vec2 jitterClip) {
   glm::mat4 projection(0.0f);
-  const float narrower =
-      camera.aspectRatio > 0.0f ? std::max(camera.aspectRatio / aspect, 1.0f) : 1.0f;
+  const float halfHeight = halfHeightOf(camera, aspect);
   if (camera.perspective) {
-    const float halfHeight = std::tan(camera.verticalFieldOfView / 2) * narrower;
     projection[0][0] = 1.0f / (halfHeight * aspect);
     projection[1][1] = -1.0f / halfHeight;
     projection[2] = glm::vec4(-jitterClip, 0.0f, -1.0f);
     projection[3][2] = camera.near; // far plane at infinity: depth = near / distance
   } else {
-    const float halfHeight = camera.halfHeight * narrower;
     projection[0][0] = 1.0f / (halfHeight * aspect);
     projection[1][1] = -1.0f / halfHeight;
     projection[2][2] = 1.0f / (camera.far - camera.near);

@@ -23,13 +23,12 @@ struct Sphere {
 /// The middle of the box around an instance, in the world.
 [[nodiscard]] glm::dvec3 centerOf(const Scene& scene, const Instance& instance);
 
-/// From a place in the world to the box around an instance; 0 inside of it.
-[[nodiscard]] double distanceTo(const Scene& scene, const Instance& instance,
-                                const glm::dvec3& place);
+/// How far before a camera, along its axis, the box around an instance begins; below 0 behind it.
+[[nodiscard]] double depthOf(const Scene& scene, const Instance& instance, const Camera& camera);
 
-/// "auto", which shows the subject as large as it fits; the name of a camera's node or of a camera of the file, or empty for the file's first
-/// camera and auto without one. `aspect` is width over height. Errors: usage, with the names there
-/// are; badInput for a camera with a fault.
+/// "auto", which shows the subject as large as it fits; the name of a camera's node or of a camera
+/// of the file; or empty for the file's first camera, and auto without one. `aspect` is width over
+/// height. Errors: usage, with the names there are; badInput for a camera with a fault.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,
                                           const std::string& choice, float aspect);
 
@@ -41,6 +40,10 @@ struct Sphere {
 /// whole steps, so that little changes from frame to frame and a scene around the world's origin is
 /// drawn relative to just that; what rounding over a step moves is far below a pixel.
 [[nodiscard]] glm::dvec3 originNear(const Camera& camera, const glm::dvec3& subject);
+
+/// Half the height of what is seen: of a perspective camera one unit before it. `aspect` is width
+/// over height.
+[[nodiscard]] float halfHeightOf(const Camera& camera, float aspect);
 
 /// Places relative to `origin` to Vulkan's clip space (y down), depth reversed: 1 at the near plane
 /// and 0 at the far one. A picture wider than the camera's own aspect ratio shows more at the

@@ -134,9 +134,9 @@ void NoiseHost::readMaterials(const Scene& scene) {
     materials_.push_back(material);
     const std::string place = "/materials/" + std::to_string(m);
     if (material.unknownRevision != 0)
-      notes_.insert(place + ": its noise is of revision " +
-                    std::to_string(material.unknownRevision) +
-                    ", which this version does not know; the core textures are drawn");
+      fileNotes_.insert(place + ": its noise is of revision " +
+                        std::to_string(material.unknownRevision) +
+                        ", which this version does not know; the core textures are drawn");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
     if (material.texCoord > 1)
@@ -165,7 +165,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
     if (const std::optional<std::size_t> role = roleOf(map.target))
       roles.map[*role] = int(m);
     else
-      notes_.insert("the height of the noise " + printable(properties.name) + " is not drawn");
+      drawnNotes_.insert("the height of the noise " + printable(properties.name) + " is not drawn");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&
@@ -270,6 +270,8 @@ void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
   hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
       hasOtherMappings_ = hasMixes_ = hasObjectSpaces_ = hasTileRotation_ = false;
   changes_ = changes;
+  drawnNotes_.clear();
+  placeNotes_.clear();
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
       noises_[m] = changes.noise.value_or(materials_[m].noise);
@@ -292,9 +294,17 @@ void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
 
 void NoiseHost::place(const glm::dvec3& origin) {
   origin_ = origin;
+  placeNotes_.clear();
   for (std::uint32_t m = 0; m < materials_.size(); ++m)
     if (materials_[m].noise != LICHEN_NO_NOISE)
       fillUniforms(m);
+}
+
+std::vector<std::string> NoiseHost::notes() const {
+  std::vector<std::string> all;
+  for (const std::set<std::string>* some : {&fileNotes_, &drawnNotes_, &placeNotes_})
+    all.insert(all.end(), some->begin(), some->end());
+  return all;
 }
 
 LichenMapping NoiseHost::mappingOf(const LichenUniformInfo& info) const {
@@ -327,7 +337,7 @@ void NoiseHost::setTileOrigin(LichenUniformInfo& info) {
   const glm::dvec3 tiles = glm::floor(origin_ / side);
   const glm::dvec3 held = glm::clamp(tiles, -kFarthest, kFarthest);
   if (held != tiles)
-    notes_.insert(
+    placeNotes_.insert(
         "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
         "/materials/" +
         std::to_string(info.material) + " is beyond them is coarse");

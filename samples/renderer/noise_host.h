@@ -74,8 +74,9 @@ public:
   /// Side of the tiles of a noise that lies in space, in its units; 0 for others.
   [[nodiscard]] double tileSide(std::size_t material) const;
 
-  /// What of the materials' noises is not drawn, one sentence each.
-  [[nodiscard]] const std::set<std::string>& notes() const { return notes_; }
+  /// What of the materials' noises is not drawn, or coarse where they are placed, one sentence
+  /// each.
+  [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
   struct Release {
@@ -116,7 +117,7 @@ private:
   std::vector<VkDescriptorSet> sets_;
   NoiseChanges changes_;
   glm::dvec3 origin_{0.0};
-  std::set<std::string> notes_;
+  std::set<std::string> fileNotes_, drawnNotes_, placeNotes_; ///< of what the last call has set
   bool hasOtherTables_ = false;
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;

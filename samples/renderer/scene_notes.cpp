@@ -66,7 +66,8 @@ void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
 /// Of a noise that lies in space, as the camera stands.
 void SceneRenderer::noteUnseenNoise(std::vector<std::string>& notes) const {
   const Camera& camera = inputs_.camera;
-  const double slope = 2.0 * std::tan(double(camera.verticalFieldOfView) / 2);
+  const float aspect = float(inputs_.width) / float(inputs_.height);
+  const double wholeHeight = 2.0 * double(halfHeightOf(camera, aspect));
   std::map<std::size_t, double> widest; // pixels of an exemplar, by material
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
@@ -74,8 +75,8 @@ void SceneRenderer::noteUnseenNoise(std::vector<std::string>& notes) const {
         noises_.tileSide(m) * (noises_.roles(m).inObjectSpace ? scaleOf(instance) : 1.0);
     if (side == 0.0)
       continue;
-    const double height = camera.perspective ? slope * distanceTo(scene_, instance, eyeOf(camera))
-                                             : 2.0 * double(camera.halfHeight);
+    const double height =
+        camera.perspective ? wholeHeight * depthOf(scene_, instance, camera) : wholeHeight;
     const double pixels = height > 0.0 ? side / height * double(inputs_.height) : kFewestPixels;
     double& most = widest.try_emplace(m, 0.0).first->second;
     most = std::max(most, pixels);
@@ -116,7 +117,7 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
 }
 
 std::vector<std::string> SceneRenderer::notes() const {
-  std::vector<std::string> notes(noises_.notes().begin(), noises_.notes().end());
+  std::vector<std::string> notes = noises_.notes();
   noteCoarseVertices(notes);
   noteUnseenNoise(notes);
   noteMissingTexCoords(notes);

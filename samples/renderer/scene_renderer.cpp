@@ -32,7 +32,7 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
   inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
   inputs_.width = settings.width;
   inputs_.height = settings.height;
-  inputs_.frames = settings.frames;
+  setFrames(settings.frames);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (materialOf(scene.instances[i]).alphaMode == AlphaMode::blend)
       blended_.emplace_back(i, centerOf(scene, scene.instances[i]));
@@ -165,6 +165,16 @@ void SceneRenderer::setCamera(const Camera& camera) {
         kHazeDistance * std::max(glm::length(relativeTo(inputs_.subject.center, eyeOf(camera))),
                                  inputs_.subject.radius);
   blendedOrder_ = blendedOrder();
+}
+
+void SceneRenderer::setFrames(std::uint32_t frames) {
+  inputs_.frames = frames;
+  inputs_.skyDirections = skyDirectionsOf(frames);
+}
+
+void SceneRenderer::setPreview() {
+  inputs_.frames = 1;
+  inputs_.skyDirections = kLeastSkyDirections;
 }
 
 void SceneRenderer::setDebugView(const std::string& name) {

@@ -38,7 +38,8 @@ public:
 
   // After any of these the next frame is to be frame 0.
   void setSize(std::uint32_t width, std::uint32_t height);
-  void setFrames(std::uint32_t frames) { inputs_.frames = frames; } ///< at least 1
+  void setFrames(std::uint32_t frames); ///< at least 1
+  void setPreview();                    ///< one frame that is soon followed by others: quicker
   void setCamera(const Camera& camera);
   void setExposure(float exposureEv) { exposureEv_ = exposureEv; } ///< stops
   void setDebugView(const std::string& name);                      ///< see RenderSettings

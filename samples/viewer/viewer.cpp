@@ -55,6 +55,7 @@ public:
         controls_(shown_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
     settings_.camera = "auto"; // a scene that is read again may have lost the one to start from
+    tellAll();
   }
 
   void run() {
@@ -83,10 +84,14 @@ private:
     auto shown = std::make_unique<Shown>();
     shown->scene = std::move(scene);
     shown->renderer = std::make_unique<SceneRenderer>(device_, shown->scene, settings_);
-    told_.clear();
-    tell(shown->scene.notes);
-    tell(shown->renderer->notes());
     return shown;
+  }
+
+  /// All notes on the scene that is shown now.
+  void tellAll() {
+    told_.clear();
+    tell(shown_->scene.notes);
+    tell(shown_->renderer->notes());
   }
 
   /// Those notes on the scene that have not been told.
@@ -178,6 +183,7 @@ private:
       look_ = last;
       throw;
     }
+    tellAll();
     restart();
   }
 
@@ -237,7 +243,7 @@ private:
     SceneRenderer& renderer = *shown_->renderer;
     std::uint32_t shownFrames = frames_;
     if (isPreview_) {
-      renderer.setFrames(1);
+      renderer.setPreview();
       renderer.drawFrame(0);
       shownFrames = 1;
       isPreview_ = false;

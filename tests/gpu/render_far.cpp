@@ -302,17 +302,24 @@ TEST_CASE("noise that is too small to be seen is named") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
   const Place place{0.0, 0.0, 0.0};
-  const auto notesAt = [&](double pixels) {
+  const auto notesAt = [&](double pixels, float aspectRatio = 0.0f, double aside = 0.0) {
     const double height = 2.0 * kDistance * std::tan(kFieldOfView / 2); // in stillSettings()' 48
     file.bundle.materials[0]->scale = pixels / 48.0 * height / file.bundle.noises[0].tileSizeMetres;
-    const renderer::Scene scene = read(squares(file, {&place, 1}));
+    renderer::Scene scene = read(squares(file, {&place, 1}));
+    scene.cameras[0].aspectRatio = aspectRatio;
+    scene.cameras[0].worldFromCamera[3].x += aside;
     return renderer::SceneRenderer(testDevice(), scene, stillSettings()).notes();
   };
+  const std::vector<std::string> noted{
+      "/materials/0: an exemplar's width of its noise is 3.2 pixels at most: little but the "
+      "mean is seen; a larger scale or a nearer camera shows the noise"};
   CHECK(notesAt(4.1).empty());
-  CHECK(notesAt(3.2) ==
-        std::vector<std::string>{
-            "/materials/0: an exemplar's width of its noise is 3.2 pixels at most: little but the "
-            "mean is seen; a larger scale or a nearer camera shows the noise"});
+  CHECK(notesAt(3.2) == noted);
+  // Three times as wide as the picture, of which it shows more above and below.
+  CHECK(notesAt(9.6, 4.0f) == noted);
+  // What is off the axis is as large as on it.
+  CHECK(notesAt(3.2, 0.0f, 9.0) == noted);
+  CHECK(notesAt(4.1, 0.0f, 9.0).empty());
 }
 
 TEST_CASE("noise that floats or the lattice cannot place finely is named") {
@@ -323,8 +330,9 @@ TEST_CASE("noise that floats or the lattice cannot place finely is named") {
   const renderer::Scene scene = read(squares(file, {&place, 1}));
   renderer::RenderSettings settings = stillSettings();
   settings.debugView = "planes";
+  renderer::SceneRenderer drawn(testDevice(), scene, settings);
   CHECK(
-      renderer::SceneRenderer(testDevice(), scene, settings).notes() ==
+      drawn.notes() ==
       std::vector<std::string>{
           "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
           "/materials/0 is beyond them is coarse",
@@ -333,4 +341,10 @@ TEST_CASE("noise that floats or the lattice cannot place finely is named") {
           "drawn fine wherever it is",
           "/materials/0: an exemplar's width of its noise is 0.0032 pixels at most: little but the "
           "mean is seen; a larger scale or a nearer camera shows the noise"});
+  renderer::Camera home = scene.cameras[0];
+  home.worldFromCamera[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+  drawn.setCamera(home);
+  const std::vector<std::string> notes = drawn.notes();
+  CHECK(std::none_of(notes.begin(), notes.end(),
+                     [](const std::string& note) { return note.starts_with("the camera"); }));
 }

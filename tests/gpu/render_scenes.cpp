@@ -240,6 +240,22 @@ TEST_CASE("a used extension that is unknown is named once and ignored") {
   CHECK(loaded.notes[0].find("KHR_materials_clearcoat") != std::string::npos);
 }
 
+TEST_CASE("of more vertices than are fitted one by one the automatic camera sees the boxes") {
+  GltfScene source;
+  source.addBall(source.addMaterial(nlohmann::json::object()), nlohmann::json::object());
+  Scene scene = load(source);
+  std::vector<Vertex>& vertices = scene.primitives[0].vertices;
+  const std::vector<Vertex> ball = vertices;
+  vertices.resize(std::size_t(1) << 20, ball[0]); // no vertex stands anywhere else
+  const auto camera = [&](std::size_t count) {
+    scene.instances.assign(count, scene.instances[0]);
+    return renderer::chooseCamera(scene, renderer::subjectOf(scene).value(), "auto", 1.0f).value();
+  };
+  const glm::dvec3 fitted = renderer::eyeOf(camera(1)), boxed = renderer::eyeOf(camera(5));
+  CHECK(glm::length(boxed) > glm::length(fitted));
+  CHECK(glm::length(boxed) < 2.0 * glm::length(fitted));
+}
+
 TEST_CASE("the automatic camera has the whole subject in its picture, no smaller than it must be") {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());

@@ -444,6 +444,12 @@ TEST_CASE("an output in another folder may not leave files behind") {
   CHECK_THAT(refused.error().message,
              Catch::Contains("scene.bin") && Catch::Contains("a .glb, or"));
   CHECK(std::filesystem::is_empty(folder.path("other")));
+  TinyScene drawing = tiny; // whose image stays outside of a .glb too
+  drawing.json["images"] = {{{"uri", "wood.png"}}};
+  const auto beside =
+      openScene(folder.write("drawing.glb", drawing.glb())).write(folder.path("other/out.gltf"));
+  REQUIRE(!beside.ok());
+  CHECK_THAT(beside.error().message, Catch::Contains("wood.png") && !Catch::Contains("a .glb, or"));
   applyAndWrite(openScene(gltf), example::smallest(), folder.path("other/out.glb"));
 }
 

@@ -31,8 +31,8 @@ struct FrameOptions {
   bool bringsNormals = false;
 };
 
-/// Whether the primitives of a material have frames or can be given some. Errors: badInput, naming
-/// the first whose material needs tangents of its texture coordinates, which would be lost.
+/// Whether the frames of a material's primitives would take the place of no other tangents. Errors:
+/// badInput, naming the first primitive whose material needs tangents of its texture coordinates.
 [[nodiscard]] Result<void> checkFrames(const GltfScene& scene, std::size_t material,
                                        bool bringsNormals);
 

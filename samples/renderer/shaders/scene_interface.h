@@ -5,7 +5,7 @@
 #define SCENE_INTERFACE_H
 
 #define MAX_LIGHTS 16
-// Directions toward the sky of which each frame draws the visibility.
+// Directions toward the sky of which a frame draws the visibility, at most.
 #define MAX_SKY_DIRECTIONS 16
 
 #define SET_FRAME 0
@@ -88,7 +88,7 @@ struct FrameData {
   mat4 sunFromWorld;  // to [0, 1]^3 of the sun's depth map
   mat4 skyFromWorld[MAX_SKY_DIRECTIONS];
   vec4 skyDirection[MAX_SKY_DIRECTIONS]; // toward the sky
-  vec4 cameraPosition;               // w is 0 for an orthographic camera
+  vec4 cameraPosition;                   // w is 0 for an orthographic camera
   vec4 cameraForward;
   // x 1 / the distance over which haze takes 63 %, 0 for none; y last level of the specular cube
   // map; z scale of texture gradients; w 1 when light 0 is the sun, which the depth map is of.

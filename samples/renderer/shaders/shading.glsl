@@ -95,8 +95,8 @@ float sunVisibility(Shading s) {
                  textureLod(sunDepth, vec3(place.xy + texel, depth), 0.0));
 }
 
-/// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in a few
-/// directions; the average of frames looks everywhere.
+/// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in a
+/// few directions; the average of frames looks everywhere.
 float skyVisibility(Shading s) {
   const float kLeast = 0.02; // a normal that faces none of the directions sees no sky to be hidden
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.y);
