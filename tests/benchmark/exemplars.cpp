@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "checkout_paths.h"
 #include "exemplars.h"
 
 #include <lichen/image_io.h>
@@ -40,8 +41,7 @@ SrgbImage crop(const SrgbImage& image) {
 
 /// What ../shared/exemplars holds, if it is there.
 std::vector<std::filesystem::path> photographs() {
-  const std::filesystem::path folder =
-      std::filesystem::path(LICHEN_SOURCE_DIR) / "../shared/exemplars";
+  const std::filesystem::path folder = sourcePath("../shared/exemplars");
   std::error_code none;
   std::vector<std::filesystem::path> entries;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none))

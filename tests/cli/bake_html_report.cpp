@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page that `lichen bake --report` writes, as text; tests/cli/report_page looks at it.
+#include "checkout_paths.h"
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -188,7 +189,7 @@ TEST_CASE("a report's command can be given to a shell, whatever the names in it"
   CHECK(data.at("name") == name);
   const std::string command = data.at("command");
   std::filesystem::remove(workplace.path("noise.glb"));
-  const std::string line = "lichen() { " LICHEN_BINARY_DIR "/bin/lichen \"$@\"; }; ";
+  const std::string line = "lichen() { " + programPath("lichen") + " \"$@\"; }; ";
   const Ended ended = run("/bin/sh", {"-c", line + command});
   INFO(ended.errors);
   CHECK(ended.code == 0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "checkout_paths.h"
 #include "command_run.h"
 
 #include <lichen/files.h>
@@ -109,7 +110,7 @@ Ended run(const std::filesystem::path& program, const Arguments& arguments, cons
 }
 
 Ended runLichen(const Arguments& arguments, const Limits& limits) {
-  return run(LICHEN_COMMAND, arguments, limits);
+  return run(programPath("lichen"), arguments, limits);
 }
 
 std::string Workplace::path(const std::string& name) const {

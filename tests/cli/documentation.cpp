@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // docs/cli.md against what the programs say of themselves.
+#include "checkout_paths.h"
 #include "command_run.h"
 
 #include <lichen/files.h>
@@ -23,8 +24,7 @@ Options optionsIn(const std::string& text) {
 }
 
 std::string documentation() {
-  const std::filesystem::path path = std::filesystem::path(LICHEN_SOURCE_DIR) / "docs/cli.md";
-  const auto bytes = readFile(path).value();
+  const auto bytes = readFile(sourcePath("docs/cli.md")).value();
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -37,7 +37,7 @@ std::string section(const std::string& page, const std::string& title) {
 
 /// The programs of this build, and the verbs of `lichen`, each with its arguments before --help.
 std::map<std::string, std::pair<std::filesystem::path, Arguments>> commands() {
-  const std::filesystem::path bin = std::filesystem::path(LICHEN_BINARY_DIR) / "bin";
+  const std::filesystem::path bin = programPath("");
   std::map<std::string, std::pair<std::filesystem::path, Arguments>> all;
   for (const char* verb : {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "apply"})
     all[std::string("lichen ") + verb] = {bin / "lichen", {verb}};
@@ -72,7 +72,7 @@ TEST_CASE("docs/cli.md has every option that --help has, and no other") {
 
 TEST_CASE("docs/cli.md has every verb that lichen --help lists") {
   const std::string page = documentation();
-  const std::string help = helpOf(LICHEN_BINARY_DIR "/bin/lichen", {});
+  const std::string help = helpOf(programPath("lichen"), {});
   const std::size_t list = help.find("Verbs:");
   REQUIRE(list != std::string::npos);
   static const std::regex verbLine("\n  ([a-z]+) ");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What lichen-exemplars writes, and how it refuses, in the words of the lichen command.
+#include "checkout_paths.h"
 #include "command_run.h"
 
 #include <lichen/result.h>
@@ -12,7 +13,7 @@ using namespace lichen::cli_test;
 namespace {
 
 Ended runExemplars(const Arguments& arguments) {
-  return run(LICHEN_BINARY_DIR "/bin/lichen-exemplars", arguments);
+  return run(programPath("lichen-exemplars"), arguments);
 }
 
 } // namespace

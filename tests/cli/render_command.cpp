@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen-render as a user runs it: exit codes, one-line messages, files.
 #include "../gpu/render_gltf.h"
+#include "checkout_paths.h"
 
 #include <lichen/files.h>
 #include <lichen/image_io.h>
@@ -23,7 +24,7 @@ struct Outcome {
 
 /// Runs through the shell; arguments hold no character that it would change but redirections.
 Outcome run(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " '" LICHEN_RENDER "' 2>&1 " + arguments;
+  const std::string command = environment + " '" + programPath("lichen-render") + "' 2>&1 " + arguments;
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -122,7 +123,7 @@ TEST_CASE("a fault in a noise is bad input, named by its place") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
-  const auto bytes = readFile(LICHEN_SOURCE_DIR "/docs/gltf_extension/examples/felt.glb").value();
+  const auto bytes = readFile(sourcePath("docs/gltf_extension/examples/felt.glb")).value();
   GltfScene scene(bytes);
   scene.addBall(0);
   scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"][0]["maps"][0]["gaussian"] =

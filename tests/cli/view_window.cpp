@@ -2,6 +2,7 @@
 // lichen-view as a user handles it: in a window of an X server of the test's own, without a window
 // manager, by the events that a keyboard, a mouse and a closing window send. What it writes is
 // compared with what lichen-render makes of the same file.
+#include "checkout_paths.h"
 #include "command_run.h"
 #include "x_server.h"
 
@@ -34,7 +35,7 @@ Arguments joined(Arguments arguments, const Arguments& more) {
 
 SrgbImage rendered(const Workplace& workplace, const std::string& scene, const std::string& size,
                    const Arguments& more = {}) {
-  const Ended ended = run(LICHEN_RENDER, joined({scene, "-o", workplace.path("reference.png"),
+  const Ended ended = run(programPath("lichen-render"), joined({scene, "-o", workplace.path("reference.png"),
                                                  "--size", size, "--frames", kFrames, "--quiet"},
                                                 more));
   INFO(ended.errors);
@@ -48,7 +49,7 @@ public:
   View(const Workplace& workplace, XServer& server, const std::string& scene,
        const Arguments& more = {})
       : workplace_(workplace), server_(server),
-        program_(LICHEN_VIEW,
+        program_(programPath("lichen-view"),
                  joined({scene, "--size", "96x64", "--frames", kFrames, "--output",
                          workplace.path("."), "--validate"},
                         more),
@@ -106,7 +107,7 @@ void replace(const Workplace& workplace, const std::string& with) {
 } // namespace
 
 TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in silence") {
-  if (run(LICHEN_RENDER, {"--list-devices"}).code != 0) {
+  if (run(programPath("lichen-render"), {"--list-devices"}).code != 0) {
     WARN("skipped: no Vulkan device");
     return;
   }
@@ -173,12 +174,12 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
 }
 
 TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {
-  if (run(LICHEN_RENDER, {"--list-devices"}).code != 0) {
+  if (run(programPath("lichen-render"), {"--list-devices"}).code != 0) {
     WARN("skipped: no Vulkan device");
     return;
   }
   const Workplace workplace;
-  replace(workplace, LICHEN_SOURCE_DIR "/tests/scenes/blender/interior.glb");
+  replace(workplace, sourcePath("tests/scenes/blender/interior.glb"));
   XServer server;
   View view(workplace, server, workplace.path("scene.glb"), {"--camera", "room"});
   const SrgbImage before = view.shot();
@@ -199,7 +200,7 @@ TEST_CASE("the viewer refuses what it cannot show in one line") {
   ::unsetenv("DISPLAY");
   ::unsetenv("WAYLAND_DISPLAY");
   const auto refuses = [&](const Arguments& arguments, int code, const std::string& word) {
-    const Ended ended = run(LICHEN_VIEW, arguments);
+    const Ended ended = run(programPath("lichen-view"), arguments);
     INFO(ended.errors);
     CHECK(ended.code == code);
     CHECK(ended.output.empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A small host of the engine plugin for the tests; see plugin_host.h.
+#include "checkout_paths.h"
 #include "plugin_host.h"
 
 #include <fstream>
@@ -128,7 +129,7 @@ LichenUniformInfo movedUniformInfo() {
 }
 
 std::vector<std::uint32_t> committedShader(const std::string& name) {
-  std::ifstream file(std::string(LICHEN_SOURCE_DIR) + "/spirv/" + name + ".spv", std::ios::binary);
+  std::ifstream file(sourcePath("spirv/" + name + ".spv"), std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   if (bytes.empty())
     throw std::runtime_error("spirv/" + name + ".spv cannot be read");

@@ -2,6 +2,7 @@
 // The scenes that Blender exported, against what Blender itself sees of them through the same
 // cameras: where corners of objects are in the picture, and which material each pixel shows.
 // tests/scenes/blender/export_scenes.py made both, and says what framing.json holds.
+#include "checkout_paths.h"
 #include "framing.h"
 #include "rendered.h"
 
@@ -14,8 +15,7 @@ using renderer::Scene;
 
 namespace {
 
-const std::filesystem::path kFolder =
-    std::filesystem::path(LICHEN_SOURCE_DIR) / "tests/scenes/blender";
+const std::filesystem::path kFolder = sourcePath("tests/scenes/blender");
 constexpr std::uintmax_t kMostBytes = 1'000'000;
 const std::array kNames{"terrain", "monkeys", "interior"};
 

@@ -4,6 +4,7 @@
 // Goldens are made on lavapipe, which draws bit-identical images in every process of one CPU type.
 // Other CPU types and devices round differently, so they are compared by the mean and the 99.9 %
 // quantile of the absolute difference of sRGB codes (0 to 255).
+#include "checkout_paths.h"
 #include "picture.h"
 #include "rendered.h"
 #include "synthetic_noise.h"
@@ -38,8 +39,7 @@ std::vector<double> differences(const SrgbImage& a, const SrgbImage& b) {
 
 /// Compares with tests/golden/render/NAME.png; with LICHEN_REGENERATE_GOLDEN set, writes it.
 void checkGolden(const std::string& name, const LinearImage& picture) {
-  const auto path =
-      std::filesystem::path(LICHEN_SOURCE_DIR) / "tests/golden/render" / (name + ".png");
+  const std::filesystem::path path = sourcePath("tests/golden/render/" + name + ".png");
   if (std::getenv("LICHEN_REGENERATE_GOLDEN") != nullptr)
     REQUIRE(renderer::writePicture(path, picture).ok());
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether exemplars that tile are told from crops that do not: on the generated materials; and, by
 // hand where they are, `property_seam_detection "[photographs]"`, on those of ../shared/exemplars.
+#include "checkout_paths.h"
 #include "example_exemplar.h"
 
 #include <lichen/image_io.h>
@@ -46,8 +47,7 @@ std::vector<Named> generatedMaterials(int side) {
 
 /// All of them tile, by their README.
 std::vector<Named> photographs() {
-  const std::filesystem::path folder =
-      std::filesystem::path(LICHEN_SOURCE_DIR) / "../shared/exemplars";
+  const std::filesystem::path folder = sourcePath("../shared/exemplars");
   std::vector<std::filesystem::path> paths;
   std::error_code absent;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, absent))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Statistics of texton noise on surfaces as the CPU twin evaluates it, against closed forms; its
 // impacts against the specification's test vectors.
+#include "checkout_paths.h"
 #include "texton/surface_impacts.h"
 #include "texton_evaluation.h"
 
@@ -370,7 +371,7 @@ TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and nee
 }
 
 TEST_CASE("impacts in space and their grid are those of the specification's test vectors") {
-  std::ifstream file(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+  std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   std::size_t count = 0;
   for (const nlohmann::json& v : vectors["surfaceImpacts"]) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Statistics of texton noise as the CPU twin evaluates it, against closed forms; its impacts
 // against the specification's test vectors; whole images of it.
+#include "checkout_paths.h"
 #include "texton/impacts.h"
 #include "texton_evaluation.h"
 
@@ -249,7 +250,7 @@ TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mi
 }
 
 TEST_CASE("impacts and their grid are those of the specification's test vectors") {
-  std::ifstream file(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+  std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   for (const nlohmann::json& v : vectors["poissonCount"])
     CHECK(texton::poissonCount(v["word"]) == int(v["count"]));

@@ -2,6 +2,7 @@
 // What noise in three planes promises, seen through the CPU twin: the exemplar's variance and
 // histogram whatever the normal, the noise of texture coordinates where one plane counts, gradients
 // that are those of a height in space, and the same pattern from any tile origin.
+#include "checkout_paths.h"
 #include "example_exemplar.h"
 #include "synthetic_texton.h"
 #include "triplanar/planes.h"
@@ -263,7 +264,7 @@ namespace {
 
 const nlohmann::json& vectors() {
   static const nlohmann::json file = [] {
-    std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+    std::ifstream stream(sourcePath("docs/gltf_extension/test_vectors.json"));
     return nlohmann::json::parse(stream);
   }();
   return file;

@@ -2,6 +2,7 @@
 // The checker and the JSON schemas agree: tests/cli/gltf_validator/schema_cases.json holds patches
 // (RFC 6902) of the extension's examples with the verdict that both must reach. The script beside
 // that file puts the same cases to the schemas.
+#include "checkout_paths.h"
 #include "temporary_folder.h"
 
 #include <lichen/bundle.h>
@@ -19,7 +20,7 @@ using nlohmann::json;
 namespace {
 
 json readJson(const std::string& path) {
-  std::ifstream stream(LICHEN_SOURCE_DIR "/" + path);
+  std::ifstream stream(sourcePath(path));
   return json::parse(stream);
 }
 
@@ -32,7 +33,7 @@ TEST_CASE("the checker accepts and refuses what the JSON schemas do") {
   for (const char* name : {"felt.gltf", "dune.gltf"}) {
     const json& document = documents[name] = readJson(examples + name);
     const std::string binary = document["buffers"][0]["uri"];
-    std::filesystem::copy_file(LICHEN_SOURCE_DIR "/" + examples + binary, folder.path() / binary);
+    std::filesystem::copy_file(sourcePath(examples + binary), folder.path() / binary);
   }
   const json cases = readJson("tests/cli/gltf_validator/schema_cases.json");
   CHECK(cases.size() >= 30);

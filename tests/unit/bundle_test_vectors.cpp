@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lattice against the extension's published vectors, which an independent implementation made.
+#include "checkout_paths.h"
+
 #include <lichen/lattice.h>
 
 #include <catch2/catch.hpp>
@@ -13,7 +15,7 @@ namespace {
 
 const nlohmann::json& vectors() {
   static const nlohmann::json file = [] {
-    std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/test_vectors.json");
+    std::ifstream stream(sourcePath("docs/gltf_extension/test_vectors.json"));
     return nlohmann::json::parse(stream);
   }();
   return file;
@@ -22,7 +24,7 @@ const nlohmann::json& vectors() {
 } // namespace
 
 TEST_CASE("the specification's page shows the values that the code computes") {
-  std::ifstream stream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
+  std::ifstream stream(sourcePath("docs/gltf_extension/README.md"));
   const std::string page((std::istreambuf_iterator<char>(stream)), {});
   const auto shows = [&page](const std::string& what, std::initializer_list<std::uint32_t> values) {
     std::string list;
@@ -42,9 +44,9 @@ TEST_CASE("the specification's page shows the values that the code computes") {
 }
 
 TEST_CASE("the specification's page describes every property of the schemas") {
-  std::ifstream pageStream(LICHEN_SOURCE_DIR "/docs/gltf_extension/README.md");
+  std::ifstream pageStream(sourcePath("docs/gltf_extension/README.md"));
   const std::string page((std::istreambuf_iterator<char>(pageStream)), {});
-  const std::string folder = LICHEN_SOURCE_DIR "/docs/gltf_extension/schema/";
+  const std::string folder = sourcePath("docs/gltf_extension/schema/");
   for (const char* kind : {"glTF", "table", "noise", "texton", "map", "material"}) {
     std::ifstream stream(folder + kind + ".LICHEN_materials_exemplar_noise.schema.json");
     const nlohmann::json properties = nlohmann::json::parse(stream).at("properties");

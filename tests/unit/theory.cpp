@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // docs/theory.md against the sources: its names exist there, and their citations stand in it.
+#include "checkout_paths.h"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -19,7 +21,7 @@ std::string textOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-const fs::path kRoot = LICHEN_SOURCE_DIR;
+const fs::path kRoot = lichen::sourcePath("");
 
 /// Our own C++ and GLSL, by path relative to the root.
 const std::map<std::string, std::string>& sources() {
