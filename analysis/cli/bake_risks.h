@@ -5,8 +5,8 @@
 #include "command.h"
 #include "options.h"
 
+#include <lichen/exemplar.h>
 #include <lichen/suitability.h>
-#include <lichen/tiling.h>
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -5,9 +5,9 @@
 #include "command.h"
 
 #include <lichen/bundle.h>
+#include <lichen/exemplar.h>
 #include <lichen/noise_report.h>
 #include <lichen/suitability.h>
-#include <lichen/tiling.h>
 
 #include <chrono>
 #include <span>

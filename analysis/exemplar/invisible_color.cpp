@@ -3,7 +3,7 @@
 #include "invisible_color.h"
 
 #include "resample.h"
-#include "tiling/value_encoding.h"
+#include "value_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ void fillInvisible(MapExemplar& color, const MapExemplar& opacity) {
   for (float& value : whole.coverage)
     value /= most;
   for (float& value : whole.light)
-    value = tiling::decoded(value, color.encoding);
+    value = decoded(value, color.encoding);
   std::vector<Level> pyramid{std::move(whole)};
   while (pyramid.back().width > 1 || pyramid.back().height > 1)
     pyramid.push_back(halved(pyramid.back()));
@@ -91,7 +91,7 @@ void fillInvisible(MapExemplar& color, const MapExemplar& opacity) {
     fillFrom(pyramid[l + 1], pyramid[l]);
   for (std::size_t i = 0; i < color.values.size(); ++i)
     if (pyramid[0].coverage[i / 3] < 1.0f) // the others keep their code
-      color.values[i] = tiling::encoded(pyramid[0].light[i], color.encoding);
+      color.values[i] = encoded(pyramid[0].light[i], color.encoding);
 }
 
 } // namespace lichen::exemplar

@@ -2,7 +2,7 @@
 // Colours for the pixels of which nobody has seen one.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::exemplar {
 

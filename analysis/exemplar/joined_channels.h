@@ -2,7 +2,7 @@
 // Occlusion, roughness and metallic from files of their own -> one map.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <span>
 #include <vector>

@@ -2,8 +2,8 @@
 // An image file's pixels -> the values of a map.
 #pragma once
 
+#include <lichen/exemplar.h>
 #include <lichen/image_io.h>
-#include <lichen/tiling.h>
 
 #include <optional>
 #include <span>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Image files -> maps: read, cut out, rid of invisible colours, resampled and joined, in this
 // order.
+#include "borders.h"
 #include "invisible_color.h"
 #include "joined_channels.h"
 #include "map_values.h"
 #include "resample.h"
 #include "set_files.h"
-#include "tiling/borders.h"
 
 #include <lichen/material_set.h>
 
@@ -310,7 +310,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
     if (Result<void> done = crop(maps, *options.crop); !done)
       return done.error();
   fillInvisibleColors(maps);
-  const bool wraps = tiling::keepsBorders(maps, options.periodic, &NamedMap::map);
+  const bool wraps = keepsBorders(maps, options.periodic, &NamedMap::map);
   if (options.size) {
     if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
       return done.error();

@@ -3,7 +3,7 @@
 // along y. Source of the filter: [MN88], eq. 8 with B = C = 1/3.
 #include "resample.h"
 
-#include "tiling/value_encoding.h"
+#include "value_encoding.h"
 
 #include <tbb/parallel_for.h>
 
@@ -101,7 +101,7 @@ MapExemplar resampled(const MapExemplar& map, int width, int height, bool wraps)
   MapExemplar result = map;
   const std::size_t channels = map.channels.size();
   for (float& value : result.values)
-    value = tiling::decoded(value, map.encoding);
+    value = decoded(value, map.encoding);
   std::vector<float> least(result.values.begin(), result.values.begin() + std::ptrdiff_t(channels));
   std::vector<float> most = least;
   for (std::size_t i = 0; i < result.values.size(); ++i) {
@@ -113,7 +113,7 @@ MapExemplar resampled(const MapExemplar& map, int width, int height, bool wraps)
   result.values =
       resampledAxis(result.values, 1, map.height, height, std::size_t(width) * channels, wraps);
   for (std::size_t i = 0; i < result.values.size(); ++i)
-    result.values[i] = tiling::encoded(
+    result.values[i] = encoded(
         std::clamp(result.values[i], least[i % channels], most[i % channels]), map.encoding);
   result.width = width;
   result.height = height;

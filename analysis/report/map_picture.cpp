@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stored or decoded values of a map -> a picture; see map_picture.h.
-#include "tiling/value_encoding.h"
+#include "exemplar/value_encoding.h"
 
 #include <lichen/core_texture.h>
 #include <lichen/map_picture.h>
@@ -17,7 +17,7 @@ LinearImage decodedImage(const MapExemplar& exemplar) {
   image.channels = int(exemplar.channels.size());
   image.values = exemplar.values;
   for (float& value : image.values)
-    value = tiling::decoded(value, exemplar.encoding);
+    value = exemplar::decoded(value, exemplar.encoding);
   return image;
 }
 
@@ -40,7 +40,7 @@ MapLook::MapLook(const MapExemplar& exemplar, ValueEncoding encoding)
   if (encoding == ValueEncoding::log2) {
     const float stored = *std::max_element(exemplar.values.begin(), exemplar.values.end());
     largest_ =
-        std::max(1.0f, tiling::encoded(tiling::decoded(stored, exemplar.encoding), encoding));
+        std::max(1.0f, exemplar::encoded(exemplar::decoded(stored, exemplar.encoding), encoding));
   }
 }
 
@@ -58,7 +58,7 @@ SrgbImage MapLook::picture(LinearImage decoded) const {
   picture.values = std::move(texture.values);
   if (map_.encoding == ValueEncoding::srgb || map_.encoding == ValueEncoding::log2)
     for (float& value : picture.values)
-      value = tiling::encoded(value, map_.encoding) / largest_;
+      value = exemplar::encoded(value, map_.encoding) / largest_;
   return picture;
 }
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/exemplar.h>
 #include <lichen/json_tree.h>
 #include <lichen/noise_report.h>
 #include <lichen/progress.h>
 #include <lichen/suitability.h>
-#include <lichen/tiling.h>
 
 namespace lichen {
 

@@ -2,8 +2,8 @@
 // Heights (height, width) -> slopes (height, width, 2).
 #include "as_seen.h"
 
-#include "tiling/color_space.h"
-#include "tiling/value_encoding.h"
+#include "exemplar/color_space.h"
+#include "exemplar/value_encoding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ MapExemplar slopesOfHeight(const MapExemplar& map, bool periodic) {
   slopes.values.reserve(2 * map.values.size());
   std::vector<float> heights(map.values.size());
   std::transform(map.values.begin(), map.values.end(), heights.begin(),
-                 [&](float value) { return tiling::decoded(value, map.encoding); });
+                 [&](float value) { return exemplar::decoded(value, map.encoding); });
   const auto at = [&](int x, int y) {
     return heights[std::size_t(y) * std::size_t(map.width) + std::size_t(x)];
   };
@@ -49,7 +49,7 @@ MapExemplar slopesOfHeight(const MapExemplar& map, bool periodic) {
       slopes.values.push_back(difference(at(left, y), at(right, y), left == x || right == x));
       slopes.values.push_back(difference(at(x, down), at(x, up), up == y || down == y));
     }
-  const double variance = tiling::momentsOf(slopes.values, 2).covariance.trace() / 2.0;
+  const double variance = exemplar::momentsOf(slopes.values, 2).covariance.trace() / 2.0;
   if (variance <= 0.0)
     return slopes;
   const auto scale = float(kReliefDeviation / std::sqrt(variance));

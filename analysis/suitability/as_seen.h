@@ -2,7 +2,7 @@
 // What of a map an eye sees: of heights, the light on their slopes.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

@@ -6,6 +6,7 @@
 #include "clipped_share.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
+#include "exemplar/map_ranges.h"
 #include "few_colors.h"
 #include "gaussian_plane.h"
 #include "lattice_share.h"
@@ -13,7 +14,6 @@
 #include "progress_part.h"
 #include "risk_of.h"
 #include "slow_variation.h"
-#include "tiling/map_ranges.h"
 
 #include <lichen/flatten.h>
 #include <lichen/suitability.h>
@@ -203,7 +203,7 @@ Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodi
            std::to_string(map.height) + " pixels";
   };
   return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
-    if (Result<void> checked = tiling::checkRanges(map); !checked)
+    if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked.error();
     return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
       return risksOf(map, periodic, firstPixels, ProgressPart(progress));

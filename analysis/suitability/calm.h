@@ -5,7 +5,7 @@
 #include "calibration.h"
 #include "slow_variation.h"
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

@@ -2,7 +2,7 @@
 // How much of a photograph is so bright or so dark that the file holds no detail there.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

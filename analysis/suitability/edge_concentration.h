@@ -2,7 +2,7 @@
 // Whether what varies slowly in an image is light or clouds, or a large object with its outline.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

@@ -2,7 +2,7 @@
 // Whether an exemplar has a few colours with nothing between them.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

@@ -5,11 +5,11 @@
 #include "calm.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
+#include "exemplar/map_ranges.h"
+#include "exemplar/value_encoding.h"
 #include "gaussian_plane.h"
 #include "low_pass.h"
 #include "progress_part.h"
-#include "tiling/map_ranges.h"
-#include "tiling/value_encoding.h"
 
 #include <lichen/fft.h>
 #include <lichen/flatten.h>
@@ -67,7 +67,7 @@ std::pair<float, float> storedRange(const MapExemplar& map, std::size_t channel)
   if (!isLight(map))
     return {least, most};
   const float white =
-      map.encoding == ValueEncoding::log2 ? tiling::encoded(kHalfMax, map.encoding) : 1.0f;
+      map.encoding == ValueEncoding::log2 ? exemplar::encoded(kHalfMax, map.encoding) : 1.0f;
   return {std::min(least, 0.0f), std::max(most, white)};
 }
 
@@ -76,7 +76,7 @@ void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period,
   Plane plane{map.width, map.height, {}};
   plane.values.reserve(map.values.size() / channels);
   for (std::size_t i = channel; i < map.values.size(); i += channels)
-    plane.values.push_back(tiling::decoded(map.values[i], map.encoding));
+    plane.values.push_back(exemplar::decoded(map.values[i], map.encoding));
   const Plane slow = lowPassed(plane, period, periodic);
   if (isLight(map))
     evenOut(plane.values, slow.values);
@@ -85,7 +85,7 @@ void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period,
   const auto [least, most] = storedRange(map, channel);
   for (std::size_t pixel = 0; pixel < plane.values.size(); ++pixel)
     map.values[pixel * channels + channel] =
-        std::clamp(tiling::encoded(plane.values[pixel], map.encoding), least, most);
+        std::clamp(exemplar::encoded(plane.values[pixel], map.encoding), least, most);
 }
 
 /// As flatten(), of one map in range and the period of its own pixels; throws.
@@ -177,7 +177,7 @@ Result<void> checkMaps(std::span<const MapExemplar> maps) {
   if (maps.empty())
     return Error{ErrorKind::usage, "no map to flatten: at least one is needed"};
   for (const MapExemplar& map : maps)
-    if (Result<void> checked = tiling::checkRanges(map); !checked)
+    if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;
   return {};
 }

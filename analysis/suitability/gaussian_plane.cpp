@@ -2,10 +2,10 @@
 // Exemplar values (width * height * channels) -> Gaussianized principal component (width * height).
 #include "gaussian_plane.h"
 
-#include "tiling/borders.h"
-#include "tiling/color_space.h"
-#include "tiling/gaussian_distribution.h"
-#include "tiling/gaussianize.h"
+#include "exemplar/color_space.h"
+#include "gaussian/cross_fade.h"
+#include "gaussian/gaussian_distribution.h"
+#include "transport/rank_matching.h"
 
 namespace lichen::suitability {
 namespace {
@@ -20,9 +20,9 @@ constexpr double kFaded = 0.8;
 
 MapExemplar principalComponent(const MapExemplar& map) {
   const std::size_t channels = map.channels.size();
-  const tiling::Moments moments = tiling::momentsOf(map.values, int(channels));
+  const exemplar::Moments moments = exemplar::momentsOf(map.values, int(channels));
   const auto solver = transport::principalAxes(moments.covariance);
-  const tiling::ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
+  const exemplar::ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
   MapExemplar component;
   component.target = map.target;
   component.channels = {map.channels.front()};
@@ -45,25 +45,25 @@ std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic
   progress.reach(0.0);
   const MapExemplar component = principalComponent(map);
   progress.reach(kProjected);
-  const tiling::ColorSpace space = tiling::colorSpaceOf(component);
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(component);
   if (space.dimensions() == 0)
     return std::nullopt;
-  const std::vector<Point> stratified = tiling::stratifiedGaussian(
-      component.values.size(), 1, tiling::Precision::bits16); // ascending
+  const std::vector<Point> stratified = gaussian::stratifiedGaussian(
+      component.values.size(), 1, gaussian::Precision::bits16); // ascending
   progress.reach(kStratified);
   std::vector<Point> image =
-      tiling::matchedByRank(tiling::transportPoints(component, space), stratified);
+      transport::matchedByRank(exemplar::transportPoints(component, space), stratified);
   progress.reach(kRanked);
   if (!periodic) {
-    image = tiling::crossFadeBorders(image, map.width, map.height);
+    image = gaussian::crossFadeBorders(image, map.width, map.height);
     progress.reach(kFaded);
-    image = tiling::matchedByRank(image, stratified);
+    image = transport::matchedByRank(image, stratified);
   }
   GaussianPlane plane{map.width, map.height, {}};
   plane.values.reserve(image.size());
   for (const Point& point : image)
-    plane.values.push_back((point.x - float(tiling::kGaussianMean)) /
-                           float(tiling::kGaussianDeviation));
+    plane.values.push_back((point.x - float(gaussian::kGaussianMean)) /
+                           float(gaussian::kGaussianDeviation));
   return plane;
 }
 

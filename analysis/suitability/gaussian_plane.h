@@ -4,7 +4,7 @@
 
 #include "progress_part.h"
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 // How much an image varies as slowly as it is large: light from one side, a vignette, one object.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 

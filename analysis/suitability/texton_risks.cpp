@@ -4,10 +4,10 @@
 // Whatever the support, a texton's noise has Gaussian values and random phases: it has neither the
 // exemplar's histogram nor its outlines. What is slower than the support is not in it either.
 #include "calibration.h"
+#include "exemplar/map_ranges.h"
+#include "gaussian/normality.h"
 #include "progress_part.h"
 #include "risk_of.h"
-#include "tiling/map_ranges.h"
-#include "tiling/normality.h"
 
 #include <lichen/spectrum.h>
 #include <lichen/suitability.h>
@@ -176,7 +176,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, Progress
   const double deviation = deviationOf(map);
   // Rounding to the steps of the file is no histogram.
   const bool varies = deviation > 0.5 * map.quantum;
-  const double histogram = varies ? tiling::distanceToGaussian(map) / deviation : 0.0;
+  const double histogram = varies ? gaussian::distanceToGaussian(map) / deviation : 0.0;
   progress.reach(kHistogramOfProgress);
   const Waves waves =
       varies ? wavesOf(map, texels, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
@@ -205,7 +205,7 @@ Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int su
            std::to_string(map.height) + " pixels";
   };
   return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
-    if (Result<void> checked = tiling::checkRanges(map); !checked)
+    if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked.error();
     return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
       const Texels texels{widthTexels > 0 ? widthTexels : map.width,

@@ -4,14 +4,14 @@
 // Sources: [GLM17] section 4, [GLM14]. What contrast the noise has: docs/decisions/015-texton.md.
 #include "color_correction.h"
 #include "comparison.h"
+#include "exemplar/map_ranges.h"
 #include "fit.h"
+#include "gaussian/model_covariance.h"
 #include "joint_exemplar.h"
-#include "model_covariance.h"
 #include "option_ranges.h"
 #include "progress_part.h"
 #include "texton_maps.h"
 #include "texton_table.h"
-#include "tiling/map_ranges.h"
 
 #include <lichen/spectrum.h>
 #include <lichen/texton.h>
@@ -45,7 +45,7 @@ FitMethod methodOf(TextonFit fit) {
 }
 
 /// The coefficients of a part of the exemplar, corrected to the covariance of its own model.
-TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& options,
+TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOptions& options,
                           ProgressPart progress) {
   FitOptions fit;
   fit.width = std::clamp(options.support - options.order, 1, model.width());
@@ -60,12 +60,12 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
   };
   TextonCoefficients coefficients = fitCoefficients(model, fit, methodOf(options.fit));
   // Where the model's range is not the texton's, its covariance is as near as it is.
-  (void)correctCovariance(coefficients, options.order, modelCovariance(model));
+  (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
   return coefficients;
 }
 
 /// A half of the exemplar along its longer side, the first or the other.
-GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
+gaussian::GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
   const auto channels = std::size_t(joint.channels());
   const bool isWide = joint.width >= joint.height;
   const int width = isWide ? joint.width / 2 : joint.width;
@@ -79,7 +79,7 @@ GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
     const auto row = joint.values.begin() + std::ptrdiff_t(pixel * channels);
     values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * channels));
   }
-  return gaussianModel(values, width, height, joint.channels());
+  return gaussian::gaussianModel(values, width, height, joint.channels());
 }
 
 std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptions& options,
@@ -92,8 +92,8 @@ std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptio
 }
 
 /// One channel's part of a model or of coefficients.
-double channelError(const GaussianModel& model, const TextonCoefficients& coefficients, int order,
-                    std::size_t channel) {
+double channelError(const gaussian::GaussianModel& model, const TextonCoefficients& coefficients,
+                    int order, std::size_t channel) {
   const std::size_t texels = coefficients.values.size() / std::size_t(coefficients.channels);
   const auto begin = coefficients.values.begin() + std::ptrdiff_t(channel * texels);
   const TextonCoefficients alone{
@@ -107,7 +107,7 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
     return usage("no maps; at least one is accepted");
   std::set<MapTarget> targets;
   for (const MapExemplar& map : maps) {
-    if (Result<void> checked = tiling::checkRanges(map); !checked)
+    if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked.error();
     if (!targets.insert(map.target).second)
       return usage("two maps of " + std::string(nameOf(map.target)) + "; one is accepted");
@@ -146,13 +146,13 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   JointExemplar joint = joinedMaps(maps);
   bake.quality.heldOutError = heldOutError(joint, options, progress.part(0.0, kHeldOutOfProgress));
   progress.reach(kHeldOutOfProgress);
-  const GaussianModel model =
-      gaussianModel(joint.values, joint.width, joint.height, joint.channels());
+  const gaussian::GaussianModel model =
+      gaussian::gaussianModel(joint.values, joint.width, joint.height, joint.channels());
   joint.values = {}; // as large as the model
-  const MatrixXd modelled = modelCovariance(model);
+  const MatrixXd modelled = gaussian::modelCovariance(model);
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
-  if (!isModelled(modelled, wanted))
+  if (!gaussian::isModelled(modelled, wanted))
     return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, and "
                                       "no texton does; a photograph with detail, or another "
                                       "method, is accepted"};

@@ -113,7 +113,8 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
 }
 
 /// [GLM17] section 7: `model` times t^* . next / |t^* . next|, so that it goes with `next`.
-GaussianModel aligned(GaussianModel model, const GaussianModel& next) {
+gaussian::GaussianModel aligned(gaussian::GaussianModel model,
+                                const gaussian::GaussianModel& next) {
   for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {
     std::complex<float> product = 0.0f;
     for (std::size_t c = 0; c < model.channels.size(); ++c)
@@ -127,7 +128,8 @@ GaussianModel aligned(GaussianModel model, const GaussianModel& next) {
 
 } // namespace
 
-Barycenter barycenter(std::span<const GaussianModel> models, std::span<const double> weights) {
+Barycenter barycenter(std::span<const gaussian::GaussianModel> models,
+                      std::span<const double> weights) {
   assert(!models.empty() && weights.size() == models.size());
   std::vector<std::size_t> counted;
   for (std::size_t k = 0; k < models.size(); ++k) {
@@ -168,15 +170,17 @@ Barycenter barycenter(std::span<const GaussianModel> models, std::span<const dou
   return result;
 }
 
-std::vector<GaussianModel> alignedModels(std::span<const GaussianModel> models) {
-  std::vector<GaussianModel> result(models.begin(), models.end());
+std::vector<gaussian::GaussianModel>
+alignedModels(std::span<const gaussian::GaussianModel> models) {
+  std::vector<gaussian::GaussianModel> result(models.begin(), models.end());
   for (std::size_t k = result.size() - 1; k-- > 0;)
     result[k] = aligned(std::move(result[k]), result[k + 1]);
   return result;
 }
 
-GaussianModel between(const GaussianModel& first, const GaussianModel& second, double rho) {
-  GaussianModel result = first;
+gaussian::GaussianModel between(const gaussian::GaussianModel& first,
+                                const gaussian::GaussianModel& second, double rho) {
+  gaussian::GaussianModel result = first;
   for (std::size_t c = 0; c < result.channels.size(); ++c)
     for (std::size_t i = 0; i < result.channels[c].values.size(); ++i)
       result.channels[c].values[i] = float(1.0 - rho) * first.channels[c].values[i] +

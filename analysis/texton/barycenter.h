@@ -9,7 +9,7 @@
 namespace lichen::texton {
 
 struct Barycenter {
-  GaussianModel model;
+  gaussian::GaussianModel model;
   /// The root of the transport distance between the model and the barycentre proper, over the
   /// variance of the latter: what one kernel a channel cannot express. Of up to three textures, and
   /// of one channel, nothing but rounding and the few frequencies that are their own mirror.
@@ -23,16 +23,17 @@ struct Barycenter {
 /// this is the best that one kernel can be (docs/decisions/016-mixing.md). Same bytes for any
 /// number of threads. For n of three and more, up to 200 (n + 2) products of small matrices a
 /// frequency. Throws std::bad_alloc.
-[[nodiscard]] Barycenter barycenter(std::span<const GaussianModel> models,
+[[nodiscard]] Barycenter barycenter(std::span<const gaussian::GaussianModel> models,
                                     std::span<const double> weights);
 
 /// The same textures with other phases, so that each one goes with the next: the cross-spectrum of
 /// neighbours, summed over the channels, is nowhere negative. Then (1 - rho) [k] + rho [k + 1] is
 /// the barycentre of models k and k + 1. The last model is as it was. [GLM17] section 7.
-[[nodiscard]] std::vector<GaussianModel> alignedModels(std::span<const GaussianModel> models);
+[[nodiscard]] std::vector<gaussian::GaussianModel>
+alignedModels(std::span<const gaussian::GaussianModel> models);
 
 /// (1 - rho) first + rho second, frequency by frequency; of one size and number of channels.
-[[nodiscard]] GaussianModel between(const GaussianModel& first, const GaussianModel& second,
-                                    double rho);
+[[nodiscard]] gaussian::GaussianModel between(const gaussian::GaussianModel& first,
+                                              const gaussian::GaussianModel& second, double rho);
 
 } // namespace lichen::texton

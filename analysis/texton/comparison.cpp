@@ -6,9 +6,9 @@
 #include "comparison.h"
 
 #include "color_correction.h"
-#include "comparison_kernels.h"
+#include "gaussian/kernels.h"
+#include "gaussian/model_covariance.h"
 #include "interpolation.h"
-#include "model_covariance.h"
 
 #include <lichen/spectrum.h>
 
@@ -19,10 +19,10 @@ namespace lichen::texton {
 namespace {
 
 /// The model of coefficients whose B-spline interpolation has the given model. [GLM17] eq. 4.
-GaussianModel coefficientModel(const GaussianModel& model, int order) {
+gaussian::GaussianModel coefficientModel(const gaussian::GaussianModel& model, int order) {
   const std::vector<float> kernelX = kernelAmplitudes(order, model.width());
   const std::vector<float> kernelY = kernelAmplitudes(order, model.height());
-  GaussianModel result = model;
+  gaussian::GaussianModel result = model;
   for (HalfSpectrum& channel : result.channels)
     for (int v = 0; v < channel.height; ++v)
       for (int u = 0; u < channel.columns(); ++u)
@@ -76,18 +76,20 @@ std::vector<float> seenWeights(std::span<const MapChannel> channels) {
   return std::vector<float>(channels.size(), 1.0f);
 }
 
-KernelComparison compareKernels(const GaussianModel& model, const TextonCoefficients& texton,
-                                int order, std::span<const float> weights, std::uint32_t seed) {
-  const Eigen::MatrixXd covariance = modelCovariance(model);
+KernelComparison compareKernels(const gaussian::GaussianModel& model,
+                                const TextonCoefficients& texton, int order,
+                                std::span<const float> weights, std::uint32_t seed) {
+  const Eigen::MatrixXd covariance = gaussian::modelCovariance(model);
   const auto judged = [&](TextonCoefficients spot) {
     // One that cannot have it is judged as it is.
     (void)correctCovariance(spot, order, covariance);
     return KernelJudgement{relativeModelError(model, spot, order),
                            flatness(interpolatedSpot(spot, order), weights)};
   };
-  const GaussianModel coefficients = coefficientModel(model, order);
-  return {judged(texton), judged(luminanceTexton(coefficients, texton.width, texton.height)),
-          judged(randomPhaseKernel(coefficients, texton.width, texton.height, seed))};
+  const gaussian::GaussianModel coefficients = coefficientModel(model, order);
+  return {judged(texton),
+          judged(gaussian::luminanceTexton(coefficients, texton.width, texton.height)),
+          judged(gaussian::randomPhaseKernel(coefficients, texton.width, texton.height, seed))};
 }
 
 } // namespace lichen::texton

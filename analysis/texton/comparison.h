@@ -30,7 +30,7 @@ namespace lichen::texton {
 /// all with the model's covariance: without it the nearest spot has less variance than the model.
 /// `weights` as for flatness, `seed` that of the random phases. Same bytes for any number of
 /// threads.
-[[nodiscard]] KernelComparison compareKernels(const GaussianModel& model,
+[[nodiscard]] KernelComparison compareKernels(const gaussian::GaussianModel& model,
                                               const TextonCoefficients& texton, int order,
                                               std::span<const float> weights,
                                               std::uint32_t seed = 1);

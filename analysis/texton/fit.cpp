@@ -95,7 +95,7 @@ private:
 };
 
 /// Spectra of the model's power and random phases.
-Spectra randomPhases(const GaussianModel& model, std::uint32_t seed) {
+Spectra randomPhases(const gaussian::GaussianModel& model, std::uint32_t seed) {
   Spectra spectra;
   for (const HalfSpectrum& channel : model.channels)
     spectra.push_back(
@@ -105,7 +105,7 @@ Spectra randomPhases(const GaussianModel& model, std::uint32_t seed) {
 
 class Fit {
 public:
-  Fit(const GaussianModel& model, int width, int height, int order)
+  Fit(const gaussian::GaussianModel& model, int width, int height, int order)
       : model_(model), kernelX_(kernelAmplitudes(order, model.width())),
         kernelY_(kernelAmplitudes(order, model.height())),
         solverX_(normalMatrix(width, model.width(), order)),
@@ -256,7 +256,7 @@ private:
           coefficients_.values[c * patchSize() + i] *= highest / size;
   }
 
-  const GaussianModel& model_;
+  const gaussian::GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
   NormalSolver solverX_;
@@ -301,7 +301,7 @@ int iterationsOf(const FitOptions& options, FitMethod method) {
                                                      : kReflections + kDescents;
 }
 
-TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
+TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const FitOptions& options,
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
@@ -325,10 +325,11 @@ TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions&
   return fit.coefficients();
 }
 
-double relativeModelError(const GaussianModel& model, const TextonCoefficients& coefficients,
-                          int order) {
+double relativeModelError(const gaussian::GaussianModel& model,
+                          const TextonCoefficients& coefficients, int order) {
   const double variance = modelVariance(model);
-  const GaussianModel noise = noiseModel(coefficients, order, model.width(), model.height());
+  const gaussian::GaussianModel noise =
+      noiseModel(coefficients, order, model.width(), model.height());
   return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
 }
 

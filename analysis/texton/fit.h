@@ -2,38 +2,16 @@
 // The coefficients of a texton from the spectrum that its noise is to have.
 #pragma once
 
-#include <lichen/fft.h>
+#include "gaussian/gaussian_model.h"
+#include "gaussian/spot.h"
 
 #include <cstdint>
 #include <functional>
-#include <span>
-#include <vector>
 
 namespace lichen::texton {
 
-/// A Gaussian texture of `channels` channels on a periodic domain: white noise convolved with one
-/// kernel a channel. channels[c] is the kernel's transform, t_u^ of [GLM17] section 3.1 for an
-/// exemplar: all of one size, at least 1, and zero at frequency 0.
-struct GaussianModel {
-  std::vector<HalfSpectrum> channels;
-
-  [[nodiscard]] int width() const { return channels[0].width; }
-  [[nodiscard]] int height() const { return channels[0].height; }
-};
-
-/// The model of an image, `channelCount` interleaved values a pixel: the periodic component less
-/// its mean over sqrt(width height) [GLM17] section 3.1, [M11].
-[[nodiscard]] GaussianModel gaussianModel(std::span<const float> values, int width, int height,
-                                          int channelCount);
-
-/// Coefficients of a texton, `width` x `height` of them and a value a channel each:
-/// (x, y, c) at (c * height + y) * width + x.
-struct TextonCoefficients {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  std::vector<float> values;
-};
+/// The B-spline coefficients of a texton, `width` x `height` of them.
+using TextonCoefficients = gaussian::Spot;
 
 struct FitOptions {
   int width = 0;  ///< coefficients, [1, the model's width]
@@ -57,13 +35,13 @@ enum class FitMethod {
 /// Coefficients whose noise is near the model; by least transport distance their border does not
 /// show and none stands out (docs/decisions/019-border-of-textons.md). Same bytes for any number of
 /// threads. Time: 100 transforms of a plane for each channel. Throws std::bad_alloc.
-[[nodiscard]] TextonCoefficients fitCoefficients(const GaussianModel& model,
+[[nodiscard]] TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model,
                                                  const FitOptions& options, FitMethod method);
 
 /// [GLM17] section 4.4, ALGORITHMS: the root of the transport distance between the two Gaussian
 /// textures over the model's variance, over all frequencies but 0. 0 for equal power spectra, 1 for
 /// a texton of zeros.
-[[nodiscard]] double relativeModelError(const GaussianModel& model,
+[[nodiscard]] double relativeModelError(const gaussian::GaussianModel& model,
                                         const TextonCoefficients& coefficients, int order);
 
 } // namespace lichen::texton

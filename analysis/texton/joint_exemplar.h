@@ -2,7 +2,7 @@
 // The maps of a noise as one image, in which each of its quantities counts alike.
 #pragma once
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <Eigen/Dense>
 

@@ -5,8 +5,8 @@
 // Sources: [GLM14] section 4, [GLM17] section 4.4.
 #include "comparison.h"
 #include "exemplar/resample.h"
-#include "gaussian_texture.h"
-#include "model_covariance.h"
+#include "gaussian/gaussian_texture.h"
+#include "gaussian/model_covariance.h"
 #include "transport/covariance_map.h"
 
 #include <algorithm>
@@ -20,9 +20,9 @@ using Eigen::MatrixXd;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
-GaussianModel modelOf(const MapExemplar& exemplar) {
-  return gaussianModel(exemplar.values, exemplar.width, exemplar.height,
-                       int(exemplar.channels.size()));
+gaussian::GaussianModel modelOf(const MapExemplar& exemplar) {
+  return gaussian::gaussianModel(exemplar.values, exemplar.width, exemplar.height,
+                                 int(exemplar.channels.size()));
 }
 
 /// Those of the frame of a step.
@@ -44,7 +44,7 @@ Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, cons
                                   const MapExemplar& exemplar, std::size_t step) {
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
-  const GaussianModel model =
+  const gaussian::GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
   return compareKernels(model,
                         storedCoefficients(bundle.tables[map.image], noise.texton, map, step),
@@ -66,14 +66,15 @@ std::pair<float, float> shownRange(ValueEncoding encoding) {
 
 MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
                               std::uint64_t seed) {
-  const GaussianModel model = modelOf(exemplar);
+  const gaussian::GaussianModel model = modelOf(exemplar);
   MapExemplar result = exemplar;
   result.width = 2 * exemplar.width;
   result.height = 2 * exemplar.height;
-  const NoisePlanes noise = gaussianTexture(model, {0, 0, result.width, result.height, true}, seed);
+  const gaussian::NoisePlanes noise =
+      gaussian::gaussianTexture(model, {0, 0, result.width, result.height, true}, seed);
   const auto n = Eigen::Index(map.channels.size());
   const MatrixXd wanted = Eigen::Map<const MatrixXd>(map.covariance.data(), n, n);
-  const MatrixXd correction = transport::covarianceMap(modelCovariance(model), wanted);
+  const MatrixXd correction = transport::covarianceMap(gaussian::modelCovariance(model), wanted);
   const auto [least, most] = shownRange(map.encoding);
   const std::size_t pixels = noise.values.size() / std::size_t(n);
   result.values.resize(noise.values.size());

@@ -4,12 +4,12 @@
 // A unit of each quantity is its deviation, and the same in all exemplars: none of a set is
 // neglected in the joint fit, and contrasts between exemplars stay what they are.
 // Sources: [GLM17] section 7; docs/decisions/016-mixing.md.
+#include "exemplar/map_ranges.h"
+#include "gaussian/model_covariance.h"
 #include "joint_exemplar.h"
 #include "mixing.h"
-#include "model_covariance.h"
 #include "option_ranges.h"
 #include "texton_maps.h"
-#include "tiling/map_ranges.h"
 
 #include <lichen/texton_mix.h>
 
@@ -91,7 +91,7 @@ Result<void> checkMaps(std::span<const MixedExemplar> exemplars) {
       return usage(exemplar.name + ": no maps; at least one is accepted");
     std::set<MapTarget> targets;
     for (const MapExemplar& map : exemplar.maps) {
-      if (Result<void> checked = tiling::checkRanges(map); !checked)
+      if (Result<void> checked = exemplar::checkRanges(map); !checked)
         return checked.error();
       if (!targets.insert(map.target).second)
         return usage(
@@ -167,12 +167,12 @@ MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eige
   const auto channels = std::size_t(exemplar.channels());
   for (std::size_t i = 0; i < exemplar.values.size(); ++i)
     exemplar.values[i] *= float(ratios[Eigen::Index(i % channels)]);
-  MixExemplar result{
-      name,
-      gaussianModel(exemplar.values, exemplar.width, exemplar.height, exemplar.channels()),
-      {}};
+  MixExemplar result{name,
+                     gaussian::gaussianModel(exemplar.values, exemplar.width, exemplar.height,
+                                             exemplar.channels()),
+                     {}};
   result.covariance = variance == TextonVariance::periodic
-                          ? modelCovariance(result.model)
+                          ? gaussian::modelCovariance(result.model)
                           : ratios.asDiagonal() * exemplar.covariance * ratios.asDiagonal();
   return result;
 }

@@ -11,7 +11,7 @@
 
 #include "barycenter.h"
 #include "color_correction.h"
-#include "model_covariance.h"
+#include "gaussian/model_covariance.h"
 #include "model_distance.h"
 #include "one_grid.h"
 #include "progress_part.h"
@@ -50,7 +50,7 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
                       "channels",
                       exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
                       exemplars[0].model.channels.size()));
-    if (!isModelled(modelCovariance(exemplar.model), exemplar.covariance))
+    if (!gaussian::isModelled(gaussian::modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
                    fmt::format("{}: varies only from one border to the other, and no texton does; "
                                "a photograph with detail is accepted",
@@ -59,7 +59,7 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
   return {};
 }
 
-FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
+FitOptions fitOptions(const MixOptions& options, const gaussian::GaussianModel& model,
                       const ProgressPart& progress) {
   FitOptions fit;
   fit.width = std::min(options.width, model.width());
@@ -76,15 +76,15 @@ FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
 
 /// Textons of aligned models with one phase a frequency: a part of one joint texton each. Each
 /// model counts alike, so that none is neglected for its weak contrast.
-std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> aligned,
+std::vector<TextonCoefficients> fittedTogether(std::span<const gaussian::GaussianModel> aligned,
                                                const FitOptions& options) {
   std::vector<double> deviations;
-  for (const GaussianModel& model : aligned)
+  for (const gaussian::GaussianModel& model : aligned)
     deviations.push_back(std::sqrt(modelVariance(model)));
   const double strongest = *std::max_element(deviations.begin(), deviations.end());
   for (double& deviation : deviations)
     deviation = strongest > 0.0 ? std::max(deviation, std::sqrt(kLeastPower) * strongest) : 1.0;
-  GaussianModel joint;
+  gaussian::GaussianModel joint;
   for (std::size_t k = 0; k < aligned.size(); ++k) {
     for (HalfSpectrum channel : aligned[k].channels) {
       for (std::complex<float>& value : channel.values)
@@ -118,9 +118,9 @@ TextonCoefficients between(const TextonCoefficients& first, const TextonCoeffici
 
 /// Measures the fit of step.texton to `model`, as every texton's: with the model's own covariance,
 /// as far as it can have it. Then gives it that of the exemplars' barycentre.
-Result<void> finish(std::span<const MixExemplar> exemplars, const GaussianModel& model, int order,
-                    MixStep& step) {
-  (void)correctCovariance(step.texton, order, modelCovariance(model));
+Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::GaussianModel& model,
+                    int order, MixStep& step) {
+  (void)correctCovariance(step.texton, order, gaussian::modelCovariance(model));
   step.modelError = relativeModelError(model, step.texton, order);
   std::vector<MatrixXd> covariances;
   for (const MixExemplar& exemplar : exemplars)
@@ -137,8 +137,8 @@ Result<void> finish(std::span<const MixExemplar> exemplars, const GaussianModel&
                            fmt::join(parts, ", "), step.texton.width, step.texton.height)};
 }
 
-std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
-  std::vector<GaussianModel> models;
+std::vector<gaussian::GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
+  std::vector<gaussian::GaussianModel> models;
   for (const MixExemplar& exemplar : exemplars)
     models.push_back(exemplar.model);
   return onOneGrid(models);
@@ -146,7 +146,7 @@ std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
 
 Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions& options,
                        ProgressPart progress) {
-  const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
+  const std::vector<gaussian::GaussianModel> aligned = alignedModels(modelsOf(exemplars));
   const std::vector<TextonCoefficients> textons =
       fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
   TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
@@ -159,7 +159,7 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions&
                  between(textons[leg], textons[leg + 1], rho)};
     step.weights[leg] = 1.0 - rho;
     step.weights[leg + 1] = rho;
-    const GaussianModel model = between(aligned[leg], aligned[leg + 1], rho);
+    const gaussian::GaussianModel model = between(aligned[leg], aligned[leg + 1], rho);
     if (Result<void> finished = finish(exemplars, model, options.order, step); !finished)
       return finished.error();
     mix.steps.push_back(std::move(step));

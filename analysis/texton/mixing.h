@@ -20,7 +20,7 @@ namespace lichen::texton {
 /// that compare: of a set of maps, scaled alike.
 struct MixExemplar {
   std::string name; ///< for messages: the file's
-  GaussianModel model;
+  gaussian::GaussianModel model;
   /// That the noise is to have there: of the exemplar's pixels, or modelCovariance. Its range lies
   /// inside that of the model's.
   Eigen::MatrixXd covariance;

@@ -22,7 +22,7 @@ namespace {
 /// The mean over the pixels of what `power` is at each frequency of the full plane; summed row by
 /// row, so that any number of threads gives the same bytes.
 template <class Power>
-double meanPower(const GaussianModel& model, const Power& power) {
+double meanPower(const gaussian::GaussianModel& model, const Power& power) {
   const HalfSpectrum& first = model.channels[0];
   const auto columns = std::size_t(first.columns());
   std::vector<double> rows(std::size_t(first.height), 0.0);
@@ -36,12 +36,13 @@ double meanPower(const GaussianModel& model, const Power& power) {
 
 } // namespace
 
-GaussianModel noiseModel(const TextonCoefficients& coefficients, int order, int width, int height) {
+gaussian::GaussianModel noiseModel(const TextonCoefficients& coefficients, int order, int width,
+                                   int height) {
   const std::vector<float> kernelX = kernelAmplitudes(order, width);
   const std::vector<float> kernelY = kernelAmplitudes(order, height);
   const std::size_t size = std::size_t(coefficients.width) * std::size_t(coefficients.height);
   PatchFft transform(width, height, coefficients.width, coefficients.height);
-  GaussianModel model;
+  gaussian::GaussianModel model;
   for (int c = 0; c < coefficients.channels; ++c) {
     HalfSpectrum spectrum{width, height, {}};
     spectrum.values.resize(std::size_t(spectrum.columns()) * std::size_t(height));
@@ -56,7 +57,7 @@ GaussianModel noiseModel(const TextonCoefficients& coefficients, int order, int 
   return model;
 }
 
-double modelVariance(const GaussianModel& model) {
+double modelVariance(const gaussian::GaussianModel& model) {
   return meanPower(model, [&](std::size_t i) {
     double power = 0.0;
     for (const HalfSpectrum& channel : model.channels)
@@ -65,7 +66,8 @@ double modelVariance(const GaussianModel& model) {
   });
 }
 
-double squaredTransportDistance(const GaussianModel& a, const GaussianModel& b) {
+double squaredTransportDistance(const gaussian::GaussianModel& a,
+                                const gaussian::GaussianModel& b) {
   assert(a.width() == b.width() && a.height() == b.height());
   assert(a.channels.size() == b.channels.size());
   const double distance = meanPower(a, [&](std::size_t i) {

@@ -10,7 +10,7 @@
 // has phase 0, the canonical texton of [DMR12] where there is one channel.
 #include "one_grid.h"
 
-#include "model_covariance.h"
+#include "gaussian/model_covariance.h"
 #include "transport/covariance_map.h"
 
 #include <algorithm>
@@ -22,14 +22,14 @@ namespace lichen::texton {
 namespace {
 
 /// The model at `width` x `height` texels a tile, none fewer than it has.
-GaussianModel refined(const GaussianModel& model, int width, int height) {
+gaussian::GaussianModel refined(const gaussian::GaussianModel& model, int width, int height) {
   if (width == model.width() && height == model.height())
     return model;
   const float scale = float(
       std::sqrt(double(width) * double(height) / (double(model.width()) * double(model.height()))));
   // The highest frequency of an even size stands for two, each of which takes half of its power.
   constexpr float kHalfPower = 1.0f / std::numbers::sqrt2_v<float>;
-  GaussianModel result;
+  gaussian::GaussianModel result;
   for (const HalfSpectrum& channel : model.channels) {
     HalfSpectrum fine{width, height, {}};
     fine.values.resize(std::size_t(fine.columns()) * std::size_t(height));
@@ -52,8 +52,8 @@ GaussianModel refined(const GaussianModel& model, int width, int height) {
 }
 
 /// The same texture with the phases that make the strongest colour axis a sum of cosines.
-GaussianModel compact(GaussianModel model) {
-  const auto axes = transport::principalAxes(modelCovariance(model));
+gaussian::GaussianModel compact(gaussian::GaussianModel model) {
+  const auto axes = transport::principalAxes(gaussian::modelCovariance(model));
   const Eigen::VectorXf axis =
       axes.eigenvectors().col(axes.eigenvectors().cols() - 1).cast<float>();
   for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {
@@ -68,11 +68,11 @@ GaussianModel compact(GaussianModel model) {
 }
 
 /// The model on a tile of `height` texels, no fewer than it has.
-GaussianModel extended(const GaussianModel& model, int height) {
+gaussian::GaussianModel extended(const gaussian::GaussianModel& model, int height) {
   if (height == model.height())
     return model;
   const auto width = std::size_t(model.width());
-  GaussianModel result = compact(model);
+  gaussian::GaussianModel result = compact(model);
   for (HalfSpectrum& channel : result.channels) {
     const std::vector<float> kernel = inverseFft(channel);
     std::vector<float> plane(width * std::size_t(height), 0.0f);
@@ -89,18 +89,18 @@ GaussianModel extended(const GaussianModel& model, int height) {
 
 } // namespace
 
-std::vector<GaussianModel> onOneGrid(std::span<const GaussianModel> models) {
+std::vector<gaussian::GaussianModel> onOneGrid(std::span<const gaussian::GaussianModel> models) {
   int width = 0;
-  for (const GaussianModel& model : models)
+  for (const gaussian::GaussianModel& model : models)
     width = std::max(width, model.width());
-  std::vector<GaussianModel> result;
+  std::vector<gaussian::GaussianModel> result;
   int height = 0;
-  for (const GaussianModel& model : models) {
+  for (const gaussian::GaussianModel& model : models) {
     const double texels = double(model.height()) * double(width) / double(model.width());
     result.push_back(refined(model, width, int(std::lround(texels))));
     height = std::max(height, result.back().height());
   }
-  for (GaussianModel& model : result)
+  for (gaussian::GaussianModel& model : result)
     model = extended(model, height);
   return result;
 }

@@ -14,6 +14,7 @@ namespace lichen::texton {
 /// number of its pixels says how fine it is and not how large. Their covariances are kept, and
 /// where the shapes agree, all powers and cross-spectra; to a taller tile these are interpolated.
 /// A model that has the size already is returned as it is. At least one; of one number of channels.
-[[nodiscard]] std::vector<GaussianModel> onOneGrid(std::span<const GaussianModel> models);
+[[nodiscard]] std::vector<gaussian::GaussianModel>
+onOneGrid(std::span<const gaussian::GaussianModel> models);
 
 } // namespace lichen::texton

@@ -4,7 +4,7 @@
 
 #include "fit.h"
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <Eigen/Dense>
 

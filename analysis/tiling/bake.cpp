@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Exemplar maps (width * height * channels values each) -> a noise and its tables.
-#include "borders.h"
-#include "color_space.h"
+#include "exemplar/color_space.h"
+#include "exemplar/map_ranges.h"
+#include "exemplar/value_encoding.h"
+#include "gaussian/normality.h"
 #include "gaussian_image.h"
 #include "inverse_table.h"
 #include "map_fit.h"
-#include "map_ranges.h"
 #include "mip_chain.h"
-#include "normality.h"
 #include "prefilter.h"
 #include "separable.h"
 #include "slab_means.h"
 #include "slope_variance.h"
-#include "value_encoding.h"
 
 #include <lichen/tiling.h>
 
@@ -28,7 +27,7 @@ using namespace tiling;
 
 /// Whether `covariance` is definite, as the format asks of a map without a table; with room for its
 /// rounding in the file.
-bool spansAll(const ColorSpace& space) {
+bool spansAll(const exemplar::ColorSpace& space) {
   constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
   const auto solver = transport::principalAxes(space.moments.covariance);
   return space.dimensions() == int(space.moments.mean.size()) &&
@@ -42,9 +41,9 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   if (maps.empty())
     return usage("no map to bake: at least one is needed");
   for (const MapExemplar& map : maps) {
-    if (Result<void> checked = checkRanges(map); !checked)
+    if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;
-    if (options.gaussian == GaussianOnly::yes && !spansAll(colorSpaceOf(map)))
+    if (options.gaussian == GaussianOnly::yes && !spansAll(exemplar::colorSpaceOf(map)))
       return usage("the values of " + std::string(nameOf(map.target)) + " span less than " +
                    std::to_string(map.channels.size()) +
                    " dimensions: without an inverse table all are needed, so gaussian auto or no "
@@ -59,11 +58,11 @@ MapFit constantFit(const MapExemplar& map) {
   fit.gaussian.width = map.width;
   fit.gaussian.height = map.height;
   fit.gaussian.image.assign(std::size_t(map.width) * std::size_t(map.height),
-                            Point{float(kGaussianMean), 0.0f, 0.0f});
+                            Point{float(gaussian::kGaussianMean), 0.0f, 0.0f});
   fit.table.channels = int(map.channels.size());
   for (int cell = 0; cell < fit.table.side; ++cell)
     for (std::size_t c = 0; c < map.channels.size(); ++c)
-      fit.table.values.push_back(decoded(map.values[c], map.encoding));
+      fit.table.values.push_back(exemplar::decoded(map.values[c], map.encoding));
   return fit;
 }
 
@@ -79,7 +78,7 @@ enum class MapKind { constant, gaussianOnly, separable, sorted, transported };
 /// A map and how it is going to be baked.
 struct PlannedMap {
   const MapExemplar& map;
-  ColorSpace space;
+  exemplar::ColorSpace space;
   MapKind kind;
 };
 
@@ -88,13 +87,13 @@ bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
   return maps == 1 && wanted == GaussianOnly::detect;
 }
 
-MapKind kindOf(const MapExemplar& map, const ColorSpace& space, const TilingOptions& options,
-               bool mayBeGaussian, ProgressPart progress) {
+MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
+               const TilingOptions& options, bool mayBeGaussian, ProgressPart progress) {
   if (options.gaussian == GaussianOnly::yes)
     return MapKind::gaussianOnly;
   if (space.dimensions() == 0)
     return MapKind::constant;
-  if (mayBeGaussian && spansAll(space) && isGaussian(map, progress))
+  if (mayBeGaussian && spansAll(space) && gaussian::isGaussian(map, progress))
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
@@ -161,7 +160,7 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
 struct MapTables {
   Gaussianized image;
   Table gaussian;
-  std::vector<ChannelMatrix> lost; ///< by the mips of `gaussian`
+  std::vector<exemplar::ChannelMatrix> lost; ///< by the mips of `gaussian`
   std::optional<Table> inverse;
   std::vector<double> tableBasis, tableOffset; ///< of a separable table
 
@@ -199,7 +198,7 @@ MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int b
   return tables;
 }
 
-void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
+void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTables tables,
                const std::string& name, TilingBake& bake) {
   NoiseMap result;
   result.target = map.target;
@@ -208,7 +207,7 @@ void appendMap(const MapExemplar& map, const Moments& moments, MapTables tables,
   appendValues(result.mean, moments.mean);
   appendValues(result.covariance, moments.covariance);
   double loss = 0.0;
-  for (const ChannelMatrix& mip : tables.lost)
+  for (const exemplar::ChannelMatrix& mip : tables.lost)
     result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
   const std::string prefix = name + "." + std::string(nameOf(map.target));
   tables.gaussian.name = prefix + ".gaussian";
@@ -283,7 +282,7 @@ std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps, const Til
     const double begin = double(planned.size()) / count;
     const ProgressPart part = progress.part(begin, begin + 1.0 / count);
     part.reach(0.0);
-    const ColorSpace space = colorSpaceOf(map);
+    const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
     planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian, part)});
   }
   return planned;
@@ -311,7 +310,8 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
       whole += workOfMap(map);
     MapFitOptions fitting;
     fitting.periodic = bake.exemplarWasPeriodic;
-    fitting.precision = options.bits == 8 ? Precision::bits8 : Precision::bits16;
+    fitting.precision =
+        options.bits == 8 ? gaussian::Precision::bits8 : gaussian::Precision::bits16;
     fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
     std::vector<SettledMap> settled;
@@ -335,10 +335,6 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
 }
 
 } // namespace
-
-bool bordersFit(std::span<const MapExemplar> maps, Periodic periodic) {
-  return keepsBorders(maps, periodic, std::identity());
-}
 
 Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                               const TilingOptions& options) {

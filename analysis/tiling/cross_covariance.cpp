@@ -10,9 +10,9 @@
 // Source: docs/theory.md, "Maps that belong together".
 #include "cross_covariance.h"
 
-#include "tie_order.h"
+#include "exemplar/value_encoding.h"
 #include "transport/covariance_map.h"
-#include "value_encoding.h"
+#include "transport/tie_order.h"
 
 #include <tbb/parallel_for.h>
 
@@ -58,7 +58,8 @@ MatrixXf standardized(const std::vector<Point>& points, int dimensions) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::array<float, 3> p{points[i].x, points[i].y, points[i].z};
     for (int d = 0; d < dimensions; ++d)
-      z(d, Index(i)) = (p[std::size_t(d)] - float(kGaussianMean)) / float(kGaussianDeviation);
+      z(d, Index(i)) = (p[std::size_t(d)] - float(gaussian::kGaussianMean)) /
+                       float(gaussian::kGaussianDeviation);
   }
   return z;
 }
@@ -79,7 +80,7 @@ MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
 }
 
 /// Values less their mean, on the axes of `space`, of some pixels: D x columns.
-MatrixXd valuesOf(const MapExemplar& map, const ColorSpace& space,
+MatrixXd valuesOf(const MapExemplar& map, const exemplar::ColorSpace& space,
                   const std::vector<Index>& pixels) {
   const auto channels = Index(map.channels.size());
   MatrixXd values(channels, Index(pixels.size()));
@@ -92,15 +93,16 @@ MatrixXd valuesOf(const MapExemplar& map, const ColorSpace& space,
 }
 
 /// The table's values as valuesOf() has those of pixels.
-InverseTable onAxes(const InverseTable& table, const MapExemplar& map, const ColorSpace& space) {
+InverseTable onAxes(const InverseTable& table, const MapExemplar& map,
+                    const exemplar::ColorSpace& space) {
   InverseTable projected{table.dimensions, table.side, space.dimensions(), {}};
-  ChannelVector d(table.channels);
+  exemplar::ChannelVector d(table.channels);
   for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
     for (int c = 0; c < table.channels; ++c)
-      d[c] = double(encoded(table.values[cell * std::size_t(table.channels) + std::size_t(c)],
-                            map.encoding)) -
+      d[c] = double(exemplar::encoded(
+                 table.values[cell * std::size_t(table.channels) + std::size_t(c)], map.encoding)) -
              space.moments.mean[c];
-    const ChannelVector p = space.basis * d;
+    const exemplar::ChannelVector p = space.basis * d;
     for (Index k = 0; k < p.size(); ++k)
       projected.values.push_back(float(p[k]));
   }
@@ -122,7 +124,8 @@ std::vector<Index> samePlaces(const MapExemplar& other, const MapExemplar& map, 
 
 /// B of a map: what a step of z changes in the decoded values, on average over the Gaussian
 /// (Stein's lemma).
-MatrixXd decoderOf(const MapExemplar& map, const ColorSpace& space, const MatrixXf& matched) {
+MatrixXd decoderOf(const MapExemplar& map, const exemplar::ColorSpace& space,
+                   const MatrixXf& matched) {
   const auto values = [&](Index begin, Index n) {
     return valuesOf(map, space, samePlaces(map, map, begin, n));
   };
@@ -205,7 +208,7 @@ private:
 /// Covariances of a map with the settled ones: of their values, and of what blends decode to.
 class CrossCovariances {
 public:
-  CrossCovariances(const MapExemplar& map, const ColorSpace& space,
+  CrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
                    std::span<const SettledMap> settled, const InverseTable& table)
       : map_(map), space_(space), settled_(map, settled), deviation_(space.deviation()),
         table_(onAxes(table, map, space)) {
@@ -291,7 +294,7 @@ private:
   }
 
   const MapExemplar& map_;
-  const ColorSpace& space_;
+  const exemplar::ColorSpace& space_;
   SettledMaps settled_;
   double deviation_;
   InverseTable table_; ///< the map's, on its axes
@@ -308,7 +311,7 @@ std::vector<Point> pointsOf(const MatrixXf& columns) {
 }
 
 /// The order of a map on a line.
-TieOrder tieOrderOf(const MapExemplar& map, const ColorSpace& space) {
+transport::TieOrder tieOrderOf(const MapExemplar& map, const exemplar::ColorSpace& space) {
   std::vector<float> values(std::size_t(map.width) * std::size_t(map.height));
   const auto count = Index(values.size());
   for (Index begin = 0; begin < count; begin += kColumnsOfBlock) {
@@ -317,12 +320,12 @@ TieOrder tieOrderOf(const MapExemplar& map, const ColorSpace& space) {
     for (Index k = 0; k < n; ++k)
       values[std::size_t(begin + k)] = float(block(0, k));
   }
-  return TieOrder(values);
+  return transport::TieOrder(values);
 }
 
 } // namespace
 
-SettledMap::SettledMap(const MapExemplar& exemplar, ColorSpace colorSpace,
+SettledMap::SettledMap(const MapExemplar& exemplar, exemplar::ColorSpace colorSpace,
                        const Gaussianized& gaussian, const InverseTable& table)
     : map(&exemplar), space(std::move(colorSpace)),
       matched(standardized(gaussian.matched, gaussian.dimensions)),
@@ -333,13 +336,13 @@ bool isNegligible(const MatrixXd& lack) {
   return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
 }
 
-JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
+JoinedImage withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
                                  std::span<const SettledMap> settled, Gaussianized alone,
                                  const InverseTable& table, bool periodic, ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
   const bool onLine = space.dimensions() == 1;
   const int passes = onLine ? kMostPassesOnLine : 1;
-  const TieOrder ties = onLine ? tieOrderOf(map, space) : TieOrder({});
+  const transport::TieOrder ties = onLine ? tieOrderOf(map, space) : transport::TieOrder({});
   const MatrixXf start = standardized(alone.matched, alone.dimensions);
   JoinedImage best{std::move(alone)};
   MatrixXd lack = covariances.lackOf(best.gaussian);

@@ -3,8 +3,8 @@
 // (docs/decisions/014-correlations-between-maps.md).
 #pragma once
 
-#include "color_space.h"
 #include "decoded_blends.h"
+#include "exemplar/color_space.h"
 #include "gaussianize.h"
 #include "inverse_table.h"
 
@@ -18,11 +18,11 @@ namespace lichen::tiling {
 /// What later maps go with of a map that they are to go with: 2 D floats a pixel, and its blends.
 struct SettledMap {
   /// Refers to `map` as long as it lives.
-  SettledMap(const MapExemplar& map, ColorSpace space, const Gaussianized& gaussian,
+  SettledMap(const MapExemplar& map, exemplar::ColorSpace space, const Gaussianized& gaussian,
              const InverseTable& table);
 
   const MapExemplar* map;
-  ColorSpace space;
+  exemplar::ColorSpace space;
   Eigen::MatrixXf matched; ///< D rows: the Gaussian points of the map's pixels, standardized
   Eigen::MatrixXf image;   ///< the same of the Gaussian image
   DecodedBlends blends;    ///< decoded to values less their mean, on the axes of `space`
@@ -44,7 +44,8 @@ struct JoinedImage {
 /// exchanged; in more, those whose Gaussian values are a tenth of a deviation apart in the root
 /// mean square, at most: `table` decodes the result as well. Maps of other sizes are read at the
 /// same place. O(N log N) time, about 50 bytes a pixel. Throws Interrupted and std::bad_alloc.
-[[nodiscard]] JoinedImage withCrossCovariances(const MapExemplar& map, const ColorSpace& space,
+[[nodiscard]] JoinedImage withCrossCovariances(const MapExemplar& map,
+                                               const exemplar::ColorSpace& space,
                                                std::span<const SettledMap> settled,
                                                Gaussianized alone, const InverseTable& table,
                                                bool periodic, ProgressPart progress);

@@ -28,7 +28,7 @@ const Point& pixelAt(const Gaussianized& gaussian, std::uint32_t x, std::uint32_
 }
 
 std::array<float, 3> randomBlend(const Gaussianized& gaussian, std::uint32_t sample) {
-  constexpr auto kMean = float(kGaussianMean);
+  constexpr auto kMean = float(gaussian::kGaussianMean);
   const std::array<std::uint32_t, 3> x = pcg3d({sample, 0u, 0u});
   const std::array<std::uint32_t, 3> y = pcg3d({sample, 1u, 0u});
   const std::array<std::uint32_t, 3> place = pcg3d({sample, 2u, 0u});
@@ -54,8 +54,8 @@ DecodedBlends blendsThrough(const Gaussianized& gaussian, const InverseTable& ta
       const std::array<float, 3> g = randomBlend(gaussian, sample);
       const auto value = lookup(g);
       for (Eigen::Index d = 0; d < blends.gaussian.rows(); ++d)
-        blends.gaussian(d, sample) =
-            (g[std::size_t(d)] - float(kGaussianMean)) / float(kGaussianDeviation);
+        blends.gaussian(d, sample) = (g[std::size_t(d)] - float(gaussian::kGaussianMean)) /
+                                     float(gaussian::kGaussianDeviation);
       for (Eigen::Index c = 0; c < blends.values.rows(); ++c)
         blends.values(c, sample) = value[std::size_t(c)];
     }

@@ -2,32 +2,36 @@
 // Map (width * height * n values) -> width * height Gaussian points.
 #include "gaussian_image.h"
 
-#include "borders.h"
+#include "gaussian/cross_fade.h"
 
 #include <Eigen/Cholesky>
 
 namespace lichen::tiling {
 
-Gaussianized gaussianImage(const MapExemplar& map, const Moments& moments, bool periodic,
-                           Precision precision, ProgressPart progress) {
+Gaussianized gaussianImage(const MapExemplar& map, const exemplar::Moments& moments, bool periodic,
+                           gaussian::Precision precision, ProgressPart progress) {
   // Of the progress: the rest is whitening.
   constexpr double kPoints = 0.3, kFaded = 0.6;
   const auto n = Eigen::Index(map.channels.size());
-  const Eigen::LLT<ChannelMatrix> factor(moments.covariance);
+  const Eigen::LLT<exemplar::ChannelMatrix> factor(moments.covariance);
   std::vector<Point> points(map.values.size() / std::size_t(n));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ChannelVector centred(n);
+    exemplar::ChannelVector centred(n);
     for (Eigen::Index c = 0; c < n; ++c)
       centred[c] = double(map.values[i * std::size_t(n) + std::size_t(c)]) - moments.mean[c];
-    const ChannelVector g = kGaussianDeviation * factor.matrixL().solve(centred);
-    const auto channel = [&](Eigen::Index c) { return c < n ? float(kGaussianMean + g[c]) : 0.0f; };
+    const exemplar::ChannelVector g =
+        gaussian::kGaussianDeviation * factor.matrixL().solve(centred);
+    const auto channel = [&](Eigen::Index c) {
+      return c < n ? float(gaussian::kGaussianMean + g[c]) : 0.0f;
+    };
     points[i] = {channel(0), channel(1), channel(2)};
   }
   progress.reach(kPoints);
   if (!periodic)
-    points = crossFadeBorders(points, map.width, map.height);
+    points = gaussian::crossFadeBorders(points, map.width, map.height);
   progress.reach(kFaded);
-  return {map.width, map.height, int(n), whitenedForStorage(points, int(n), precision), {}};
+  return {
+      map.width, map.height, int(n), gaussian::whitenedForStorage(points, int(n), precision), {}};
 }
 
 } // namespace lichen::tiling

@@ -2,9 +2,9 @@
 // Exemplar points (width * height) -> Gaussian points, by optimal transport [HN18] eq. 21.
 #include "gaussianize.h"
 
-#include "borders.h"
-#include "tie_order.h"
+#include "gaussian/cross_fade.h"
 #include "transport/lower_bound.h"
+#include "transport/rank_matching.h"
 
 #include <algorithm>
 #include <numeric>
@@ -19,27 +19,11 @@ namespace {
 /// Where a certificate follows: half a second of several.
 constexpr double kAssignmentOfProgress = 0.1;
 
-std::vector<float> firstCoordinates(const std::vector<Point>& points) {
-  std::vector<float> x(points.size());
-  std::transform(points.begin(), points.end(), x.begin(), [](const Point& p) { return p.x; });
-  return x;
-}
-
-/// The targets on a line in the order that matches them to sources that come in `order`.
-std::vector<Point> sortedLike(const std::vector<std::uint32_t>& order,
-                              const std::vector<Point>& targets) {
-  const std::vector<std::uint32_t> to = ascendingOrder(firstCoordinates(targets));
-  std::vector<Point> matched(order.size());
-  for (std::size_t rank = 0; rank < order.size(); ++rank)
-    matched[order[rank]] = targets[to[rank]];
-  return matched;
-}
-
 /// The targets in the order that matches them to the sources, which are near them already.
 std::vector<Point> rematched(const std::vector<Point>& sources, const std::vector<Point>& targets,
                              int dimensions, const TransportOptions& options) {
   if (dimensions == 1)
-    return matchedByRank(sources, targets);
+    return transport::matchedByRank(sources, targets);
   std::vector<Point> matched(sources.size());
   std::vector<std::uint32_t> asTheyAre(targets.size());
   std::iota(asTheyAre.begin(), asTheyAre.end(), 0u);
@@ -54,27 +38,25 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
 Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, bool periodic,
                        const TransportOptions& options) {
   Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
-  result.image = periodic ? result.matched
-                          : rematched(crossFadeBorders(result.matched, near.width, near.height),
-                                      near.image, near.dimensions, options);
+  result.image =
+      periodic ? result.matched
+               : rematched(gaussian::crossFadeBorders(result.matched, near.width, near.height),
+                           near.image, near.dimensions, options);
   return result;
 }
 
 } // namespace
 
-std::vector<Point> matchedByRank(const std::vector<Point>& sources,
-                                 const std::vector<Point>& targets) {
-  return sortedLike(ascendingOrder(firstCoordinates(sources)), targets);
-}
-
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
-                         bool periodic, Precision precision, const TransportOptions& options,
+                         bool periodic, gaussian::Precision precision,
+                         const TransportOptions& options,
                          const std::optional<CertificateSteps>& certificate) {
   Gaussianized result;
   result.width = map.width;
   result.height = map.height;
   result.dimensions = dimensions;
-  const std::vector<Point> stratified = stratifiedGaussian(points.size(), dimensions, precision);
+  const std::vector<Point> stratified =
+      gaussian::stratifiedGaussian(points.size(), dimensions, precision);
   const auto matchTo = [&](const std::vector<Point>& sources, double CertificateSteps::*step,
                            double begin, double end) {
     TransportOptions part = options;
@@ -98,7 +80,7 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
     return result;
   }
   result.matched = matchTo(points, &CertificateSteps::points, 0.0, 0.5);
-  result.image = matchTo(crossFadeBorders(result.matched, map.width, map.height),
+  result.image = matchTo(gaussian::crossFadeBorders(result.matched, map.width, map.height),
                          &CertificateSteps::faded, 0.5, 1.0);
   return result;
 }
@@ -114,7 +96,7 @@ Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>&
 
 Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std::uint32_t>& order,
                                 bool periodic) {
-  return withImage(near, sortedLike(order, near.matched), periodic, {});
+  return withImage(near, transport::matchedInOrder(order, near.matched), periodic, {});
 }
 
 } // namespace lichen::tiling

@@ -2,8 +2,8 @@
 // The Gaussianized image of an exemplar: [HN18] section 4.2.
 #pragma once
 
-#include "color_space.h"
-#include "gaussian_distribution.h"
+#include "exemplar/color_space.h"
+#include "gaussian/gaussian_distribution.h"
 #include "transport/assignment.h"
 
 #include <lichen/tiling.h>
@@ -35,17 +35,12 @@ struct CertificateSteps {
   double faded = 0.0;  ///< of the image whose borders were cross-faded
 };
 
-/// Transport on a line: the targets, each where the source is that has its rank; by the first
-/// coordinates, and by index where they are equal. N log N.
-[[nodiscard]] std::vector<Point> matchedByRank(const std::vector<Point>& sources,
-                                               const std::vector<Point>& targets);
-
 /// Matches the exemplar's points to the stratified Gaussian set; if `periodic` is false the borders
 /// are then cross-faded and the image is matched to the set once more. `certificate` has both
 /// transports improved and bounded by auctions; those of one dimension are optimal as they are, and
 /// their bound is their cost.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
-                                       int dimensions, bool periodic, Precision precision,
+                                       int dimensions, bool periodic, gaussian::Precision precision,
                                        const transport::TransportOptions& options,
                                        const std::optional<CertificateSteps>& certificate = {});
 

@@ -41,9 +41,9 @@ std::vector<double> applyMass(const std::vector<double>& values, int side, std::
 void matchMoments(InverseTable& table, std::span<const float> decoded) {
   constexpr int kPasses = 4;
   const auto channels = std::size_t(table.channels);
-  const Moments wanted = momentsOf(decoded, table.channels);
-  std::array<float, kMaxChannels> low{};
-  std::array<float, kMaxChannels> high{};
+  const exemplar::Moments wanted = exemplar::momentsOf(decoded, table.channels);
+  std::array<float, exemplar::kMaxChannels> low{};
+  std::array<float, exemplar::kMaxChannels> high{};
   for (std::size_t c = 0; c < channels; ++c) {
     low[c] = high[c] = decoded[c];
     for (std::size_t i = c; i < decoded.size(); i += channels) {
@@ -52,13 +52,14 @@ void matchMoments(InverseTable& table, std::span<const float> decoded) {
     }
   }
   for (int pass = 0; pass < kPasses; ++pass) {
-    const Moments found = interpolatedMoments(table);
-    const ChannelMatrix map = transport::covarianceMap(found.covariance, wanted.covariance);
+    const exemplar::Moments found = interpolatedMoments(table);
+    const exemplar::ChannelMatrix map =
+        transport::covarianceMap(found.covariance, wanted.covariance);
     for (std::size_t i = 0; i < table.values.size(); i += channels) {
-      ChannelVector d(table.channels);
+      exemplar::ChannelVector d(table.channels);
       for (std::size_t c = 0; c < channels; ++c)
         d[Eigen::Index(c)] = double(table.values[i + c]) - found.mean[Eigen::Index(c)];
-      const ChannelVector moved = wanted.mean + map * d;
+      const exemplar::ChannelVector moved = wanted.mean + map * d;
       for (std::size_t c = 0; c < channels; ++c)
         table.values[i + c] = std::clamp(float(moved[Eigen::Index(c)]), low[c], high[c]);
     }
@@ -74,7 +75,7 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
     const std::array<float, 3> g{gaussian[i].x, gaussian[i].y, gaussian[i].z};
     std::uint32_t code = 0;
     for (int axis = 0; axis < dimensions; ++axis) {
-      const double u = gaussianCdf(double(g[std::size_t(axis)]));
+      const double u = gaussian::gaussianCdf(double(g[std::size_t(axis)]));
       const auto cell = std::min(std::uint32_t(u * (1 << kBits)), (1u << kBits) - 1);
       for (int bit = 0; bit < kBits; ++bit)
         code |= ((cell >> bit) & 1u) << (bit * dimensions + axis);
@@ -100,7 +101,7 @@ InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> d
   for (int cell = 0; cell < table.side; ++cell) {
     const double begin = double(cell) * double(count) / table.side;
     const double end = double(cell + 1) * double(count) / table.side;
-    std::array<double, kMaxChannels> sum{};
+    std::array<double, exemplar::kMaxChannels> sum{};
     for (auto k = std::size_t(begin); k < count && double(k) < end; ++k) {
       const double overlap = std::min(end, double(k) + 1.0) - std::max(begin, double(k));
       for (int c = 0; c < channels; ++c)
@@ -128,8 +129,8 @@ struct CellShares {
 CellShares cellShares(double gaussian, int side) {
   static_assert(kTableSide[1] <= 64); // else a step may lie in three cells
   constexpr double kHalfStep = 0.5 / 255.0;
-  const double begin = gaussianCdf(gaussian - kHalfStep) * side;
-  const double end = gaussianCdf(gaussian + kHalfStep) * side;
+  const double begin = gaussian::gaussianCdf(gaussian - kHalfStep) * side;
+  const double end = gaussian::gaussianCdf(gaussian + kHalfStep) * side;
   CellShares result{std::clamp(int(begin), 0, side - 1)};
   const double border = result.first + 1.0;
   if (end <= border || result.first == side - 1)
@@ -210,7 +211,7 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
 std::vector<float> axisMiddles(int side) {
   std::vector<float> middles;
   for (int k = 0; k < side; ++k)
-    middles.push_back(float(gaussianQuantile((k + 0.5) / side)));
+    middles.push_back(float(gaussian::gaussianQuantile((k + 0.5) / side)));
   return middles;
 }
 
@@ -227,14 +228,14 @@ std::vector<Point> cellMiddles(int dimensions, int side) {
   return middles;
 }
 
-Moments interpolatedMoments(const InverseTable& table) {
+exemplar::Moments interpolatedMoments(const InverseTable& table) {
   const auto n = Eigen::Index(table.channels);
   const auto cells = double(table.cellCount());
   std::vector<std::vector<double>> planes(std::size_t(table.channels));
   for (std::size_t c = 0; c < planes.size(); ++c)
     for (std::size_t i = c; i < table.values.size(); i += planes.size())
       planes[c].push_back(double(table.values[i]));
-  Moments moments{ChannelVector::Zero(n), ChannelMatrix::Zero(n, n)};
+  exemplar::Moments moments{exemplar::ChannelVector::Zero(n), exemplar::ChannelMatrix::Zero(n, n)};
   for (Eigen::Index c = 0; c < n; ++c)
     moments.mean[c] =
         std::accumulate(planes[std::size_t(c)].begin(), planes[std::size_t(c)].end(), 0.0) / cells;

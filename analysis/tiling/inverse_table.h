@@ -2,7 +2,7 @@
 // The inverse transformation T^-1 as a table over U in [0, 1]^D: [HN18] section 4.3.
 #pragma once
 
-#include "color_space.h"
+#include "exemplar/color_space.h"
 #include "gaussianize.h"
 
 #include <array>
@@ -32,7 +32,7 @@ struct InverseTable {
 [[nodiscard]] std::vector<Point> cellMiddles(int dimensions, int side);
 
 /// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.
-[[nodiscard]] Moments interpolatedMoments(const InverseTable& table);
+[[nodiscard]] exemplar::Moments interpolatedMoments(const InverseTable& table);
 
 /// What a cell of a table of two dimensions holds (docs/decisions/002-inverse-table.md).
 enum class CellValue {

@@ -2,9 +2,9 @@
 // Map (width * height * channels) -> matched Gaussian points (width * height) and inverse table.
 #include "map_fit.h"
 
+#include "exemplar/value_encoding.h"
 #include "spectrum_error.h"
 #include "transport/lower_bound.h"
-#include "value_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ constexpr double kMovedCertificateStep = 5e-5;
 
 /// Mean squared difference of neighbouring pixels over twice the variance, all channels together:
 /// 1 less their correlation.
-double neighbourDifference(const MapExemplar& map, const ColorSpace& space) {
+double neighbourDifference(const MapExemplar& map, const exemplar::ColorSpace& space) {
   const std::size_t channels = map.channels.size();
   const auto width = std::size_t(map.width), height = std::size_t(map.height);
   const auto squares = [&](std::size_t columns, std::size_t rows, std::size_t step) {
@@ -75,7 +75,7 @@ double neighbourDifference(const MapExemplar& map, const ColorSpace& space) {
 /// The finer the detail, the less share it wants: least squares on two windows of each of six
 /// photographs and on the generated materials, with a deviation of 0.057 from the share without
 /// error. With it 3 of the 18 have an error beyond the tolerance, with 0.1 for all 8.
-float expectedShare(const MapExemplar& map, const ColorSpace& space, float largest) {
+float expectedShare(const MapExemplar& map, const exemplar::ColorSpace& space, float largest) {
   constexpr double kSmooth = 0.32, kSlope = -0.81;
   const double difference = neighbourDifference(map, space);
   return std::clamp(float(kSmooth + kSlope * difference), kLeastShare, largest);
@@ -118,7 +118,7 @@ MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vec
                              transport, exact ? std::optional(certificate) : std::nullopt);
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
-                 [&](float value) { return decoded(value, map.encoding); });
+                 [&](float value) { return exemplar::decoded(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
       fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport,
@@ -126,9 +126,9 @@ MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vec
   return fit;
 }
 
-MapFit fitWith(const MapExemplar& map, const ColorSpace& space, float share,
+MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float share,
                const MapFitOptions& options) {
-  const std::vector<Point> points = transportPoints(map, space, share);
+  const std::vector<Point> points = exemplar::transportPoints(map, space, share);
   MapFit fit = fitFrom(map, points, points, space.dimensions(),
                        {kCertificateStep, kCertificateStep}, options);
   fit.share = share;
@@ -147,7 +147,8 @@ float nextShare(const std::vector<std::array<double, 2>>& tried, float largestSh
 }
 
 /// Tries shares until one is good enough; the best of those tried.
-MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+MapFit bestTrial(const MapExemplar& map, const exemplar::ColorSpace& space,
+                 const MapFitOptions& options) {
   MapFit best;
   double bestError = 0.0;
   std::vector<std::array<double, 2>> tried;
@@ -173,11 +174,12 @@ MapFit bestTrial(const MapExemplar& map, const ColorSpace& space, const MapFitOp
 }
 
 /// The map by itself.
-MapFit fitAlone(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
+                const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
-    return fitWith(map, space, options.share.value_or(kUsualShare), options);
+    return fitWith(map, space, options.share.value_or(exemplar::kUsualShare), options);
   if (!hasSpectrum(map))
-    return fitWith(map, space, std::min(kUsualShare, options.largestShare), options);
+    return fitWith(map, space, std::min(exemplar::kUsualShare, options.largestShare), options);
   if (options.transport == TransportEffort::fast)
     return fitWith(map, space, expectedShare(map, space, options.largestShare), options);
   const bool onMiddle = isTriedOnMiddle(map);
@@ -207,8 +209,9 @@ double matchingCost(const std::vector<Point>& points, const std::vector<Point>& 
 /// The exact fit of points that a correction has moved, `joined`. They get the variance of the
 /// map's values; matching those as they are, `points`, costs `costOfUnmoved`, of which the
 /// certificate's step is a share.
-MapFit fitMoved(const MapExemplar& map, const ColorSpace& space, std::vector<Point> points,
-                double costOfUnmoved, JoinedImage joined, const MapFitOptions& options) {
+MapFit fitMoved(const MapExemplar& map, const exemplar::ColorSpace& space,
+                std::vector<Point> points, double costOfUnmoved, JoinedImage joined,
+                const MapFitOptions& options) {
   const auto scale = float(space.deviation() / std::sqrt(double(space.dimensions())));
   for (Point& point : joined.points)
     point = {scale * point.x, scale * point.y, scale * point.z};
@@ -224,7 +227,8 @@ MapFit fitMoved(const MapExemplar& map, const ColorSpace& space, std::vector<Poi
 /// The map and those before it. An exact transport comes last and is certified: of the points as
 /// they are to go with the settled maps. On a line only ties are exchanged, which leaves it as
 /// exact as it is.
-MapFit fitJoined(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+MapFit fitJoined(const MapExemplar& map, const exemplar::ColorSpace& space,
+                 const MapFitOptions& options) {
   const bool exact = options.transport == TransportEffort::exact && space.dimensions() > 1;
   const double whole = exact ? kStandardOfExact : 1.0;
   MapFitOptions alone = options;
@@ -274,7 +278,8 @@ FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort) {
   return work;
 }
 
-MapFit fitMap(const MapExemplar& map, const ColorSpace& space, const MapFitOptions& options) {
+MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
+              const MapFitOptions& options) {
   if (options.settled.empty() || options.transport == TransportEffort::fast)
     return fitAlone(map, space, options);
   return fitJoined(map, space, options);

@@ -2,8 +2,8 @@
 // Gaussian image and inverse table of one map, fitted to each other.
 #pragma once
 
-#include "color_space.h"
 #include "cross_covariance.h"
+#include "exemplar/color_space.h"
 #include "gaussianize.h"
 #include "inverse_table.h"
 
@@ -26,8 +26,8 @@ inline constexpr float kLargestShareInSet = 0.05f;
 inline constexpr double kJoiningWork = 0.25;
 
 struct MapFit {
-  float share = kUsualShare; ///< as transportPoints takes it
-  std::vector<Point> points; ///< of its values; those of a map alone were transported
+  float share = exemplar::kUsualShare; ///< as transportPoints takes it
+  std::vector<Point> points;           ///< of its values; those of a map alone were transported
   Gaussianized gaussian;
   InverseTable table;
   /// As MapTransportBound has it, of the first of the Gaussian image's bounds.
@@ -36,7 +36,7 @@ struct MapFit {
 
 struct MapFitOptions {
   bool periodic = true;
-  Precision precision = Precision::bits8;
+  gaussian::Precision precision = gaussian::Precision::bits8;
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen where absent, [-0.25, largestShare]
   float largestShare = kLargestShare;
@@ -58,7 +58,7 @@ struct FitWork {
 /// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps. A fast
 /// fit takes the one expected, maps too small for a spectrum the usual one.
 /// Colours on a line have none to choose.
-[[nodiscard]] MapFit fitMap(const MapExemplar& map, const ColorSpace& space,
+[[nodiscard]] MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
                             const MapFitOptions& options);
 
 } // namespace lichen::tiling

@@ -65,15 +65,15 @@ Plane halved(const Plane& source) {
 }
 
 /// Covariance of the first `channels` of `stride` interleaved values.
-ChannelMatrix covarianceOf(const std::vector<float>& values, int stride, int channels) {
+exemplar::ChannelMatrix covarianceOf(const std::vector<float>& values, int stride, int channels) {
   const auto n = Eigen::Index(channels);
   const auto count = Eigen::Index(values.size()) / stride;
   using Texels = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
   const Texels texels(values.data(), n, count, Eigen::OuterStride<>(stride));
-  const ChannelVector mean = texels.cast<double>().rowwise().mean();
-  ChannelMatrix sum = ChannelMatrix::Zero(n, n);
+  const exemplar::ChannelVector mean = texels.cast<double>().rowwise().mean();
+  exemplar::ChannelMatrix sum = exemplar::ChannelMatrix::Zero(n, n);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const ChannelVector centred = texels.col(i).cast<double>() - mean;
+    const exemplar::ChannelVector centred = texels.col(i).cast<double>() - mean;
     sum += centred * centred.transpose();
   }
   return sum / double(count);
@@ -114,18 +114,19 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
   return table;
 }
 
-std::vector<ChannelMatrix> lostVariance(const Table& gaussian) {
+std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian) {
   const int stride = channelCount(gaussian.format);
-  const int channels = std::min(stride, kMaxChannels);
-  const ChannelMatrix full = covarianceOf(decodeLevel(gaussian, 0), stride, channels);
+  const int channels = std::min(stride, exemplar::kMaxChannels);
+  const exemplar::ChannelMatrix full = covarianceOf(decodeLevel(gaussian, 0), stride, channels);
   const double variance = full.trace() / double(channels);
-  std::vector<ChannelMatrix> lost(gaussian.mipLevels, ChannelMatrix::Zero(channels, channels));
+  std::vector<exemplar::ChannelMatrix> lost(gaussian.mipLevels,
+                                            exemplar::ChannelMatrix::Zero(channels, channels));
   for (std::uint32_t mip = 1; mip < gaussian.mipLevels && variance > kNoVariance; ++mip)
     lost[mip] = (full - covarianceOf(decodeLevel(gaussian, mip), stride, channels)) / variance;
   return lost;
 }
 
-double scalarLoss(const ChannelMatrix& loss) {
+double scalarLoss(const exemplar::ChannelMatrix& loss) {
   return std::clamp(loss.trace() / double(loss.rows()), 0.0, 1.0);
 }
 

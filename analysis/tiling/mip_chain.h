@@ -2,7 +2,7 @@
 // The Gaussian image as the shader fetches it: a table with mips, and what those fetches lose.
 #pragma once
 
-#include "color_space.h"
+#include "exemplar/color_space.h"
 #include "gaussianize.h"
 
 #include <lichen/bundle.h>
@@ -18,9 +18,9 @@ namespace lichen::tiling {
 
 /// For each mip level of the stored table, Cov(level 0) - Cov(level), in units of the variance of a
 /// channel: 0 for level 0, the identity where everything is lost.
-[[nodiscard]] std::vector<ChannelMatrix> lostVariance(const Table& gaussian);
+[[nodiscard]] std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian);
 
 /// The mean over the channels of a loss matrix: the scalar that mipLoss and levels state.
-[[nodiscard]] double scalarLoss(const ChannelMatrix& loss);
+[[nodiscard]] double scalarLoss(const exemplar::ChannelMatrix& loss);
 
 } // namespace lichen::tiling

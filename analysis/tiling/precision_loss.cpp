@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bundle and exemplar (width * height * channels) -> how far the one is from the other.
-#include "color_space.h"
-#include "value_encoding.h"
+#include "exemplar/color_space.h"
+#include "exemplar/value_encoding.h"
 
 #include <lichen/precision_loss.h>
 #include <lichen/quality.h>
@@ -31,13 +31,13 @@ Result<PrecisionLoss> compared(const MapExemplar& exemplar, const std::vector<fl
   std::vector<float> stored(exemplar.values.size());
   double squares = 0.0;
   for (std::size_t i = 0; i < stored.size(); ++i) {
-    wantedValues[i] = decoded(exemplar.values[i], exemplar.encoding);
-    stored[i] = encoded(decodedTexels[i], exemplar.encoding);
+    wantedValues[i] = exemplar::decoded(exemplar.values[i], exemplar.encoding);
+    stored[i] = exemplar::encoded(decodedTexels[i], exemplar.encoding);
     const double error = double(decodedTexels[i]) - double(wantedValues[i]);
     squares += error * error;
   }
-  const Moments wanted = momentsOf(wantedValues, channels);
-  const Moments found = momentsOf(decodedTexels, channels);
+  const exemplar::Moments wanted = exemplar::momentsOf(wantedValues, channels);
+  const exemplar::Moments found = exemplar::momentsOf(decodedTexels, channels);
   const double variance = wanted.covariance.trace();
   if (variance <= 0.0)
     return PrecisionLoss{};

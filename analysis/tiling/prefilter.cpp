@@ -32,14 +32,16 @@ constexpr double kAlike = 1e-3;
 std::vector<float> axisWeights(int side, double variance) {
   std::vector<double> displacements;
   for (int k = 0; k < kPlacesOnAxis; ++k)
-    displacements.push_back(std::sqrt(variance) *
-                            (gaussianQuantile((k + 0.5) / kPlacesOnAxis) - kGaussianMean));
+    displacements.push_back(
+        std::sqrt(variance) *
+        (gaussian::gaussianQuantile((k + 0.5) / kPlacesOnAxis) - gaussian::kGaussianMean));
   const std::vector<float> middles = axisMiddles(side);
   std::vector<float> weights(std::size_t(side) * std::size_t(side), 0.0f);
   for (std::size_t i = 0; i < std::size_t(side); ++i)
     for (const double displacement : displacements) {
-      const double place = std::clamp(side * gaussianCdf(double(middles[i]) + displacement) - 0.5,
-                                      0.0, double(side - 1));
+      const double place =
+          std::clamp(side * gaussian::gaussianCdf(double(middles[i]) + displacement) - 0.5, 0.0,
+                     double(side - 1));
       const auto cell = std::min(std::size_t(place), std::size_t(side) - 2);
       const auto above = float((place - double(cell)) / kPlacesOnAxis);
       weights[i * std::size_t(side) + cell] += 1.0f / kPlacesOnAxis - above;
@@ -75,7 +77,7 @@ InverseTable blurredAlongAxes(const InverseTable& table, double variance) {
 
 /// The mean over displacements of covariance `loss` / 36, by samples.
 template <std::size_t kDimensions>
-InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
+InverseTable sampled(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
   using Lookup = TableLookup<kDimensions>;
   const Lookup lookup(table);
@@ -107,21 +109,22 @@ InverseTable sampled(const InverseTable& table, const ChannelMatrix& loss) {
 /// The mean over displacements of covariance `loss` / 36: what all directions lose alike is blurred
 /// axis by axis, exactly, and the rest sampled on what that leaves.
 template <std::size_t kDimensions>
-InverseTable averaged(const InverseTable& table, const ChannelMatrix& loss) {
+InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const auto solver = transport::principalAxes(loss);
   const double alike = std::max(0.0, solver.eigenvalues()[0]);
   const InverseTable blurred = blurredAlongAxes(table, alike);
   const double largest = solver.eigenvalues()[loss.rows() - 1];
   if (largest - alike <= kAlike * largest)
     return blurred;
-  const ChannelMatrix rest = loss - alike * ChannelMatrix::Identity(loss.rows(), loss.cols());
+  const exemplar::ChannelMatrix rest =
+      loss - alike * exemplar::ChannelMatrix::Identity(loss.rows(), loss.cols());
   return sampled<kDimensions>(blurred, rest);
 }
 
 template <std::size_t kDimensions>
 std::vector<InverseTable> slabsOf(const InverseTable& table,
-                                  const std::vector<ChannelMatrix>& losses) {
-  const Moments moments = interpolatedMoments(table);
+                                  const std::vector<exemplar::ChannelMatrix>& losses) {
+  const exemplar::Moments moments = interpolatedMoments(table);
   std::vector<InverseTable> slabs{table};
   for (std::size_t k = 1; k + 1 < losses.size(); ++k)
     slabs.push_back(averaged<kDimensions>(table, losses[k]));
@@ -155,15 +158,16 @@ std::vector<double> tableLevels() {
   return levels;
 }
 
-ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost) {
+exemplar::ChannelMatrix lossAt(double level, const std::vector<exemplar::ChannelMatrix>& lost) {
   const auto n = lost.front().rows();
-  ChannelMatrix below = ChannelMatrix::Zero(n, n);
+  exemplar::ChannelMatrix below = exemplar::ChannelMatrix::Zero(n, n);
   double scalarBelow = 0.0;
-  const auto between = [&](const ChannelMatrix& above, double scalarAbove) -> ChannelMatrix {
+  const auto between = [&](const exemplar::ChannelMatrix& above,
+                           double scalarAbove) -> exemplar::ChannelMatrix {
     const double t = (level - scalarBelow) / (scalarAbove - scalarBelow);
     return below + t * (above - below);
   };
-  for (const ChannelMatrix& mip : lost) {
+  for (const exemplar::ChannelMatrix& mip : lost) {
     const double scalar = scalarLoss(mip);
     if (scalar <= scalarBelow)
       continue;
@@ -172,19 +176,20 @@ ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost) {
     below = mip;
     scalarBelow = scalar;
   }
-  return scalarBelow < 1.0 ? between(ChannelMatrix::Identity(n, n), 1.0) : below;
+  return scalarBelow < 1.0 ? between(exemplar::ChannelMatrix::Identity(n, n), 1.0) : below;
 }
 
-std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss, std::size_t count) {
+std::vector<std::array<float, 3>> lossDisplacements(const exemplar::ChannelMatrix& loss,
+                                                    std::size_t count) {
   const auto n = int(loss.rows());
-  const ChannelMatrix root = transport::power(loss, 0.5);
+  const exemplar::ChannelMatrix root = transport::power(loss, 0.5);
   std::vector<std::array<float, 3>> result;
-  for (const Point& p : stratifiedGaussian(count, n, Precision::bits16)) {
+  for (const Point& p : gaussian::stratifiedGaussian(count, n, gaussian::Precision::bits16)) {
     const std::array<float, 3> raw{p.x, p.y, p.z};
-    ChannelVector centred(n);
+    exemplar::ChannelVector centred(n);
     for (int c = 0; c < n; ++c)
-      centred[c] = double(raw[std::size_t(c)]) - kGaussianMean;
-    const ChannelVector moved = root * centred;
+      centred[c] = double(raw[std::size_t(c)]) - gaussian::kGaussianMean;
+    const exemplar::ChannelVector moved = root * centred;
     std::array<float, 3> displacement{};
     for (int c = 0; c < n; ++c)
       displacement[std::size_t(c)] = float(moved[c]);
@@ -194,7 +199,7 @@ std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss, s
 }
 
 std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
-                                              const std::vector<ChannelMatrix>& losses) {
+                                              const std::vector<exemplar::ChannelMatrix>& losses) {
   switch (table.dimensions) {
   case 1:
     return slabsOf<1>(table, losses);
@@ -206,8 +211,8 @@ std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
 }
 
 std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                           const std::vector<ChannelMatrix>& lost) {
-  std::vector<ChannelMatrix> losses;
+                                           const std::vector<exemplar::ChannelMatrix>& lost) {
+  std::vector<exemplar::ChannelMatrix> losses;
   for (const double level : tableLevels())
     losses.push_back(lossAt(level, lost));
   return prefilteredSlabsFor(table, losses);

@@ -19,22 +19,23 @@ inline constexpr int kTableLevels = 8;
 
 /// The covariance that fetches have lost when its mean over the channels is `level`: between
 /// nothing, the mips' in `lost` and everything.
-[[nodiscard]] ChannelMatrix lossAt(double level, const std::vector<ChannelMatrix>& lost);
+[[nodiscard]] exemplar::ChannelMatrix lossAt(double level,
+                                             const std::vector<exemplar::ChannelMatrix>& lost);
 
 /// Zero-mean Gaussian displacements, stratified, with the covariance `loss` / 36.
-[[nodiscard]] std::vector<std::array<float, 3>> lossDisplacements(const ChannelMatrix& loss,
-                                                                  std::size_t count);
+[[nodiscard]] std::vector<std::array<float, 3>>
+lossDisplacements(const exemplar::ChannelMatrix& loss, std::size_t count);
 
 /// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36) and S the covariance that fetches
 /// have lost when the mean loss is levels[k]: interpolated between the mips' in `lost`. Slab 0 is
 /// the table itself, the last the constant mean. `lost` has at least one matrix, symmetric and with
 /// eigenvalues in [0, 1], of as many rows as the table has dimensions. Throws std::bad_alloc.
-[[nodiscard]] std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                                         const std::vector<ChannelMatrix>& lost);
+[[nodiscard]] std::vector<InverseTable>
+prefilteredSlabs(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& lost);
 
 /// The same with the covariance that each slab's fetches have lost: kTableLevels of them.
 [[nodiscard]] std::vector<InverseTable>
-prefilteredSlabsFor(const InverseTable& table, const std::vector<ChannelMatrix>& losses);
+prefilteredSlabsFor(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& losses);
 
 /// The slabs (at least one, all of one shape) as one KTX2-ready table: D = 1 2-D (256 x L), D = 2
 /// 2-D (64 x 64 L), D = 3 3-D (32 x 32 x 32 L). Format by encoding and bits, 8 or 16: RGBA8 SRGB

@@ -3,9 +3,9 @@
 // [HN18] section 4 in a decorrelated space, as for devices without room for a joint table.
 #include "separable.h"
 
+#include "exemplar/value_encoding.h"
 #include "prefilter.h"
 #include "slab_means.h"
-#include "value_encoding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,10 @@ MapExemplar decodedMap(const MapExemplar& map) {
   const auto half = float(0.5 * map.quantum);
   double squares = 0.0;
   for (float& value : result.values) {
-    const double step = double(decoded(value + half, map.encoding)) -
-                        double(decoded(std::max(0.0f, value - half), map.encoding));
+    const double step = double(exemplar::decoded(value + half, map.encoding)) -
+                        double(exemplar::decoded(std::max(0.0f, value - half), map.encoding));
     squares += step * step;
-    value = decoded(value, map.encoding);
+    value = exemplar::decoded(value, map.encoding);
   }
   result.quantum = std::sqrt(squares / double(result.values.size()));
   return result;
@@ -34,7 +34,8 @@ float coordinate(const Point& point, std::size_t axis) {
 }
 
 /// Values along one axis, exactly, as fitInverseTable takes them.
-std::vector<float> valuesAlong(const MapExemplar& map, const ColorSpace& space, Eigen::Index axis) {
+std::vector<float> valuesAlong(const MapExemplar& map, const exemplar::ColorSpace& space,
+                               Eigen::Index axis) {
   const std::size_t channels = map.channels.size();
   std::vector<float> values(map.values.size() / channels);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -49,14 +50,14 @@ std::vector<float> valuesAlong(const MapExemplar& map, const ColorSpace& space, 
 
 } // namespace
 
-SeparableFit fitSeparable(const MapExemplar& map, bool periodic, Precision precision,
+SeparableFit fitSeparable(const MapExemplar& map, bool periodic, gaussian::Precision precision,
                           const transport::TransportOptions& options) {
   options.progress.reach(0.0);
   const MapExemplar light = decodedMap(map);
-  const ColorSpace space = principalSpaceOf(light);
+  const exemplar::ColorSpace space = exemplar::principalSpaceOf(light);
   if (space.dimensions() < 2)
     return {};
-  const std::vector<Point> points = transportPoints(light, space, 0.0f);
+  const std::vector<Point> points = exemplar::transportPoints(light, space, 0.0f);
   SeparableFit fit{space.basis.transpose(), space.moments.mean, {}, {}};
   std::vector<Point> along(points.size());
   for (std::size_t axis = 0; axis < std::size_t(space.dimensions()); ++axis) {
@@ -91,7 +92,7 @@ Gaussianized combinedImage(const SeparableFit& fit) {
 }
 
 std::vector<InverseTable> separableSlabs(const SeparableFit& fit, int bits,
-                                         const std::vector<ChannelMatrix>& lost) {
+                                         const std::vector<exemplar::ChannelMatrix>& lost) {
   const std::vector<double> levels = tableLevels();
   const int side = fit.tables.front().side;
   const auto dimensions = std::size_t(fit.dimensions());
@@ -99,7 +100,7 @@ std::vector<InverseTable> separableSlabs(const SeparableFit& fit, int bits,
   std::vector<InverseTable> slabs(
       levels.size(), {1, side, int(dimensions), std::vector<float>(cells * dimensions)});
   for (std::size_t axis = 0; axis < dimensions; ++axis) {
-    std::vector<ChannelMatrix> losses;
+    std::vector<exemplar::ChannelMatrix> losses;
     for (const double level : levels)
       losses.push_back(lossAt(level, lost).block(Eigen::Index(axis), Eigen::Index(axis), 1, 1));
     std::vector<InverseTable> along = prefilteredSlabsFor(fit.tables[axis], losses);

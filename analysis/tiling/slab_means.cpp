@@ -28,7 +28,7 @@ struct Between {
 
 /// Where fetches lose `level` of the variance: 1 - level = above + rest^2 (below - above), since a
 /// mip's average is the mip above.
-Between betweenMips(double level, const std::vector<ChannelMatrix>& lost) {
+Between betweenMips(double level, const std::vector<exemplar::ChannelMatrix>& lost) {
   std::size_t mip = 0;
   while (mip + 2 < lost.size() && scalarLoss(lost[mip + 1]) < level)
     ++mip;
@@ -110,7 +110,8 @@ FetchMoments momentsOfFetches(const InverseTable& slab, const Mips& mips, const 
   return moments;
 }
 
-FetchMoments momentsOf(const InverseTable& slab, const Mips& mips, const Between& between) {
+FetchMoments exemplar::momentsOf(const InverseTable& slab, const Mips& mips,
+                                 const Between& between) {
   switch (slab.dimensions) {
   case 1:
     return momentsOfFetches<1>(slab, mips, between);
@@ -124,12 +125,12 @@ FetchMoments momentsOf(const InverseTable& slab, const Mips& mips, const Between
 } // namespace
 
 FetchMoments fetchMoments(const InverseTable& slab, const Table& gaussian, double level,
-                          const std::vector<ChannelMatrix>& lost) {
-  return momentsOf(slab, Mips(gaussian), betweenMips(level, lost));
+                          const std::vector<exemplar::ChannelMatrix>& lost) {
+  return exemplar::momentsOf(slab, Mips(gaussian), betweenMips(level, lost));
 }
 
 void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
-                      const std::vector<ChannelMatrix>& lost) {
+                      const std::vector<exemplar::ChannelMatrix>& lost) {
   const Mips mips(gaussian);
   const InverseTable& exact = slabs.front();
   const std::vector<float>& mean = slabs.back().values;
@@ -137,7 +138,8 @@ void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
   const auto channels = std::size_t(exact.channels);
   tbb::parallel_for(std::size_t(1), slabs.size() - 1, [&](std::size_t k) {
     InverseTable& slab = slabs[k];
-    const std::array<double, 4> fetched = momentsOf(slab, mips, betweenMips(levels[k], lost)).mean;
+    const std::array<double, 4> fetched =
+        exemplar::momentsOf(slab, mips, betweenMips(levels[k], lost)).mean;
     for (std::size_t c = 0; c < channels; ++c) {
       float low = exact.values[c];
       float high = low;

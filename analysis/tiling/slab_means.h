@@ -18,7 +18,8 @@ struct FetchMoments {
   std::array<double, 4> square{};
 };
 [[nodiscard]] FetchMoments fetchMoments(const InverseTable& slab, const Table& gaussian,
-                                        double level, const std::vector<ChannelMatrix>& lost);
+                                        double level,
+                                        const std::vector<exemplar::ChannelMatrix>& lost);
 
 /// Shifts each slab but the first and the last so that its lookups at blended trilinear fetches of
 /// the stored `gaussian` image average to the last slab, the mean, as far as the values that are
@@ -26,6 +27,6 @@ struct FetchMoments {
 /// mips of an exemplar with few large features are far from Gaussian, which displaces the mean of
 /// their decoded values by up to 0.004 of full light.
 void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
-                      const std::vector<ChannelMatrix>& lost);
+                      const std::vector<exemplar::ChannelMatrix>& lost);
 
 } // namespace lichen::tiling

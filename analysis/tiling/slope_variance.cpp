@@ -20,7 +20,7 @@ constexpr std::size_t kSamplesPerCell = 256;
 
 /// The variance of each cell's slopes over what is lost, the mean of the channels.
 template <std::size_t kDimensions>
-std::vector<float> sampledVariance(const InverseTable& table, const ChannelMatrix& loss) {
+std::vector<float> sampledVariance(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
   const TableLookup<kDimensions> lookup(table);
   const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
@@ -74,14 +74,14 @@ void scaleToWhole(InverseTable& slab, const FetchMoments& fetched, double whole)
 } // namespace
 
 void appendSlopeVariance(std::vector<InverseTable>& slabs, const InverseTable& table,
-                         const Table& gaussian, const std::vector<ChannelMatrix>& lost) {
+                         const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost) {
   const double whole = interpolatedMoments(table).covariance.trace() / double(table.channels);
   const std::vector<double> levels = tableLevels();
   const std::size_t cells = table.cellCount();
   slabs.front() = appended(slabs.front(), std::vector<float>(cells, 0.0f));
   slabs.back() = appended(slabs.back(), std::vector<float>(cells, float(whole)));
   for (std::size_t k = 1; k + 1 < slabs.size(); ++k) {
-    const ChannelMatrix loss = lossAt(levels[k], lost);
+    const exemplar::ChannelMatrix loss = lossAt(levels[k], lost);
     slabs[k] = appended(slabs[k], table.dimensions == 1 ? sampledVariance<1>(table, loss)
                                                         : sampledVariance<2>(table, loss));
     scaleToWhole(slabs[k], fetchMoments(slabs[k], gaussian, levels[k], lost), whole);

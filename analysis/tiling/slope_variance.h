@@ -16,6 +16,6 @@ namespace lichen::tiling {
 /// over blended fetches of the stored mips, its mean and the variance of the slab's slopes then add
 /// up to the whole. Throws std::bad_alloc.
 void appendSlopeVariance(std::vector<InverseTable>& slabs, const InverseTable& table,
-                         const Table& gaussian, const std::vector<ChannelMatrix>& lost);
+                         const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost);
 
 } // namespace lichen::tiling

@@ -2,9 +2,9 @@
 // Exemplar, Gaussian image and inverse table -> decibels between the spectra of noise and exemplar.
 #include "spectrum_error.h"
 
+#include "exemplar/value_encoding.h"
 #include "random_blend.h"
 #include "table_lookup.h"
-#include "value_encoding.h"
 
 #include <lichen/lattice.h>
 #include <lichen/spectrum.h>
@@ -78,7 +78,7 @@ std::vector<float> noiseWindow(const Gaussianized& gaussian, const TableLookup<k
                                const Blend& blend, std::size_t channels, int window) {
   std::vector<float> values;
   values.reserve(std::size_t(window) * std::size_t(window) * channels);
-  constexpr auto kMean = float(kGaussianMean);
+  constexpr auto kMean = float(gaussian::kGaussianMean);
   for (int y = 0; y < window; ++y)
     for (int x = 0; x < window; ++x) {
       std::array<float, 3> value{kMean, kMean, kMean};
@@ -103,7 +103,7 @@ Spectrum noisePower(const MapExemplar& map, const Gaussianized& gaussian, const 
                     int window) {
   InverseTable encodedTable = table;
   for (float& value : encodedTable.values)
-    value = encoded(value, map.encoding);
+    value = exemplar::encoded(value, map.encoding);
   const TableLookup<kDimensions> lookup(encodedTable);
   const auto count = std::uint32_t(kSampledTexels / (window * window));
   std::vector<Spectrum> powers(count);

@@ -2,7 +2,7 @@
 // Gaussian values -> the inverse table's value, interpolated linearly between cells.
 #pragma once
 
-#include "gaussian_distribution.h"
+#include "gaussian/gaussian_distribution.h"
 #include "inverse_table.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ class CellCoordinate {
 public:
   explicit CellCoordinate(int side) {
     for (int k = 0; k <= kSteps + 1; ++k)
-      values_[std::size_t(k)] = float(side * gaussianCdf(kLow + k * (kHigh - kLow) / kSteps) - 0.5);
+      values_[std::size_t(k)] =
+          float(side * gaussian::gaussianCdf(kLow + k * (kHigh - kLow) / kSteps) - 0.5);
   }
   [[nodiscard]] float operator()(float gaussian) const {
     const float place =

@@ -65,12 +65,12 @@ Row setRow() {
 double levelSeconds(const SrgbImage& image) {
   using namespace tiling;
   const MapExemplar map = baseColorMap(image);
-  const ColorSpace space = colorSpaceOf(map);
-  const std::vector<Point> points = transportPoints(map, space);
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
+  const std::vector<Point> points = exemplar::transportPoints(map, space);
   const Gaussianized gaussian =
-      gaussianize(map, points, space.dimensions(), true, Precision::bits8, {});
+      gaussianize(map, points, space.dimensions(), true, gaussian::Precision::bits8, {});
   const Table table = gaussianTable(gaussian, 8);
-  const std::vector<ChannelMatrix> lost = lostVariance(table);
+  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(table);
   std::vector<float> light;
   for (const float value : map.values)
     light.push_back(srgbToLinear(value));

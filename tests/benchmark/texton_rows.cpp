@@ -12,12 +12,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <gaussian/model_covariance.h>
 #include <materials.h>
 #include <texton/border_penalty.h>
 #include <texton/color_correction.h>
 #include <texton/comparison.h>
 #include <texton/fit.h>
-#include <texton/model_covariance.h>
 
 namespace lichen::bench {
 namespace {
@@ -32,17 +32,18 @@ MapExemplar crop(const SrgbImage& image, int side) {
   return baseColorMap(part);
 }
 
-GaussianModel modelOf(const MapExemplar& map) {
-  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+gaussian::GaussianModel modelOf(const MapExemplar& map) {
+  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
 /// With the model's covariance, as the authors' own textons.
-TextonCoefficients fitted(const GaussianModel& model, int support, int order, FitMethod method) {
+TextonCoefficients fitted(const gaussian::GaussianModel& model, int support, int order,
+                          FitMethod method) {
   FitOptions options;
   options.width = options.height = support - order;
   options.order = order;
   TextonCoefficients texton = fitCoefficients(model, options, method);
-  if (!correctCovariance(texton, order, modelCovariance(model)))
+  if (!correctCovariance(texton, order, gaussian::modelCovariance(model)))
     std::fprintf(stderr, "lichen-bench: a texton without its model's covariance\n");
   return texton;
 }
@@ -121,7 +122,7 @@ void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, 
                 int support, double target) {
   Sample ratios, flatnesses, borders, papersBorders;
   for (const Exemplar& exemplar : exemplars) {
-    const GaussianModel model = modelOf(crop(exemplar.image, side));
+    const gaussian::GaussianModel model = modelOf(crop(exemplar.image, side));
     const TextonCoefficients ours = fitted(model, support, 1, FitMethod::transportDistance);
     const TextonCoefficients papers = fitted(model, support, 1, FitMethod::alternatingProjections);
     ratios.add(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tiling/color_space.h>
-#include <tiling/gaussian_distribution.h>
+#include <exemplar/color_space.h>
+#include <gaussian/gaussian_distribution.h>
 #include <transport/assignment.h>
 #include <transport/lower_bound.h>
 
@@ -33,7 +33,7 @@ double speckle(const std::vector<Point>& gaussian, const std::vector<std::uint32
         const Point d{next.x - here.x, next.y - here.y, next.z - here.z};
         sum += double(dot(d, d));
       }
-  const double variance = 3.0 * tiling::kGaussianDeviation * tiling::kGaussianDeviation;
+  const double variance = 3.0 * gaussian::kGaussianDeviation * gaussian::kGaussianDeviation;
   return sum / (variance * double(assignment.size()));
 }
 
@@ -45,10 +45,10 @@ std::vector<Row> transportRows() {
   std::string worst, speckled;
   for (const Exemplar& exemplar : exemplars256()) {
     const MapExemplar map = baseColorMap(exemplar.image);
-    const tiling::ColorSpace space = tiling::colorSpaceOf(map);
-    const std::vector<Point> source = tiling::transportPoints(map, space);
+    const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
+    const std::vector<Point> source = exemplar::transportPoints(map, space);
     const std::vector<Point> target =
-        tiling::stratifiedGaussian(source.size(), space.dimensions(), tiling::Precision::bits8);
+        gaussian::stratifiedGaussian(source.size(), space.dimensions(), gaussian::Precision::bits8);
     const std::vector<std::uint32_t> assignment = assign(source, target, {});
     std::vector<std::uint32_t> nearlyExact = assignment;
     const TransportBound bound = improveByAuction(source, target, nearlyExact, kStep);

@@ -10,9 +10,9 @@ namespace lichen::test {
 
 using namespace tiling;
 
-Baked baked(MapExemplar map, bool periodic, Precision precision) {
-  const ColorSpace space = colorSpaceOf(map);
-  std::vector<Point> points = transportPoints(map, space);
+Baked baked(MapExemplar map, bool periodic, gaussian::Precision precision) {
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
+  std::vector<Point> points = exemplar::transportPoints(map, space);
   Gaussianized gaussian = gaussianize(map, points, space.dimensions(), periodic, precision,
                                       transport::TransportOptions{});
   return {std::move(map), std::move(points), std::move(gaussian)};
@@ -28,7 +28,7 @@ double slowLookup(const InverseTable& table, const std::array<double, 3>& gaussi
   std::array<std::vector<double>, 3> hats; // of an axis' cells at the place looked up
   for (std::size_t axis = 0; axis < std::size_t(table.dimensions); ++axis) {
     const double place =
-        std::clamp(table.side * gaussianCdf(gaussian[axis]) - 0.5, 0.0, table.side - 1.0);
+        std::clamp(table.side * gaussian::gaussianCdf(gaussian[axis]) - 0.5, 0.0, table.side - 1.0);
     for (int cell = 0; cell < table.side; ++cell)
       hats[axis].push_back(std::max(0.0, 1.0 - std::abs(place - cell)));
   }

@@ -19,7 +19,7 @@ struct Baked {
 
 /// Exemplar to Gaussianized image.
 [[nodiscard]] Baked baked(MapExemplar map, bool periodic = true,
-                          tiling::Precision precision = tiling::Precision::bits16);
+                          gaussian::Precision precision = gaussian::Precision::bits16);
 
 /// The values of an sRGB map as light.
 [[nodiscard]] std::vector<float> light(const MapExemplar& map);

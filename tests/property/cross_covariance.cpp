@@ -12,9 +12,9 @@
 #include <numeric>
 #include <tiling/cross_covariance.h>
 #include <tiling/map_fit.h>
-#include <tiling/tie_order.h>
 #include <transport/assignment.h>
 #include <transport/random.h>
+#include <transport/tie_order.h>
 
 using namespace lichen;
 using namespace lichen::tiling;
@@ -99,7 +99,8 @@ TEST_CASE("what is lacking is negligible by what an entry lacks, however many th
 
 TEST_CASE("an exact transport is certified for the points that the correction moved") {
   const std::vector<MapExemplar> maps = slopeSet();
-  const ColorSpace colors = colorSpaceOf(maps[0]), slopes = colorSpaceOf(maps[1]);
+  const exemplar::ColorSpace colors = exemplar::colorSpaceOf(maps[0]),
+                             slopes = exemplar::colorSpaceOf(maps[1]);
   REQUIRE(slopes.dimensions() == 2);
   MapFitOptions options;
   options.share = 0.0f;
@@ -177,5 +178,5 @@ TEST_CASE("pixels are ordered by value, and by score where values are equal") {
   std::stable_sort(expected.begin(), expected.end(), [&](std::size_t a, std::size_t b) {
     return values[a] != values[b] ? values[a] < values[b] : scores[a] < scores[b];
   });
-  CHECK(TieOrder(values).by(scores) == expected);
+  CHECK(transport::TieOrder(values).by(scores) == expected);
 }

@@ -35,7 +35,7 @@ double variance(const std::vector<double>& values) {
 }
 
 double measuredCloudiness(const MapExemplar& map, int samples) {
-  const tiling::MapFit fit = tiling::fitMap(map, tiling::colorSpaceOf(map),
+  const tiling::MapFit fit = tiling::fitMap(map, exemplar::colorSpaceOf(map),
                                             {.transport = TransportEffort::fast, .share = 0.1f});
   assert(fit.table.dimensions == 3);
   tiling::InverseTable codes = fit.table;

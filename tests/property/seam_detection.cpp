@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exemplar/borders.h>
 #include <filesystem>
 #include <materials.h>
-#include <tiling/borders.h>
 
 using namespace lichen;
 using namespace lichen::tiling;
@@ -77,7 +77,7 @@ std::vector<MapExemplar> cropsOf(const MapExemplar& map, double share, int place
 }
 
 double strongest(const MapExemplar& map) {
-  const SeamStrength strength = seamStrength(map);
+  const exemplar::SeamStrength strength = exemplar::seamStrength(map);
   return std::max(strength.betweenColumns, strength.betweenRows);
 }
 
@@ -86,12 +86,12 @@ constexpr const char* kWhiteGrain = "painted_plaster_wall/normal.png";
 
 void checkToldApart(const Named& exemplar) {
   INFO(exemplar.name << ", seam of " << strongest(exemplar.map));
-  CHECK(isPeriodic(exemplar.map));
+  CHECK(exemplar::isPeriodic(exemplar.map));
   if (exemplar.name == kWhiteGrain)
     return;
   for (const MapExemplar& crop : cropsOf(exemplar.map, 0.625, 3)) {
     INFO("crop: seam of " << strongest(crop));
-    CHECK_FALSE(isPeriodic(crop));
+    CHECK_FALSE(exemplar::isPeriodic(crop));
   }
 }
 
@@ -115,17 +115,17 @@ TEST_CASE("a seam is measured in units of the interior's steps") {
     MapExemplar map = test::threeMaterials(16, 16, 1, 1);
     for (std::size_t i = 0; i < map.values.size(); ++i)
       map.values[i] = value(int(i / 3 % 16));
-    return seamStrength(map);
+    return exemplar::seamStrength(map);
   };
-  const SeamStrength constant = imageOf([](int) { return 0.5f; });
+  const exemplar::SeamStrength constant = imageOf([](int) { return 0.5f; });
   CHECK(constant.betweenColumns == 0.0);
   CHECK(constant.betweenRows == 0.0);
   // Steps of 1/16 inside, 15/16 across the seam.
-  const SeamStrength ramp = imageOf([](int x) { return float(x) / 16.0f; });
+  const exemplar::SeamStrength ramp = imageOf([](int x) { return float(x) / 16.0f; });
   CHECK(ramp.betweenColumns == Approx(15.0));
   CHECK(ramp.betweenRows == 0.0);
   // A single step inside is fewer than a tenth of the lines.
-  const SeamStrength halves = imageOf([](int x) { return x < 8 ? 0.0f : 1.0f; });
+  const exemplar::SeamStrength halves = imageOf([](int x) { return x < 8 ? 0.0f : 1.0f; });
   CHECK(std::isinf(halves.betweenColumns));
 }
 
@@ -141,12 +141,12 @@ TEST_CASE("the strength of seams, tabulated", "[.][table]") {
     std::vector<double> axes, either;
     for (const double share : {0.25, 0.5, 0.625, 0.75, 0.875})
       for (const MapExemplar& crop : cropsOf(exemplar.map, share, 4)) {
-        const SeamStrength strength = seamStrength(crop);
+        const exemplar::SeamStrength strength = exemplar::seamStrength(crop);
         axes.insert(axes.end(), {strength.betweenColumns, strength.betweenRows});
         either.push_back(std::max(strength.betweenColumns, strength.betweenRows));
       }
     std::sort(axes.begin(), axes.end());
-    const SeamStrength whole = seamStrength(exemplar.map);
+    const exemplar::SeamStrength whole = exemplar::seamStrength(exemplar.map);
     std::printf("| %s | %.2f, %.2f | %.2f | %.2f |\n", exemplar.name.c_str(), whole.betweenColumns,
                 whole.betweenRows, axes[axes.size() / 20],
                 *std::min_element(either.begin(), either.end()));

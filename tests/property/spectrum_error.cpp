@@ -37,7 +37,7 @@ std::vector<float> whiteNoise(std::uint64_t seed) {
     const double v = transport::randomUniform(seed, 2 * i + 1);
     const double deviate =
         std::sqrt(-2.0 * std::log(1.0 - u)) * std::cos(2.0 * std::numbers::pi * v);
-    values.push_back(float(kGaussianMean + kGaussianDeviation * deviate));
+    values.push_back(float(gaussian::kGaussianMean + gaussian::kGaussianDeviation * deviate));
   }
   return values;
 }
@@ -76,7 +76,7 @@ Gaussianized gaussianImage(const std::vector<float>& values) {
 InverseTable identityTable() {
   InverseTable table{1, kTableSide[0], 1, {}};
   for (int cell = 0; cell < table.side; ++cell)
-    table.values.push_back(float(gaussianQuantile((cell + 0.5) / table.side)));
+    table.values.push_back(float(gaussian::gaussianQuantile((cell + 0.5) / table.side)));
   return table;
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("exemplars too small for a window have no spectrum, and the usual shar
   CHECK(hasSpectrum(test::threeMaterials(64, 80, 7)));
   const MapExemplar small = test::threeMaterials(63, 80, 7);
   CHECK_FALSE(hasSpectrum(small));
-  CHECK(fitMap(small, colorSpaceOf(small), {}).share == kUsualShare);
+  CHECK(fitMap(small, exemplar::colorSpaceOf(small), {}).share == exemplar::kUsualShare);
 }
 
 TEST_CASE("the share for a large map is that of its middle", "[large]") {
@@ -147,9 +147,9 @@ TEST_CASE("the share for a large map is that of its middle", "[large]") {
   whole.encoding = ValueEncoding::linear;
   const MapExemplar middle = test::cropped(whole, 4, 0, 512, 64);
   MapFitOptions options;
-  const float share = fitMap(whole, colorSpaceOf(whole), options).share;
+  const float share = fitMap(whole, exemplar::colorSpaceOf(whole), options).share;
   options.periodic = false;
-  CHECK(share == fitMap(middle, colorSpaceOf(whole), options).share);
+  CHECK(share == fitMap(middle, exemplar::colorSpaceOf(whole), options).share);
   // Its content decides: of some of its values in random order, which have no patches, it is less.
   MapExemplar shuffled = test::cropped(middle, 0, 0, 64, 64);
   for (std::size_t i = shuffled.values.size() / 2; i-- > 1;) {
@@ -157,7 +157,7 @@ TEST_CASE("the share for a large map is that of its middle", "[large]") {
     for (std::size_t c = 0; c < 2; ++c)
       std::swap(shuffled.values[2 * i + c], shuffled.values[2 * other + c]);
   }
-  CHECK(share - fitMap(shuffled, colorSpaceOf(whole), options).share > 0.2f);
+  CHECK(share - fitMap(shuffled, exemplar::colorSpaceOf(whole), options).share > 0.2f);
 }
 
 TEST_CASE("a large map's fit can be stopped while a share is tried on its middle") {
@@ -166,7 +166,7 @@ TEST_CASE("a large map's fit can be stopped while a share is tried on its middle
   int calls = 0;
   const Progress stop = [&](double) { return ++calls < 2; };
   options.progress = ProgressPart(stop);
-  CHECK_THROWS_AS(fitMap(large, colorSpaceOf(large), options), Interrupted);
+  CHECK_THROWS_AS(fitMap(large, exemplar::colorSpaceOf(large), options), Interrupted);
   CHECK(calls == 2);
 }
 
@@ -186,12 +186,12 @@ TEST_CASE("a fit whose first share is good enough has told of nearly all its pro
   };
   MapFitOptions options;
   options.progress = ProgressPart(progress);
-  const MapFit fit = fitMap(map, colorSpaceOf(map), options);
+  const MapFit fit = fitMap(map, exemplar::colorSpaceOf(map), options);
   const double reached = told.back();
   const std::size_t steps = told.size();
   told.clear();
   options.share = fit.share;
-  static_cast<void>(fitMap(map, colorSpaceOf(map), options));
+  static_cast<void>(fitMap(map, exemplar::colorSpaceOf(map), options));
   INFO("share " << fit.share << ", reached " << reached << " of " << told.back());
   REQUIRE(told.size() == steps); // one trial is a fit with a share given
   // A fit may end with a step that it says nothing of, here its table.
@@ -201,23 +201,23 @@ TEST_CASE("a fit whose first share is good enough has told of nearly all its pro
 TEST_CASE("the share for an exact transport is that for the usual one", "[large]") {
   const MapExemplar map = test::threeMaterials(64, 64, 7, 3);
   MapFitOptions options;
-  const float usual = fitMap(map, colorSpaceOf(map), options).share;
+  const float usual = fitMap(map, exemplar::colorSpaceOf(map), options).share;
   options.transport = TransportEffort::exact;
-  CHECK(fitMap(map, colorSpaceOf(map), options).share == usual);
+  CHECK(fitMap(map, exemplar::colorSpaceOf(map), options).share == usual);
 }
 
 TEST_CASE("a fit has its exemplar's detail where the usual share of the surroundings has not",
           "[large]") {
   // Grain within patches of one colour each, which transport alone spreads over the Gaussian.
   const MapExemplar map = test::threeMaterials(96, 96, 7, 3);
-  const ColorSpace space = colorSpaceOf(map);
-  const std::vector<Point> points = transportPoints(map, space);
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
+  const std::vector<Point> points = exemplar::transportPoints(map, space);
   std::vector<float> light;
   for (const float value : map.values)
     light.push_back(srgbToLinear(value));
   const transport::TransportOptions transport{};
   const Gaussianized usual =
-      gaussianize(map, points, space.dimensions(), true, Precision::bits8, transport);
+      gaussianize(map, points, space.dimensions(), true, gaussian::Precision::bits8, transport);
   const InverseTable usualTable = fitInverseTable(usual, points, light, 3, transport);
   const double usualError = spectrumErrorDb(map, usual, usualTable);
   INFO("with the usual share " << usualError << " dB");
@@ -242,7 +242,7 @@ TEST_CASE("a fit has its exemplar's detail where the usual share of the surround
 
 TEST_CASE("maps of a set share a share of the surroundings, which stays small", "[large]") {
   const MapExemplar first = test::threeMaterials(96, 96, 7, 3);
-  CHECK(fitMap(first, colorSpaceOf(first), {}).share > kLargestShareInSet);
+  CHECK(fitMap(first, exemplar::colorSpaceOf(first), {}).share > kLargestShareInSet);
   MapExemplar second = test::threeMaterials(96, 96, 8, 1);
   second.target = MapTarget::occlusionRoughnessMetallic;
   second.encoding = ValueEncoding::linear;
@@ -255,8 +255,9 @@ TEST_CASE("maps of a set share a share of the surroundings, which stays small", 
   std::vector<SettledMap> settled;
   for (std::size_t m = 0; m < maps.size(); ++m) {
     given.settled = settled;
-    const MapFit expected = fitMap(maps[m], colorSpaceOf(maps[m]), given);
-    settled.emplace_back(maps[m], colorSpaceOf(maps[m]), expected.gaussian, expected.table);
+    const MapFit expected = fitMap(maps[m], exemplar::colorSpaceOf(maps[m]), given);
+    settled.emplace_back(maps[m], exemplar::colorSpaceOf(maps[m]), expected.gaussian,
+                         expected.table);
     const TilingBake& set = bake.value();
     CHECK(set.tables[set.noise.maps[m].image].texels == gaussianTable(expected.gaussian, 8).texels);
   }

@@ -11,12 +11,12 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <gaussian/kernels.h>
+#include <gaussian/spot_noise.h>
 #include <materials.h>
 #include <numbers>
 #include <texton/comparison.h>
-#include <texton/comparison_kernels.h>
 #include <texton/model_distance.h>
-#include <texton/spot_noise.h>
 #include <vector>
 
 using namespace lichen;
@@ -25,12 +25,12 @@ using namespace lichen::texton;
 
 namespace {
 
-GaussianModel modelOf(const MapExemplar& map) {
-  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+gaussian::GaussianModel modelOf(const MapExemplar& map) {
+  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
-GaussianModel modelOf(const SrgbImage& image) {
-  return gaussianModel(image.values, image.width, image.height, image.channels);
+gaussian::GaussianModel modelOf(const SrgbImage& image) {
+  return gaussian::gaussianModel(image.values, image.width, image.height, image.channels);
 }
 
 FitOptions spotOptions(int side, std::uint32_t seed = 1) {
@@ -43,7 +43,7 @@ FitOptions spotOptions(int side, std::uint32_t seed = 1) {
 
 /// The covariance matrix of all pixels and channels of a model's texture: kernels correlated,
 /// borders joined, pixel by pixel.
-Eigen::MatrixXd covarianceMatrix(const GaussianModel& model) {
+Eigen::MatrixXd covarianceMatrix(const gaussian::GaussianModel& model) {
   const int width = model.width(), height = model.height(), pixels = width * height;
   const int size = pixels * int(model.channels.size());
   // Column i: the kernel of channel i / pixels moved to pixel i % pixels; the noise is its
@@ -87,7 +87,7 @@ Plane transformed(const Plane& plane, int width, int height, double sign) {
 Plane planeOf(const std::vector<float>& values) { return {values.begin(), values.end()}; }
 
 /// [GLM14] algorithm 2 word for word, in double: the same starting phases as fitCoefficients.
-std::vector<float> algorithmTwo(const GaussianModel& model, const FitOptions& options) {
+std::vector<float> algorithmTwo(const gaussian::GaussianModel& model, const FitOptions& options) {
   const int width = model.width(), height = model.height();
   const std::size_t channels = model.channels.size();
   std::vector<Plane> target, texton;
@@ -158,8 +158,8 @@ TEST_CASE("the transport distance is Gelbrich's formula on the covariance matric
   // tr A + tr B - 2 tr (A^1/2 B A^1/2)^1/2 [PC19], for odd and even sides.
   const MapExemplar map = threeMaterials(32, 32, 5);
   for (const auto& [width, height] : {std::pair{5, 4}, std::pair{6, 3}}) {
-    const GaussianModel a = modelOf(cropped(map, 1, 2, width, height));
-    const GaussianModel b = modelOf(cropped(map, 17, 11, width, height));
+    const gaussian::GaussianModel a = modelOf(cropped(map, 1, 2, width, height));
+    const gaussian::GaussianModel b = modelOf(cropped(map, 17, 11, width, height));
     const Eigen::MatrixXd covarianceA = covarianceMatrix(a);
     const Eigen::MatrixXd covarianceB = covarianceMatrix(b);
     const Eigen::MatrixXd root = squareRoot(covarianceA);
@@ -174,7 +174,7 @@ TEST_CASE("the transport distance is Gelbrich's formula on the covariance matric
 }
 
 TEST_CASE("the alternating projections of order 0 are algorithm 2") {
-  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
+  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
   FitOptions options = spotOptions(5, 3);
   options.height = 4;
   for (const int projections : {1, 2, 50}) {
@@ -194,8 +194,8 @@ TEST_CASE("the alternating projections of order 0 are algorithm 2") {
 }
 
 TEST_CASE("whole, every comparison kernel has the model's texture") {
-  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
-  CHECK(relativeModelError(model, exemplarKernel(model, 21, 18), 0) < kNoError);
+  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
+  CHECK(relativeModelError(model, gaussian::exemplarKernel(model, 21, 18), 0) < kNoError);
   FitOptions whole;
   whole.width = 21;
   whole.height = 18;
@@ -208,11 +208,12 @@ TEST_CASE("whole, every comparison kernel has the model's texture") {
 }
 
 TEST_CASE("parts of random-phase textures have noises as strong as the model's, on average") {
-  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
+  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
   constexpr int kParts = 400;
   double mean = 0.0, squares = 0.0;
   for (std::uint32_t seed = 0; seed < kParts; ++seed) {
-    const double variance = energy(randomPhaseKernel(model, 4, 5, seed)) / modelVariance(model);
+    const double variance =
+        energy(gaussian::randomPhaseKernel(model, 4, 5, seed)) / modelVariance(model);
     mean += variance / kParts;
     squares += variance * variance / kParts;
   }
@@ -226,8 +227,8 @@ TEST_CASE(
   SrgbImage image(15, 12, 3);
   image.values = map.values;
   const std::vector<float> grey = luminancePlane(image);
-  const GaussianModel model = gaussianModel(grey, 15, 12, 1);
-  const TextonCoefficients texton = luminanceTexton(model, 15, 12);
+  const gaussian::GaussianModel model = gaussian::gaussianModel(grey, 15, 12, 1);
+  const TextonCoefficients texton = gaussian::luminanceTexton(model, 15, 12);
   const auto peak = std::max_element(texton.values.begin(), texton.values.end());
   CHECK(peak - texton.values.begin() == 12 / 2 * 15 + 15 / 2);
   const HalfSpectrum spectrum = forwardFft(texton.values, 15, 12);
@@ -241,7 +242,7 @@ TEST_CASE(
     }
   }
   // A smaller support is the middle of a larger one.
-  const TextonCoefficients middle = luminanceTexton(model, 5, 4);
+  const TextonCoefficients middle = gaussian::luminanceTexton(model, 5, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x)
       CHECK(middle.values[std::size_t(y * 5 + x)] ==
@@ -249,8 +250,9 @@ TEST_CASE(
 }
 
 TEST_CASE("colours keep their cross-spectra in the luminance texton, whose luminance is in phase") {
-  const GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 15, 12));
-  const GaussianModel kernel = noiseModel(luminanceTexton(model, 15, 12), 0, 15, 12);
+  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 15, 12));
+  const gaussian::GaussianModel kernel =
+      noiseModel(gaussian::luminanceTexton(model, 15, 12), 0, 15, 12);
   for (std::size_t i = 1; i < model.channels[0].values.size(); ++i) {
     std::complex<double> sum = 0.0, kernelSum = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -282,7 +284,7 @@ TEST_CASE("restarts gain less than 1 % over one run that takes as long", "[large
   // [GLM14] section 3.2. Best of 8 runs of 50 projections, and one of 400, the mean of two: on the
   // six generated materials the gain is -0.7 % to 0.2 %.
   for (const auto& generate : {exemplars::granite, exemplars::rust}) {
-    const GaussianModel model = modelOf(generate(128));
+    const gaussian::GaussianModel model = modelOf(generate(128));
     const auto error = [&](std::uint32_t seed, int projections) {
       FitOptions options = spotOptions(31, seed);
       options.projections = projections;
@@ -297,7 +299,7 @@ TEST_CASE("restarts gain less than 1 % over one run that takes as long", "[large
 }
 
 TEST_CASE("starts scatter by less than 1 % of the error") {
-  const GaussianModel model = modelOf(exemplars::rust(64));
+  const gaussian::GaussianModel model = modelOf(exemplars::rust(64));
   double sum = 0.0, squares = 0.0;
   constexpr int kStarts = 8;
   for (std::uint32_t seed = 1; seed <= kStarts; ++seed) {
@@ -314,7 +316,7 @@ TEST_CASE("of one support the texton is as near to the model as any, and as flat
   // [GLM14] figure 4; their support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
     INFO(material.name);
-    const GaussianModel model = modelOf(material.generate(128));
+    const gaussian::GaussianModel model = modelOf(material.generate(128));
     const KernelComparison comparison =
         compareKernels(model, fitCoefficients(model, spotOptions(31), FitMethod::transportDistance),
                        0, kLuminanceWeights);
@@ -372,7 +374,7 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
     double skewness = 0.0; // of the closed form
   };
   for (const auto& generate : {exemplars::granite, exemplars::rust}) {
-    const GaussianModel model = modelOf(generate(128));
+    const gaussian::GaussianModel model = modelOf(generate(128));
     const auto judged = [&](const TextonCoefficients& spot) {
       const TextonCoefficients luminance = luminanceOf(spot);
       const double variance = energy(luminance);
@@ -380,9 +382,9 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
       std::vector<double> sample;
       for (int i = 0; i < kSamples; ++i) {
         // Pixels a support apart are independent.
-        const PixelDomain pixel{i * kSupport, 0, 1, 1, false};
-        const NoisePlanes noise =
-            discreteSpotNoise(luminance, kIntensity, pixel, 1, Summation::direct);
+        const gaussian::PixelDomain pixel{i * kSupport, 0, 1, 1, false};
+        const gaussian::NoisePlanes noise = gaussian::discreteSpotNoise(
+            luminance, kIntensity, pixel, 1, gaussian::Summation::direct);
         sample.push_back(double(noise.values[0]));
         judgement.excess += std::pow(sample.back(), 4) / (variance * variance * kSamples);
       }
@@ -398,7 +400,7 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
     };
     const Judgement texton =
         judged(fitCoefficients(model, spotOptions(kSupport), FitMethod::transportDistance));
-    const Judgement luminance = judged(luminanceTexton(model, kSupport, kSupport));
+    const Judgement luminance = judged(gaussian::luminanceTexton(model, kSupport, kSupport));
     CHECK(texton.excess < 4.0 / kImpacts + 5.0 * texton.error);
     CHECK(luminance.excess > texton.excess + 5.0 * std::hypot(texton.error, luminance.error));
     // A law that is nearly normal is off by its skewness / 6 times |1 - x^2| phi(x), at most 0.4.

@@ -9,13 +9,13 @@
 
 #include <cmath>
 #include <complex>
+#include <gaussian/model_covariance.h>
 #include <numbers>
 #include <texton/border_penalty.h>
 #include <texton/color_correction.h>
 #include <texton/comparison.h>
 #include <texton/fit.h>
 #include <texton/interpolation.h>
-#include <texton/model_covariance.h>
 #include <vector>
 
 using namespace lichen;
@@ -24,8 +24,8 @@ using namespace lichen::texton;
 
 namespace {
 
-GaussianModel modelOf(const MapExemplar& map) {
-  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+gaussian::GaussianModel modelOf(const MapExemplar& map) {
+  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
 FitOptions support(int side, int order = 1) {
@@ -37,7 +37,8 @@ FitOptions support(int side, int order = 1) {
 }
 
 /// ALGORITHMS section 2, term by term over the full plane, in double.
-double errorByDefinition(const GaussianModel& model, const TextonCoefficients& texton, int order) {
+double errorByDefinition(const gaussian::GaussianModel& model, const TextonCoefficients& texton,
+                         int order) {
   double distance = 0.0;
   double total = 0.0;
   const int width = model.width();
@@ -105,7 +106,7 @@ TEST_CASE("the kernel's autocorrelation is the sampled B-spline of twice the deg
 
 TEST_CASE("the relative model error is its definition, for every order and odd sizes") {
   const MapExemplar map = cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18);
-  const GaussianModel model = modelOf(map);
+  const gaussian::GaussianModel model = modelOf(map);
   for (const int order : {0, 1, 3}) {
     FitOptions options = support(7, order);
     options.height = 5;
@@ -122,10 +123,10 @@ TEST_CASE("the relative model error is its definition, for every order and odd s
 namespace {
 
 /// With the model's covariance, as the papers' textons have it.
-TextonCoefficients corrected(const GaussianModel& model, const FitOptions& options,
+TextonCoefficients corrected(const gaussian::GaussianModel& model, const FitOptions& options,
                              FitMethod method) {
   TextonCoefficients texton = fitCoefficients(model, options, method);
-  REQUIRE(correctCovariance(texton, options.order, modelCovariance(model)));
+  REQUIRE(correctCovariance(texton, options.order, gaussian::modelCovariance(model)));
   return texton;
 }
 
@@ -135,7 +136,7 @@ TEST_CASE(
     "a texton of 32 or 64 texels is nearer to the model than the papers' algorithm finds, one "
     "of 16 as near, and neither has a border") {
   // Three materials in patches of some 20 texels: slow waves that reach beyond the supports.
-  const GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
+  const gaussian::GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
   struct Bound {
     int side;
     double papers;     // error over that of the papers' algorithm
@@ -168,7 +169,7 @@ TEST_CASE(
 TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemplar") {
   // As of scanned letters: what is not grey has 1e-7 of the one's variance and 2e-6 of the other's,
   // and their product is below what counts as no variance.
-  const GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
+  const gaussian::GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
   TextonCoefficients texton = fitCoefficients(model, support(23), FitMethod::transportDistance);
   const std::size_t texels = texton.values.size() / 3;
   for (std::size_t i = 0; i < texels; ++i)
@@ -183,7 +184,7 @@ TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemp
 
 TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the papers' algorithm "
           "finds, whatever its support") {
-  const GaussianModel model = modelOf(threeMaterials(256, 256, 7, 6));
+  const gaussian::GaussianModel model = modelOf(threeMaterials(256, 256, 7, 6));
   for (const int side : {16, 32, 64}) {
     INFO("support " << side);
     const auto error = [&](FitMethod method) {
@@ -197,7 +198,7 @@ TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the 
 TEST_CASE("a texton of what is nearly all slower than itself has no border that is seen as cloth") {
   // Power as the frequency to the -4: 97 % of it is slower than the support.
   constexpr int kSide = 256;
-  GaussianModel model;
+  gaussian::GaussianModel model;
   model.channels.push_back({kSide, kSide, {}});
   HalfSpectrum& spectrum = model.channels[0];
   for (int v = 0; v < kSide; ++v)
@@ -252,7 +253,7 @@ TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
 
 TEST_CASE("a support as large as the exemplar holds the model whole by the papers' algorithm, and "
           "all but what an even texton costs by ours") {
-  const GaussianModel model = modelOf(threeMaterials(24, 20, 9));
+  const gaussian::GaussianModel model = modelOf(threeMaterials(24, 20, 9));
   struct Cost {
     int order;
     double error;
@@ -273,7 +274,7 @@ TEST_CASE("a support as large as the exemplar holds the model whole by the paper
 TEST_CASE("an exemplar of one colour has a texton of zeros, without an error") {
   MapExemplar map = threeMaterials(16, 16, 3);
   std::fill(map.values.begin(), map.values.end(), 0.25f);
-  const GaussianModel model = modelOf(map);
+  const gaussian::GaussianModel model = modelOf(map);
   const TextonCoefficients texton =
       fitCoefficients(model, support(8), FitMethod::transportDistance);
   for (const float value : texton.values)
@@ -282,7 +283,7 @@ TEST_CASE("an exemplar of one colour has a texton of zeros, without an error") {
 }
 
 TEST_CASE("texton coefficients are the same bytes on one thread and on many") {
-  const GaussianModel model = modelOf(threeMaterials(48, 40, 11));
+  const gaussian::GaussianModel model = modelOf(threeMaterials(48, 40, 11));
   const auto fit = [&] {
     return fitCoefficients(model, support(16), FitMethod::transportDistance).values;
   };

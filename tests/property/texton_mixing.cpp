@@ -26,7 +26,8 @@ MixExemplar exemplarOf(const MapExemplar& map, std::string name = "exemplar") {
                                                  Eigen::Index(map.values.size()) / channels);
   const Eigen::VectorXd mean = values.cast<double>().rowwise().mean();
   const MatrixXd centred = values.cast<double>().colwise() - mean;
-  return {std::move(name), gaussianModel(map.values, map.width, map.height, int(channels)),
+  return {std::move(name),
+          gaussian::gaussianModel(map.values, map.width, map.height, int(channels)),
           centred * centred.transpose() / double(values.cols())};
 }
 

@@ -178,10 +178,10 @@ double kolmogorovSmirnov(std::vector<double> a, std::vector<double> b) {
   return largest;
 }
 
-struct Moments {
+struct exemplar::Moments {
   double mean, variance;
 };
-Moments momentsOf(const std::vector<double>& values) {
+exemplar::Moments exemplar::momentsOf(const std::vector<double>& values) {
   double sum = 0.0, squares = 0.0;
   for (const double value : values)
     sum += value, squares += value * value;
@@ -302,11 +302,11 @@ TEST_CASE("turned colours keep mean, variance and histogram wherever in a triang
     return values;
   };
   const std::vector<double> vertex = samples(0, 0.001, 0.001);
-  const Moments wanted = momentsOf(vertex);
+  const exemplar::Moments wanted = exemplar::momentsOf(vertex);
   for (const std::uint32_t steps : kSteps)
     for (const auto& [f, g] : {std::pair{0.001, 0.001}, {1.0 / 3.0, 1.0 / 3.0}, {0.7, 0.5}}) {
       const std::vector<double> found = samples(steps, f, g);
-      const Moments moments = momentsOf(found);
+      const exemplar::Moments moments = exemplar::momentsOf(found);
       INFO("steps " << steps << " at " << f << ", " << g << ": variance " << moments.variance
                     << " of " << wanted.variance);
       // 8100 cells: as in fewer_taps.cpp, alpha 1e-4 in all.

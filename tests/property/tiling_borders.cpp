@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <tiling/borders.h>
+#include <exemplar/borders.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -14,9 +14,9 @@ using namespace lichen::tiling;
 TEST_CASE("an exemplar that tiles is told from a crop that does not") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const MapExemplar whole = threeMaterials(128, 128, seed);
-    CHECK(isPeriodic(whole));
-    CHECK_FALSE(isPeriodic(cropped(whole, 10, 0, 90, 128)));
-    CHECK_FALSE(isPeriodic(cropped(whole, 0, 20, 128, 77)));
+    CHECK(exemplar::isPeriodic(whole));
+    CHECK_FALSE(exemplar::isPeriodic(cropped(whole, 10, 0, 90, 128)));
+    CHECK_FALSE(exemplar::isPeriodic(cropped(whole, 0, 20, 128, 77)));
   }
 }
 
@@ -24,13 +24,13 @@ TEST_CASE("a strip too short to judge across is judged along") {
   MapExemplar ramp = threeMaterials(256, 6, 1, 1);
   for (std::size_t i = 0; i < ramp.values.size(); ++i)
     ramp.values[i] = float(i / 3 % 256) / 255.0f;
-  CHECK_FALSE(isPeriodic(ramp));
+  CHECK_FALSE(exemplar::isPeriodic(ramp));
 }
 
 TEST_CASE("the seam itself shows the displaced image alone, at every size") {
   for (const int side : {8, 16, 64}) {
     const Baked b = baked(threeMaterials(side, side, 2, 1));
-    const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, side, side);
+    const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, side, side);
     // In the corners both cross-fades have weight 1: half a side away on both axes.
     for (const int y : {0, side - 1})
       for (const int x : {0, side - 1}) {
@@ -44,7 +44,7 @@ TEST_CASE("the seam itself shows the displaced image alone, at every size") {
 
 TEST_CASE("blended borders continue each other as neighbours inside do") {
   const Baked b = baked(cropped(threeMaterials(128, 128, 6, 5), 5, 5, 96, 80));
-  const std::vector<Point> faded = crossFadeBorders(b.gaussian.matched, 96, 80);
+  const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, 96, 80);
   const auto meanStep = [&](const std::vector<Point>& image, int from, int to) {
     double sum = 0.0;
     for (int y = 0; y < 80; ++y) {

@@ -12,8 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tiling/color_space.h>
-#include <tiling/gaussian_distribution.h>
+#include <exemplar/color_space.h>
+#include <gaussian/gaussian_distribution.h>
 #include <tiling/simplex_lattice.h>
 #include <transport/random.h>
 
@@ -134,10 +134,10 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]
   // for a variance, 0.1 % of it for the offsets' (2/3) sqrt(3 x 22 / 128^2) a triangle. Tolerances
   // of 4.3 of them and more: alpha 5e-5 for the three means, and likewise for the covariance.
   const LinearImage image = synthesized(sized(1536, 1536));
-  const Moments found = momentsOf(image.values, 3);
+  const exemplar::Moments found = exemplar::momentsOf(image.values, 3);
   std::vector<float> light = test::threeMaterials(128, 128, 11).values;
   std::transform(light.begin(), light.end(), light.begin(), srgbToLinear);
-  const Moments wanted = momentsOf(light, 3);
+  const exemplar::Moments wanted = exemplar::momentsOf(light, 3);
   const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
   CHECK((found.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.02 * deviation);
   CHECK((found.covariance - wanted.covariance).norm() < 0.02 * wanted.covariance.norm());
@@ -182,13 +182,13 @@ TEST_CASE("minified views keep the mean colour of a supersampled reference", "[l
   // of it: there the reference's standard error counts, 0.2 sqrt(49) / 1024 = 0.0014, and the
   // tolerance is 2.9 of it, alpha 4e-3 a channel.
   SynthesisOptions fine = sized(1024, 1024);
-  const Moments reference = momentsOf(synthesized(fine).values, 3);
+  const exemplar::Moments reference = exemplar::momentsOf(synthesized(fine).values, 3);
   for (const double texelsPerTile : {64.0, 16.0, 4.0, 1.0, 0.01}) {
     SynthesisOptions coarse = sized(64, 64);
     coarse.texelsPerTile = texelsPerTile;
     if (texelsPerTile >= 16.0)
       coarse.width = coarse.height = int(8 * texelsPerTile);
-    const Moments found = momentsOf(synthesized(coarse).values, 3);
+    const exemplar::Moments found = exemplar::momentsOf(synthesized(coarse).values, 3);
     // TARGETS.md: 0.004 a channel.
     CHECK((found.mean - reference.mean).cwiseAbs().maxCoeff() < 0.004);
   }
@@ -313,8 +313,8 @@ TEST_CASE("seeds give different patterns of one material, and no pattern repeats
   SynthesisOptions options = sized(256, 256);
   options.material.seed = 2;
   const LinearImage two = synthesized(options);
-  const Moments a = momentsOf(one.values, 3);
-  const Moments b = momentsOf(two.values, 3);
+  const exemplar::Moments a = exemplar::momentsOf(one.values, 3);
+  const exemplar::Moments b = exemplar::momentsOf(two.values, 3);
   double product = 0.0;
   double shifted = 0.0;
   for (int y = 0; y < 128; ++y)

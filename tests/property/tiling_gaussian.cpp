@@ -25,19 +25,21 @@ std::vector<std::array<float, 3>> sorted(const std::vector<Point>& points) {
 
 TEST_CASE("the quantile inverts the distribution function") {
   for (const double u : {1e-9, 1e-4, 0.01, 0.2, 0.5, 0.77, 0.999, 1.0 - 1e-7})
-    CHECK(gaussianCdf(gaussianQuantile(u)) == Approx(u).epsilon(1e-5));
+    CHECK(gaussian::gaussianCdf(gaussian::gaussianQuantile(u)) == Approx(u).epsilon(1e-5));
 }
 
 TEST_CASE("stratified Gaussian sets have mean 1/2 and covariance I / 36 exactly") {
   for (const int dimensions : {1, 2, 3})
     for (const std::size_t count : {std::size_t(64), std::size_t(1000), std::size_t(4096)}) {
       std::vector<float> values;
-      for (const Point& p : stratifiedGaussian(count, dimensions, Precision::bits16))
+      for (const Point& p :
+           gaussian::stratifiedGaussian(count, dimensions, gaussian::Precision::bits16))
         values.insert(values.end(), &p.x, &p.x + dimensions);
-      const Moments moments = momentsOf(values, dimensions);
+      const exemplar::Moments moments = exemplar::momentsOf(values, dimensions);
       // Float rounding of the stored coordinates.
       CHECK((moments.mean.array() - 0.5).abs().maxCoeff() < 1e-7);
-      const ChannelMatrix unit = ChannelMatrix::Identity(dimensions, dimensions) / 36.0;
+      const exemplar::ChannelMatrix unit =
+          exemplar::ChannelMatrix::Identity(dimensions, dimensions) / 36.0;
       CHECK((moments.covariance - unit).cwiseAbs().maxCoeff() < 1e-8);
     }
 }
@@ -47,35 +49,36 @@ TEST_CASE("each coordinate of a stratified set has one value in the middle of ea
   // strata's middles: a correlation of about 0.01 times a value of at most 4 deviations, 0.007.
   for (const auto& [count, axis] : {std::pair{std::size_t(4096), 0}, {4096, 1}, {6561, 2}}) {
     std::vector<float> values;
-    for (const Point& p : stratifiedGaussian(count, 3, Precision::bits16))
+    for (const Point& p : gaussian::stratifiedGaussian(count, 3, gaussian::Precision::bits16))
       values.push_back(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
     std::sort(values.begin(), values.end());
     for (std::size_t k = 0; k < count; ++k)
       REQUIRE(double(values[k]) ==
-              Approx(gaussianQuantile((double(k) + 0.5) / double(count))).margin(0.007));
+              Approx(gaussian::gaussianQuantile((double(k) + 0.5) / double(count))).margin(0.007));
   }
 }
 
 TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at three deviations",
           "[large]") {
   std::vector<float> values;
-  for (const Point& p : stratifiedGaussian(65536, 3, Precision::bits8)) {
+  for (const Point& p : gaussian::stratifiedGaussian(65536, 3, gaussian::Precision::bits8)) {
     values.insert(values.end(), {p.x, p.y, p.z});
     REQUIRE(std::min({p.x, p.y, p.z}) >= 0.0f);
     REQUIRE(std::max({p.x, p.y, p.z}) <= 1.0f);
   }
-  const Moments moments = momentsOf(values, 3);
+  const exemplar::Moments moments = exemplar::momentsOf(values, 3);
   // Rounding to 1/255 adds (1/255)^2 / 12 to the variance, 4.6e-5 of it; clamping would
   // lose 5.6e-3.
-  const ChannelMatrix unit = ChannelMatrix::Identity(3, 3) / 36.0;
+  const exemplar::ChannelMatrix unit = exemplar::ChannelMatrix::Identity(3, 3) / 36.0;
   CHECK((moments.covariance - unit).cwiseAbs().maxCoeff() * 36.0 < 3e-4);
 }
 
 TEST_CASE("the Gaussianized image is a permutation of the stratified set") {
-  for (const Precision precision : {Precision::bits8, Precision::bits16})
+  for (const gaussian::Precision precision :
+       {gaussian::Precision::bits8, gaussian::Precision::bits16})
     for (const bool periodic : {true, false}) {
       const Baked b = baked(threeMaterials(48, 40, 7), periodic, precision);
-      const auto stratified = sorted(stratifiedGaussian(48 * 40, 3, precision));
+      const auto stratified = sorted(gaussian::stratifiedGaussian(48 * 40, 3, precision));
       CHECK(sorted(b.gaussian.image) == stratified);
       CHECK(sorted(b.gaussian.matched) == stratified);
     }
@@ -106,7 +109,7 @@ TEST_CASE("flat regions stay smooth once Gaussianized") {
   }
   // In an arbitrary order neighbours would be independent draws of the colour's points, and their
   // mean square difference twice the variance of those. Measured: 0.17 of that.
-  const double arbitrary = 2.0 * momentsOf(flat, 3).covariance.trace();
+  const double arbitrary = 2.0 * exemplar::momentsOf(flat, 3).covariance.trace();
   INFO("steps of " << steps / double(count) / arbitrary << " of an arbitrary order's");
   CHECK(steps / double(count) < 0.5 * arbitrary);
 }
@@ -118,8 +121,8 @@ TEST_CASE("equal values are ordered as their surroundings are, within half a ste
   map.height = 1;
   for (int x = 0; x < map.width; ++x) // dark, flat, bright
     map.values.push_back(x < 16 ? 0.2f : x < 48 ? 0.5f : 0.8f);
-  const ColorSpace space = colorSpaceOf(map);
-  const std::vector<Point> points = transportPoints(map, space);
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
+  const std::vector<Point> points = exemplar::transportPoints(map, space);
   CHECK(points[46].x > points[40].x);
   CHECK(points[40].x > points[24].x);
   CHECK(points[24].x > points[17].x);

@@ -32,10 +32,11 @@ double deviate(std::uint64_t seed, std::uint64_t counter) {
 
 TEST_CASE("the mips of white noise lose what averaging of white noise must lose", "[large]") {
   // Each mip averages four independent texels: it keeps a quarter of the variance before.
-  Gaussianized white{256, 256, 3, stratifiedGaussian(256 * 256, 3, Precision::bits16), {}};
+  Gaussianized white{
+      256, 256, 3, gaussian::stratifiedGaussian(256 * 256, 3, gaussian::Precision::bits16), {}};
   for (std::size_t i = white.image.size(); i-- > 1;)
     std::swap(white.image[i], white.image[transport::randomBits(5, i) % (i + 1)]);
-  const std::vector<ChannelMatrix> lost = lostVariance(gaussianTable(white, 16));
+  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(gaussianTable(white, 16));
   REQUIRE(lost.size() == 9);
   CHECK(scalarLoss(lost[0]) == 0.0);
   for (std::size_t mip = 1; mip < 5; ++mip) {
@@ -55,7 +56,11 @@ TEST_CASE("each mip texel is the average of the area it covers, for any size") {
        {std::array{45, 23, 3}, std::array{7, 61, 2}, std::array{64, 3, 1}, std::array{32, 32, 3}}) {
     const auto count = std::size_t(width) * std::size_t(height);
     const Gaussianized noise{
-        width, height, dimensions, stratifiedGaussian(count, dimensions, Precision::bits16), {}};
+        width,
+        height,
+        dimensions,
+        gaussian::stratifiedGaussian(count, dimensions, gaussian::Precision::bits16),
+        {}};
     const Table table = gaussianTable(noise, 16);
     const int channels = channelCount(table.format);
     REQUIRE(int(table.mipLevels) == int(std::bit_width(unsigned(std::max(width, height)))));
@@ -88,7 +93,7 @@ TEST_CASE("blended mips decode to the mean colour, Gaussian or not", "[large]") 
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
   const Table image = gaussianTable(b.gaussian, 16);
-  const std::vector<ChannelMatrix> lost = lostVariance(image);
+  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(image);
   std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
   restoreSlabMeans(slabs, image, lost);
   // Between the slabs of a mip the mean is interpolated like the values.
@@ -147,19 +152,21 @@ TEST_CASE("slabs blur a step along any axis as the Gaussian does", "[large]") {
       const auto cells = std::size_t(std::lround(std::pow(double(side), dimensions)));
       for (std::size_t cell = 0; cell < cells; ++cell)
         table.values.push_back(cell / stride % side < side / 2 ? 0.0f : 1.0f);
-      const std::vector<ChannelMatrix> lost{ChannelMatrix::Zero(dimensions, dimensions),
-                                            ChannelMatrix::Identity(dimensions, dimensions)};
+      const std::vector<exemplar::ChannelMatrix> lost{
+          exemplar::ChannelMatrix::Zero(dimensions, dimensions),
+          exemplar::ChannelMatrix::Identity(dimensions, dimensions)};
       const std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
       double worst = 0.0;
       for (std::size_t k = 1; k + 1 < levels.size(); ++k)
         for (std::size_t place = 0; place < side; ++place) {
-          const double middle = gaussianQuantile((double(place) + 0.5) / double(side));
+          const double middle = gaussian::gaussianQuantile((double(place) + 0.5) / double(side));
           double mean = 0.0;
           for (int n = 0; n < kPlaces; ++n) {
             const double displaced =
-                middle + std::sqrt(levels[k]) * (gaussianQuantile((n + 0.5) / kPlaces) - 0.5);
+                middle +
+                std::sqrt(levels[k]) * (gaussian::gaussianQuantile((n + 0.5) / kPlaces) - 0.5);
             // The step, interpolated between the two cells that it separates.
-            const double coordinate = double(side) * gaussianCdf(displaced) - 0.5;
+            const double coordinate = double(side) * gaussian::gaussianCdf(displaced) - 0.5;
             mean += std::clamp(coordinate - double(side / 2 - 1), 0.0, 1.0) / kPlaces;
           }
           worst = std::max(worst, std::abs(double(slabs[k].values[place * stride]) - mean));
@@ -174,7 +181,8 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
   const Baked b = baked(threeMaterials(96, 96, 4));
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
-  ChannelMatrix half(3, 3); // of everything, with channels that lose differently and together
+  exemplar::ChannelMatrix half(
+      3, 3); // of everything, with channels that lose differently and together
   half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
   const std::vector<double> levels = tableLevels();
   const std::vector<InverseTable> slabs = prefilteredSlabs(table, {half});
@@ -182,24 +190,24 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
   CHECK(slabs.front().values == table.values);
 
   constexpr std::size_t kSlab = 2;
-  const ChannelMatrix loss = half * (levels[kSlab] / scalarLoss(half));
-  const Eigen::LLT<ChannelMatrix> factor(loss);
-  const ChannelMatrix lower = factor.matrixL();
+  const exemplar::ChannelMatrix loss = half * (levels[kSlab] / scalarLoss(half));
+  const Eigen::LLT<exemplar::ChannelMatrix> factor(loss);
+  const exemplar::ChannelMatrix lower = factor.matrixL();
   constexpr int kSamples = 1500;
   for (const std::size_t cell : {std::size_t(16912), std::size_t(9000), std::size_t(23456)}) {
     std::array<double, 3> middle{};
     std::size_t rest = cell;
     for (double& coordinate : middle) {
-      coordinate = gaussianQuantile((double(rest % 32) + 0.5) / 32.0);
+      coordinate = gaussian::gaussianQuantile((double(rest % 32) + 0.5) / 32.0);
       rest /= 32;
     }
     double sum = 0.0;
     double squares = 0.0;
     for (int s = 0; s < kSamples; ++s) {
-      ChannelVector z(3);
+      exemplar::ChannelVector z(3);
       for (int c = 0; c < 3; ++c)
         z[c] = deviate(17, std::uint64_t(3 * s + c)) / 6.0;
-      const ChannelVector e = lower * z;
+      const exemplar::ChannelVector e = lower * z;
       const double value =
           slowLookup(table, {middle[0] + e[0], middle[1] + e[1], middle[2] + e[2]}, 0);
       sum += value;
@@ -214,7 +222,7 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
         5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 0.2 / std::sqrt(32.0));
     CHECK(double(slabs[kSlab].values[3 * cell]) == Approx(mean).margin(tolerance));
   }
-  const Moments moments = interpolatedMoments(table);
+  const exemplar::Moments moments = interpolatedMoments(table);
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(double(slabs.back().values[c]) == Approx(moments.mean[Eigen::Index(c)]).epsilon(1e-5));
 }

@@ -38,7 +38,7 @@ MapExemplar slopes(bool flatAcross = false) {
 
 struct SlopeTable {
   InverseTable table;
-  std::vector<ChannelMatrix> lost;
+  std::vector<exemplar::ChannelMatrix> lost;
   std::vector<InverseTable> slabs;
   Table gaussian;
 };
@@ -74,8 +74,9 @@ TEST_CASE("the third channel of a slope table is the variance of what a fetch ha
       for (int s = 0; s < kSamples; ++s) {
         std::array<double, 3> g{};
         for (std::size_t axis = 0; axis < 2; ++axis)
-          g[axis] = gaussianQuantile((double(axis == 0 ? cell % 64 : cell / 64) + 0.5) / 64.0) +
-                    std::sqrt(level) * deviate(random) / 6.0;
+          g[axis] =
+              gaussian::gaussianQuantile((double(axis == 0 ? cell % 64 : cell / 64) + 0.5) / 64.0) +
+              std::sqrt(level) * deviate(random) / 6.0;
         for (int c = 0; c < 2; ++c) {
           const double value = slowLookup(t.table, g, c);
           sum[c] += value / kSamples;
@@ -95,7 +96,7 @@ TEST_CASE("on every slab shown and hidden variance of the slopes add up to the e
   for (const bool flatAcross : {false, true}) {
     const MapExemplar map = slopes(flatAcross);
     const SlopeTable t = slopeTable(map, true);
-    const double whole = momentsOf(map.values, 2).covariance.trace() / 2.0;
+    const double whole = exemplar::momentsOf(map.values, 2).covariance.trace() / 2.0;
     std::mt19937 random(9);
     std::normal_distribution<double> deviate;
     constexpr int kSamples = 20000;
@@ -150,7 +151,7 @@ TEST_CASE("magnified slopes hide nothing, and far away they hide everything") {
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, 0);
   REQUIRE(evaluator);
   const shader::LichenNoise noise = shaderNoise(bundle, MaterialNoise{}, Placement{});
-  const double whole = momentsOf(map.values, 2).covariance.trace() / 2.0;
+  const double whole = exemplar::momentsOf(map.values, 2).covariance.trace() / 2.0;
   double half = 0.0;
   constexpr int kPlaces = 500;
   for (int k = 0; k < kPlaces; ++k) {

@@ -18,18 +18,18 @@ TEST_CASE("lookups in the table have the exemplar's mean and covariance", "[larg
   const std::vector<float> values = light(b.map);
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
-  const Moments found = interpolatedMoments(table);
-  const Moments wanted = momentsOf(values, 3);
+  const exemplar::Moments found = interpolatedMoments(table);
+  const exemplar::Moments wanted = exemplar::momentsOf(values, 3);
   // Clamping to the exemplar's range leaves at most a thousandth.
   CHECK((found.mean - wanted.mean).cwiseAbs().maxCoeff() < 1e-4);
   CHECK((found.covariance - wanted.covariance).norm() < 1e-3 * wanted.covariance.norm());
 
   // The closed form of the moments, against lookups at stratified points.
   std::vector<float> looked;
-  for (const Point& p : stratifiedGaussian(2000, 3, Precision::bits16))
+  for (const Point& p : gaussian::stratifiedGaussian(2000, 3, gaussian::Precision::bits16))
     for (int c = 0; c < 3; ++c)
       looked.push_back(float(slowLookup(table, {p.x, p.y, p.z}, c)));
-  const Moments sampled = momentsOf(looked, 3);
+  const exemplar::Moments sampled = exemplar::momentsOf(looked, 3);
   // Standard error of a mean of 2000 is 2.2 % of a deviation; stratification makes it smaller.
   const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
   CHECK((sampled.mean - found.mean).cwiseAbs().maxCoeff() < 0.02 * deviation);
@@ -111,9 +111,9 @@ TEST_CASE("cells beside each other in the tails of slopes differ by no more than
     std::vector<float> column;
     for (std::size_t y = 4; y < 60; ++y)
       column.push_back(table.values[2 * (64 * y + 63)]);
-    return momentsOf(column, 1);
+    return exemplar::momentsOf(column, 1);
   };
-  const Moments means = edge(CellValue::mean);
+  const exemplar::Moments means = edge(CellValue::mean);
   // The means of 16 pixels have a quarter of the deviation: 0.18, over 56 cells 10 % off.
   CHECK(std::sqrt(means.covariance(0, 0)) < 1.5 * 0.25 * scale);
   // Quantile and mean excess. Restoring the variance stretches by the 3 % that cells hide.
@@ -137,7 +137,7 @@ TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
       squares += error * error;
     }
   }
-  const double variance = momentsOf(values, 3).covariance.trace();
+  const double variance = exemplar::momentsOf(values, 3).covariance.trace();
   INFO("off by " << squares / double(count) / variance << " of the variance");
   // The table has one cell for half a pixel here. Measured: 0.019; a wrong inverse would leave
   // twice the variance.

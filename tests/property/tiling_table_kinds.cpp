@@ -10,13 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tiling/color_space.h>
+#include <exemplar/color_space.h>
+#include <exemplar/value_encoding.h>
+#include <gaussian/normality.h>
 #include <tiling/gaussian_image.h>
 #include <tiling/mip_chain.h>
-#include <tiling/normality.h>
 #include <tiling/prefilter.h>
 #include <tiling/separable.h>
-#include <tiling/value_encoding.h>
 #include <transport/random.h>
 
 using namespace lichen;
@@ -64,20 +64,20 @@ Bundle bakedWith(const MapExemplar& map, const TilingOptions& options) {
   return bundle;
 }
 
-Moments synthesizedMoments(const Bundle& bundle, int side, double texelsPerTile = 0.0) {
+exemplar::Moments synthesizedMoments(const Bundle& bundle, int side, double texelsPerTile = 0.0) {
   SynthesisOptions options;
   options.width = options.height = side;
   options.texelsPerTile = texelsPerTile;
   const Result<LinearImage> image = synthesize(bundle, options);
   REQUIRE(image);
-  return momentsOf(image.value().values, image.value().channels);
+  return exemplar::momentsOf(image.value().values, image.value().channels);
 }
 
-Moments lightMoments(const MapExemplar& map) {
+exemplar::Moments lightMoments(const MapExemplar& map) {
   std::vector<float> values = map.values;
   for (float& value : values)
     value = decoded(value, map.encoding);
-  return momentsOf(values, int(map.channels.size()));
+  return exemplar::momentsOf(values, int(map.channels.size()));
 }
 
 } // namespace
@@ -86,16 +86,16 @@ TEST_CASE("exemplars that are Gaussian are told from those that are not", "[larg
   for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const int radius : {0, 1, 2}) {
       INFO("radius " << radius << ", distance "
-                     << distanceToGaussian(gaussianExemplar(128, radius, 0.05, seed)));
-      CHECK(isGaussian(gaussianExemplar(128, radius, 0.05, seed)));
+                     << gaussian::distanceToGaussian(gaussianExemplar(128, radius, 0.05, seed)));
+      CHECK(gaussian::isGaussian(gaussianExemplar(128, radius, 0.05, seed)));
     }
   // Skewed by 0.6, uniform grain, and three materials.
-  CHECK_FALSE(isGaussian(gaussianExemplar(128, 1, 0.1, 1, 1.0)));
+  CHECK_FALSE(gaussian::isGaussian(gaussianExemplar(128, 1, 0.1, 1, 1.0)));
   MapExemplar uniform = gaussianExemplar(128, 0, 0.1, 1);
   for (std::size_t i = 0; i < uniform.values.size(); ++i)
     uniform.values[i] = float(transport::randomUniform(9, i));
-  CHECK_FALSE(isGaussian(uniform));
-  CHECK_FALSE(isGaussian(test::threeMaterials(128, 128, 4)));
+  CHECK_FALSE(gaussian::isGaussian(uniform));
+  CHECK_FALSE(gaussian::isGaussian(test::threeMaterials(128, 128, 4)));
 }
 
 TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance took there passes") {
@@ -104,11 +104,11 @@ TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance too
   const MapExemplar skewed = gaussianExemplar(128, 0, 0.08, 4, 0.45);
   const MapExemplar smooth = gaussianExemplar(128, 7, 0.07, 4);
   for (const MapExemplar& map : {skewed, smooth}) {
-    CHECK(distanceToGaussian(map) > 0.5 / 255.0);
-    CHECK(distanceToGaussian(map) < 1.0 / 255.0);
+    CHECK(gaussian::distanceToGaussian(map) > 0.5 / 255.0);
+    CHECK(gaussian::distanceToGaussian(map) < 1.0 / 255.0);
   }
-  CHECK_FALSE(isGaussian(skewed));
-  CHECK(isGaussian(smooth));
+  CHECK_FALSE(gaussian::isGaussian(skewed));
+  CHECK(gaussian::isGaussian(smooth));
 }
 
 TEST_CASE("the distance to a Gaussian is that of the quantiles") {
@@ -123,24 +123,26 @@ TEST_CASE("the distance to a Gaussian is that of the quantiles") {
   for (int i = 0; i < 10000; ++i)
     map.values.push_back((float(i) + 0.5f) / 10000.0f);
   const double expected = std::sqrt(2.0 / 12.0 * (1.0 - std::sqrt(3.0 / 3.14159265358979)));
-  CHECK(distanceToGaussian(map) == Approx(expected).epsilon(1e-3));
+  CHECK(gaussian::distanceToGaussian(map) == Approx(expected).epsilon(1e-3));
 }
 
 TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
   const MapExemplar map = gaussianExemplar(64, 1, 0.05, 5);
-  for (const Precision precision : {Precision::bits8, Precision::bits16})
+  for (const gaussian::Precision precision :
+       {gaussian::Precision::bits8, gaussian::Precision::bits16})
     for (const bool periodic : {true, false}) {
-      const Gaussianized image = gaussianImage(map, colorSpaceOf(map).moments, periodic, precision);
+      const Gaussianized image =
+          gaussianImage(map, exemplar::colorSpaceOf(map).moments, periodic, precision);
       std::vector<float> values;
       for (const Point& p : image.image)
         values.insert(values.end(), {p.x, p.y, p.z});
-      const Moments found = momentsOf(values, 3);
+      const exemplar::Moments found = exemplar::momentsOf(values, 3);
       // Rounding to 8 bits: 1e-4 of the variance measured, and 1/255 / sqrt(12 x 4096) of a mean.
-      const double tolerance = precision == Precision::bits8 ? 2e-4 : 1e-6;
+      const double tolerance = precision == gaussian::Precision::bits8 ? 2e-4 : 1e-6;
       CHECK((found.mean.array() - 0.5).abs().maxCoeff() < tolerance);
       CHECK((36.0 * found.covariance - Eigen::Matrix3d::Identity()).norm() < 36.0 * tolerance);
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
-      if (precision == Precision::bits8)
+      if (precision == gaussian::Precision::bits8)
         CHECK((*low >= 0.0f && *high <= 1.0f));
     }
 }
@@ -152,15 +154,15 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
   const Bundle bundle = bakedWith(map, options);
   REQUIRE(bundle.tables.size() == 1);
   CHECK_FALSE(bundle.noises[0].maps[0].inverseTable.has_value());
-  const Moments wanted = lightMoments(map);
-  const Moments near = synthesizedMoments(bundle, 1024);
+  const exemplar::Moments wanted = lightMoments(map);
+  const exemplar::Moments near = synthesizedMoments(bundle, 1024);
   // 1024^2 pixels correlated over 9: standard errors of 0.3 % of a deviation and 0.4 % of a
   // variance. Four of them.
   const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
   CHECK((near.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.012 * deviation);
   CHECK((near.covariance - wanted.covariance).norm() < 0.02 * wanted.covariance.norm());
   for (const double texelsPerTile : {32.0, 4.0, 0.1}) {
-    const Moments far = synthesizedMoments(bundle, 128, texelsPerTile);
+    const exemplar::Moments far = synthesizedMoments(bundle, 128, texelsPerTile);
     // TARGETS: 0.004 a channel; the quadrature alone is within 0.005 at its worst.
     CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
   }
@@ -189,7 +191,7 @@ TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table
     for (std::size_t c = 1; c < 3; ++c)
       dithered.values[i + c] =
           dithered.values[i] + float((int((i / 3) >> c & 1u) * 2 - 1) * dithered.quantum);
-  REQUIRE(colorSpaceOf(dithered).dimensions() == 3);
+  REQUIRE(exemplar::colorSpaceOf(dithered).dimensions() == 3);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
   const Result<TilingBake> refused = bakeTiling("dithered", {&dithered, 1}, options);
@@ -199,15 +201,15 @@ TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table
 
 TEST_CASE("a separable table's slabs are the integrals of each axis, at the middles of its cells") {
   const MapExemplar map = test::threeMaterials(96, 96, 8);
-  const SeparableFit fit = fitSeparable(map, true, Precision::bits16, {});
+  const SeparableFit fit = fitSeparable(map, true, gaussian::Precision::bits16, {});
   REQUIRE(fit.dimensions() == 3);
-  ChannelMatrix half(3, 3);
+  exemplar::ChannelMatrix half(3, 3);
   half << 0.7, 0.1, 0.0, 0.1, 0.5, 0.0, 0.0, 0.0, 0.3;
   const std::vector<double> levels = tableLevels();
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const InverseTable& table = fit.tables[std::size_t(axis)];
     const std::vector<InverseTable> slabs = prefilteredSlabsFor(table, [&] {
-      std::vector<ChannelMatrix> losses;
+      std::vector<exemplar::ChannelMatrix> losses;
       for (const double level : levels)
         losses.push_back(lossAt(level, {half}).block(axis, axis, 1, 1));
       return losses;
@@ -217,13 +219,13 @@ TEST_CASE("a separable table's slabs are the integrals of each axis, at the midd
       const double lost = lossAt(levels[k], {half})(axis, axis);
       for (const std::size_t cell : {std::size_t(3), std::size_t(100), std::size_t(128)}) {
         constexpr int kSteps = 20000; // of e, over eight deviations each way
-        const double middle = gaussianQuantile((double(cell) + 0.5) / 256.0);
+        const double middle = gaussian::gaussianQuantile((double(cell) + 0.5) / 256.0);
         double sum = 0.0, weights = 0.0;
         for (int n = 0; n < kSteps; ++n) {
           const double z = 16.0 * (n + 0.5) / kSteps - 8.0;
           const double weight = std::exp(-0.5 * z * z);
-          const double place =
-              std::clamp(256.0 * gaussianCdf(middle + std::sqrt(lost) * z / 6.0) - 0.5, 0.0, 255.0);
+          const double place = std::clamp(
+              256.0 * gaussian::gaussianCdf(middle + std::sqrt(lost) * z / 6.0) - 0.5, 0.0, 255.0);
           const auto below = std::min(std::size_t(place), std::size_t(254));
           const double t = place - double(below);
           sum += weight *
@@ -240,26 +242,26 @@ TEST_CASE("a separable table's slabs are the integrals of each axis, at the midd
 
 TEST_CASE("every level of a separable table has the exemplar's mean and its axis' variance") {
   const MapExemplar map = test::threeMaterials(96, 96, 8);
-  const SeparableFit fit = fitSeparable(map, true, Precision::bits16, {});
-  const Moments wanted = lightMoments(map);
+  const SeparableFit fit = fitSeparable(map, true, gaussian::Precision::bits16, {});
+  const exemplar::Moments wanted = lightMoments(map);
   CHECK((fit.offset - wanted.mean).norm() < 1e-6);
-  ChannelMatrix variances = ChannelMatrix::Zero(3, 3);
+  exemplar::ChannelMatrix variances = exemplar::ChannelMatrix::Zero(3, 3);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Moments found = interpolatedMoments(fit.tables[axis]);
+    const exemplar::Moments found = interpolatedMoments(fit.tables[axis]);
     CHECK(std::abs(found.mean[0]) < 1e-4);
     variances(Eigen::Index(axis), Eigen::Index(axis)) = found.covariance(0, 0);
   }
   CHECK((fit.basis * variances * fit.basis.transpose() - wanted.covariance).norm() <
         2e-3 * wanted.covariance.norm());
   const Table image = gaussianTable(combinedImage(fit), 16);
-  const std::vector<ChannelMatrix> lost = lostVariance(image);
+  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(image);
   const std::vector<InverseTable> slabs = separableSlabs(fit, 16, lost);
   // Grain and patches: the axes lose differently. Each slab is the axis' own, moved by one number.
-  const ChannelMatrix middle = lossAt(tableLevels()[3], lost);
+  const exemplar::ChannelMatrix middle = lossAt(tableLevels()[3], lost);
   CHECK(middle.diagonal().maxCoeff() - middle.diagonal().minCoeff() > 0.1);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     CHECK(double(slabs.back().values[std::size_t(axis)]) == Approx(0.0).margin(1e-4));
-    std::vector<ChannelMatrix> losses;
+    std::vector<exemplar::ChannelMatrix> losses;
     for (const double level : tableLevels())
       losses.push_back(lossAt(level, lost).block(axis, axis, 1, 1));
     const std::vector<InverseTable> own =
@@ -281,13 +283,13 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
   const NoiseMap& baked = bundle.noises[0].maps[0];
   REQUIRE(baked.tableBasis.size() == 9);
   CHECK(bundle.tables[*baked.inverseTable].texels.size() == 256 * kTableLevels * 8);
-  const Moments wanted = lightMoments(map);
-  const Moments near = synthesizedMoments(bundle, 1024);
+  const exemplar::Moments wanted = lightMoments(map);
+  const exemplar::Moments near = synthesizedMoments(bundle, 1024);
   // As of the joint table, tests/property/tiling_evaluate.cpp; and clamping what leaves the gamut
   // moves a channel by some thousandths here, where three colours are far from independent axes.
   CHECK((near.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.012);
   CHECK((near.covariance - wanted.covariance).norm() < 0.1 * wanted.covariance.norm());
-  const Moments far = synthesizedMoments(bundle, 32, 0.05);
+  const exemplar::Moments far = synthesizedMoments(bundle, 32, 0.05);
   CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
 }
 
@@ -303,7 +305,7 @@ TEST_CASE(
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
       dark.values.insert(dark.values.end(), {code(x), code(y), 1.0f});
-  REQUIRE(colorSpaceOf(dark).dimensions() == 2);
+  REQUIRE(exemplar::colorSpaceOf(dark).dimensions() == 2);
   TilingOptions options;
   options.lut = LookupTable::separable;
   options.gaussian = GaussianOnly::no;

@@ -5,8 +5,8 @@
 // red and green. Light above 1 is shown by log2(1 + light), divided by the exemplar's largest.
 #pragma once
 
+#include <lichen/exemplar.h>
 #include <lichen/image.h>
-#include <lichen/tiling.h>
 
 #include <string>
 #include <vector>

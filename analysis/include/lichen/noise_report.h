@@ -3,9 +3,9 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/exemplar.h>
 #include <lichen/progress.h>
 #include <lichen/suitability.h>
-#include <lichen/tiling.h>
 
 #include <optional>
 #include <span>

@@ -2,9 +2,9 @@
 // Whether an exemplar suits random blending, told before anyone ships its noise.
 #pragma once
 
+#include <lichen/exemplar.h>
 #include <lichen/progress.h>
 #include <lichen/result.h>
-#include <lichen/tiling.h>
 
 #include <string>
 #include <string_view>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/exemplar.h>
 #include <lichen/result.h>
-#include <lichen/tiling.h>
 
 #include <cstdint>
 

@@ -4,7 +4,7 @@
 
 #include "transport/covariance_map.h"
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
   const auto channels = Eigen::Index(model.channels.size());
@@ -39,4 +39,4 @@ bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted) {
   return true;
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

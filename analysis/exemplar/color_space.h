@@ -5,14 +5,14 @@
 #include "transport/covariance_map.h"
 #include "transport/point.h"
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 
 /// Vectors and matrices over the channels of one map, on the stack.
 inline constexpr int kMaxChannels = 3;
@@ -55,4 +55,4 @@ inline constexpr float kUsualShare = 0.1f;
 [[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
                                                  float share = kUsualShare);
 
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

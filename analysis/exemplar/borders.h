@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Whether an exemplar tiles, and what makes it tile if it does not.
+// Whether an exemplar tiles.
 #pragma once
 
-#include "transport/point.h"
-
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <algorithm>
 #include <functional>
-#include <vector>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 
 /// How much more opposite borders differ than neighbours inside do: the difference across the seam,
 /// averaged over runs of four pixels along it and then by absolute value, over the 90th percentile
@@ -36,11 +33,4 @@ template <class Maps, class MapOf>
           }));
 }
 
-/// Makes a Gaussian image periodic: a band of an eighth of the side along each border pair is
-/// cross-faded with the image displaced by half its size, which is continuous there. The blend
-/// preserves the variance of independent values: mean + (a (g - mean) + b (h - mean)) /
-/// sqrt(a^2 + b^2), [HN18] eq. 8.
-[[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
-                                                  int height);
-
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

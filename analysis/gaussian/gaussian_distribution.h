@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussian {
 
 inline constexpr double kGaussianMean = 0.5;
 inline constexpr double kGaussianDeviation = 1.0 / 6.0;
@@ -39,4 +39,4 @@ enum class Precision {
 [[nodiscard]] std::vector<Point> stratifiedGaussian(std::size_t count, int dimensions,
                                                     Precision precision);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussian

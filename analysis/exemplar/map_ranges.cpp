@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 namespace {
 
 std::string shortest(float value) {
@@ -60,4 +60,4 @@ Result<void> checkRanges(const MapExemplar& map) {
   return {};
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

@@ -2,12 +2,12 @@
 // Gaussian textures of a model, at any size.
 #pragma once
 
-#include "fit.h"
+#include "gaussian_model.h"
 #include "spot_noise.h"
 
 #include <cstdint>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 /// A realization of the model on any domain, by transforms. Exact on the model's own torus and on
 /// planes no larger than it, which are parts of the torus. On other domains it is the noise of the
@@ -17,4 +17,4 @@ namespace lichen::texton {
 [[nodiscard]] NoisePlanes gaussianTexture(const GaussianModel& model, const PixelDomain& domain,
                                           std::uint64_t seed);
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

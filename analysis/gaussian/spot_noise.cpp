@@ -16,19 +16,19 @@
 #include <numeric>
 #include <utility>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 namespace {
 
 /// Where the points lie whose spots reach the domain, [GLM14] algorithm 1: the domain less the
 /// spot's pixels; on a torus that is the torus.
-PixelDomain pointDomain(const PixelDomain& domain, const TextonCoefficients& spot) {
+PixelDomain pointDomain(const PixelDomain& domain, const Spot& spot) {
   if (domain.periodic)
     return domain;
   return {domain.x - (spot.width - 1), domain.y - (spot.height - 1), domain.width + spot.width - 1,
           domain.height + spot.height - 1, false};
 }
 
-std::span<const float> plane(const TextonCoefficients& spot, int channel) {
+std::span<const float> plane(const Spot& spot, int channel) {
   const std::size_t pixels = std::size_t(spot.width) * std::size_t(spot.height);
   return std::span(spot.values).subspan(std::size_t(channel) * pixels, pixels);
 }
@@ -80,7 +80,7 @@ void addSpotRow(std::span<const float> spotRow, const PointRow& points, bool per
 }
 
 /// The sum over all points, row by row of the noise: each is written by one thread.
-NoisePlanes summedDirectly(const TextonCoefficients& spot, const std::vector<PointRow>& points,
+NoisePlanes summedDirectly(const Spot& spot, const std::vector<PointRow>& points,
                            const PixelDomain& domain) {
   NoisePlanes noise = zeros(domain, spot.channels);
   const auto columns = std::size_t(domain.width);
@@ -104,7 +104,7 @@ NoisePlanes summedDirectly(const TextonCoefficients& spot, const std::vector<Poi
 
 /// The convolution of the spot with a field on its point domain. The transforms are periodic: on a
 /// plane of the field's size what wraps falls on pixels outside the domain.
-NoisePlanes convolvedBySpectra(const TextonCoefficients& spot, const std::vector<float>& field,
+NoisePlanes convolvedBySpectra(const Spot& spot, const std::vector<float>& field,
                                const PixelDomain& points, const PixelDomain& domain) {
   const int width = domain.periodic ? domain.width : fastTransformSize(points.width);
   const int height = domain.periodic ? domain.height : fastTransformSize(points.height);
@@ -141,8 +141,8 @@ NoisePlanes convolvedBySpectra(const TextonCoefficients& spot, const std::vector
 
 } // namespace
 
-NoisePlanes discreteSpotNoise(const TextonCoefficients& spot, double intensity,
-                              const PixelDomain& domain, std::uint64_t seed, Summation summation) {
+NoisePlanes discreteSpotNoise(const Spot& spot, double intensity, const PixelDomain& domain,
+                              std::uint64_t seed, Summation summation) {
   assert(intensity > 0.0);
   const PixelDomain points = pointDomain(domain, spot);
   std::vector<float> counts = poissonCounts(points, intensity, seed);
@@ -163,10 +163,9 @@ NoisePlanes discreteSpotNoise(const TextonCoefficients& spot, double intensity,
   return noise;
 }
 
-NoisePlanes gaussianSpotNoise(const TextonCoefficients& spot, const PixelDomain& domain,
-                              std::uint64_t seed) {
+NoisePlanes gaussianSpotNoise(const Spot& spot, const PixelDomain& domain, std::uint64_t seed) {
   const PixelDomain points = pointDomain(domain, spot);
   return convolvedBySpectra(spot, gaussianWhiteNoise(points, seed), points, domain);
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

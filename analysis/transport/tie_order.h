@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::transport {
 
 /// Indices by value, and by index where values are equal: N log N.
 [[nodiscard]] std::vector<std::uint32_t> ascendingOrder(std::span<const float> values);
@@ -24,4 +24,4 @@ private:
   std::vector<std::uint32_t> ties_;  ///< where in it each value begins, and the end
 };
 
-} // namespace lichen::tiling
+} // namespace lichen::transport

@@ -3,11 +3,11 @@
 // another.
 #pragma once
 
-#include "fit.h"
+#include "gaussian_model.h"
 
 #include <Eigen/Dense>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 /// At one point, channels x channels: the mean over all frequencies of the cross-spectra.
 [[nodiscard]] Eigen::MatrixXd modelCovariance(const GaussianModel& model);
@@ -16,4 +16,4 @@ namespace lichen::texton {
 /// What is left of a slope of light is rounding, which no gain makes a texture of.
 [[nodiscard]] bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted);
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

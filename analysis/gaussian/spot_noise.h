@@ -6,13 +6,13 @@
 // through them. Same bytes for any number of threads. Source: [GLM14] section 2.
 #pragma once
 
-#include "fit.h"
+#include "spot.h"
 #include "white_noise.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 /// A texture on a domain: (x, y, c) at (c * height + y) * width + x.
 struct NoisePlanes {
@@ -35,13 +35,13 @@ enum class Summation {
 /// A point's place depends on the seed and the pixel alone, so noises on two domains agree where
 /// they overlap; a periodic one agrees with them but for its first width - 1 columns and height - 1
 /// rows, those of the spot. On a torus smaller than the spot the spot wraps.
-[[nodiscard]] NoisePlanes discreteSpotNoise(const TextonCoefficients& spot, double intensity,
+[[nodiscard]] NoisePlanes discreteSpotNoise(const Spot& spot, double intensity,
                                             const PixelDomain& domain, std::uint64_t seed,
                                             Summation summation);
 
 /// Its limit for a high intensity, ADSN(h), or CADSN(h) on a periodic domain: h convolved with
 /// Gaussian white noise. Mean 0, covariance h * h~. Domains agree as above.
-[[nodiscard]] NoisePlanes gaussianSpotNoise(const TextonCoefficients& spot,
-                                            const PixelDomain& domain, std::uint64_t seed);
+[[nodiscard]] NoisePlanes gaussianSpotNoise(const Spot& spot, const PixelDomain& domain,
+                                            std::uint64_t seed);
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace lichen::tiling {
+namespace lichen::transport {
 namespace {
 
 /// Integers that are ordered as the numbers are, and by index where those are equal: sorted faster
@@ -58,4 +58,4 @@ std::vector<std::uint32_t> TieOrder::by(std::span<const float> scores) const {
   return indicesOf(keys);
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::transport

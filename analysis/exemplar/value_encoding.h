@@ -4,10 +4,10 @@
 
 #include <lichen/bundle.h>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 
 /// Light for srgb and log2 values, the value itself for linear ones and slopes.
 [[nodiscard]] float decoded(float value, ValueEncoding encoding);
 [[nodiscard]] float encoded(float value, ValueEncoding encoding);
 
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 /// The pixels [x, x + width) x [y, y + height) of Z^2, sides at least 1.
 struct PixelDomain {
@@ -32,4 +32,4 @@ struct PixelDomain {
 /// Normal deviates of mean 0 and variance 1.
 [[nodiscard]] std::vector<float> gaussianWhiteNoise(const PixelDomain& domain, std::uint64_t seed);
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

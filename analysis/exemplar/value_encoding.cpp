@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 
 float decoded(float value, ValueEncoding encoding) {
   switch (encoding) {
@@ -33,4 +33,4 @@ float encoded(float value, ValueEncoding encoding) {
   return value;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

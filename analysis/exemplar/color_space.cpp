@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lichen::tiling {
+namespace lichen::exemplar {
 namespace {
 
 /// Colours on a line or in a plane leave exactly the rounding's variance across it, up to sampling.
@@ -136,4 +136,4 @@ std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& spa
   return points;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::exemplar

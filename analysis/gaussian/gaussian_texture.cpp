@@ -6,11 +6,11 @@
 // Sources: [GLM14] section 2.4, [GGM11].
 #include "gaussian_texture.h"
 
-#include "comparison_kernels.h"
+#include "kernels.h"
 
 #include <algorithm>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 namespace {
 
 /// The first pixels of each row and column.
@@ -29,7 +29,7 @@ NoisePlanes cropped(const NoisePlanes& noise, int width, int height) {
 
 NoisePlanes gaussianTexture(const GaussianModel& model, const PixelDomain& domain,
                             std::uint64_t seed) {
-  const TextonCoefficients kernel = luminanceTexton(model, model.width(), model.height());
+  const Spot kernel = luminanceTexton(model, model.width(), model.height());
   const bool part =
       !domain.periodic && domain.width <= model.width() && domain.height <= model.height();
   if (!part)
@@ -38,4 +38,4 @@ NoisePlanes gaussianTexture(const GaussianModel& model, const PixelDomain& domai
   return cropped(gaussianSpotNoise(kernel, torus, seed), domain.width, domain.height);
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

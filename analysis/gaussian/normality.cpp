@@ -4,7 +4,7 @@
 // finite number of pixels, and as correlated as the exemplar: a Monte Carlo test [B63].
 #include "normality.h"
 
-#include "color_space.h"
+#include "exemplar/color_space.h"
 #include "gaussian_distribution.h"
 #include "transport/random.h"
 
@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lichen::tiling {
+namespace lichen::gaussian {
 namespace {
 
 /// Rounding to 8 bits moves a value by at most half a step: what is nearer to a Gaussian than that
@@ -24,7 +24,8 @@ namespace {
 /// finite size of the exemplar excuses it (docs/decisions/011-gaussian-only.md).
 constexpr double kInvisible = 0.5 / 255.0;
 constexpr double kTolerated = 1.0 / 255.0;
-/// Of the progress of a surrogate, a transform for each channel against a histogram for each direction.
+/// Of the progress of a surrogate, a transform for each channel against a histogram for each
+/// direction.
 constexpr double kPhasesOfProgress = 0.3;
 /// 8-bit normals have components in [-1, 1].
 constexpr double kSlopeSpan = 2.0;
@@ -32,16 +33,16 @@ constexpr double kSlopeSpan = 2.0;
 /// The exemplar's distance is the largest of 20 by chance in 5 % of Gaussian exemplars.
 constexpr std::uint32_t kSurrogates = 19;
 
-std::vector<ChannelVector> directionsFor(int channels) {
+std::vector<exemplar::ChannelVector> directionsFor(int channels) {
   // Even angles average what goes through up to seven periods in half a turn exactly. Sixteen
   // random directions are within 8 to 13 % (one deviation) of the distance over all, on six
   // photographs: little of the factor of two between the limits above. Any seed does.
   constexpr int kInPlane = 8;
   constexpr int kInSpace = 16;
   constexpr std::uint64_t kSeed = 11;
-  std::vector<ChannelVector> directions;
+  std::vector<exemplar::ChannelVector> directions;
   if (channels == 1)
-    directions.push_back(ChannelVector::Ones(1));
+    directions.push_back(exemplar::ChannelVector::Ones(1));
   for (int k = 0; channels == 2 && k < kInPlane; ++k) {
     const double angle = std::numbers::pi * k / kInPlane;
     directions.push_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)));
@@ -88,8 +89,8 @@ double productWithDeviates(const std::vector<Bin>& bins, double mean, std::size_
 
 /// The squared distance of one projection: E[(x - mean - deviation z)^2] for x and the normal
 /// deviates z in the same order is 2 variance - 2 deviation E[(x - mean) z].
-double squaredDistance(const std::vector<float>& values, const Moments& moments,
-                       const ChannelVector& direction) {
+double squaredDistance(const std::vector<float>& values, const exemplar::Moments& moments,
+                       const exemplar::ChannelVector& direction) {
   const auto channels = std::size_t(direction.size());
   std::vector<float> projected(values.size() / channels);
   for (std::size_t i = 0; i < projected.size(); ++i) {
@@ -114,8 +115,8 @@ double squaredDistance(const std::vector<float>& values, const Moments& moments,
 }
 
 double distanceToGaussian(const std::vector<float>& values, int channels) {
-  const std::vector<ChannelVector> directions = directionsFor(channels);
-  const Moments moments = momentsOf(values, channels);
+  const std::vector<exemplar::ChannelVector> directions = directionsFor(channels);
+  const exemplar::Moments moments = exemplar::momentsOf(values, channels);
   std::vector<double> squares(directions.size());
   tbb::parallel_for(std::size_t(0), directions.size(), [&](std::size_t k) {
     squares[k] = squaredDistance(values, moments, directions[k]);
@@ -170,4 +171,4 @@ bool isGaussian(const MapExemplar& map, ProgressPart progress) {
   return chanceReaches(distance * span, map, progress.part(kDistanceOfProgress, 1.0));
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussian

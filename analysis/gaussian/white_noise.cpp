@@ -4,7 +4,7 @@
 // Sources: [GLM14] section 2.1 (counts), [W88] (deviates), [SLF14] (the bits of both).
 #include "white_noise.h"
 
-#include "tiling/gaussian_distribution.h"
+#include "gaussian_distribution.h"
 #include "transport/random.h"
 
 #include <tbb/parallel_for.h>
@@ -12,7 +12,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 namespace {
 
 /// Means above are made of parts, as sums of Poisson variates are Poisson. exp(-32) is a hundred
@@ -77,9 +77,8 @@ std::vector<float> gaussianWhiteNoise(const PixelDomain& domain, std::uint64_t s
   return filled(domain, [&](std::uint64_t counter) {
     // Middles of 2^52 strata: never 0 or 1.
     const double u = (double(transport::randomBits(seed, counter) >> 12u) + 0.5) * 0x1.0p-52;
-    return float((tiling::gaussianQuantile(u) - tiling::kGaussianMean) /
-                 tiling::kGaussianDeviation);
+    return float((gaussianQuantile(u) - kGaussianMean) / kGaussianDeviation);
   });
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

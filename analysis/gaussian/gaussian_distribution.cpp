@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace lichen::tiling {
+namespace lichen::gaussian {
 namespace {
 
 using Eigen::MatrixXd;
@@ -129,4 +129,4 @@ std::vector<Point> stratifiedGaussian(std::size_t count, int dimensions, Precisi
   return storedPoints(points, precision);
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussian

@@ -2,14 +2,14 @@
 // Image (height, width, channels) -> the transforms of the kernels of its Gaussian texture.
 //
 // Sources: [GLM17] sections 3.1 and 4.2; [M11].
-#include "fit.h"
+#include "gaussian_model.h"
 
 #include <lichen/spectrum.h>
 
 #include <cassert>
 #include <cmath>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 
 GaussianModel gaussianModel(std::span<const float> values, int width, int height,
                             int channelCount) {
@@ -28,4 +28,4 @@ GaussianModel gaussianModel(std::span<const float> values, int width, int height
   return model;
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

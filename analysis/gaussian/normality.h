@@ -4,14 +4,14 @@
 
 #include "progress_part.h"
 
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
-namespace lichen::tiling {
+namespace lichen::gaussian {
 
 /// Sliced Wasserstein-2 distance, in stored units, between a map's values and the Gaussian of the
 /// same mean and covariance: the root mean square over fixed directions (1, 8, 16 for 1, 2, 3
-/// channels). Of one direction, the mean of (x - mean - deviation z)^2, z the normal deviates in the
-/// order of x.
+/// channels). Of one direction, the mean of (x - mean - deviation z)^2, z the normal deviates in
+/// the order of x.
 [[nodiscard]] double distanceToGaussian(const MapExemplar& map);
 
 /// Whether the map may do without an inverse table (docs/decisions/011-gaussian-only.md): the
@@ -19,4 +19,4 @@ namespace lichen::tiling {
 /// makes it in Gaussian images of the same spectrum and size, at a level of 5 %.
 [[nodiscard]] bool isGaussian(const MapExemplar& map, ProgressPart progress = {});
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussian

@@ -2,19 +2,19 @@
 // Gaussian model (spectra of height x width) -> spots (channels, height, width of the support).
 //
 // Sources: [GLM14] section 4, [DMR12], [GGM11].
-#include "comparison_kernels.h"
+#include "kernels.h"
 
 #include <lichen/spectrum.h>
 
 #include <cassert>
 #include <cmath>
 
-namespace lichen::texton {
+namespace lichen::gaussian {
 namespace {
 
 /// Appends `scale` times the window of a periodic plane of the model's size from (left, top) on.
 void appendWindow(const std::vector<float>& plane, const GaussianModel& model, int left, int top,
-                  float scale, TextonCoefficients& kernel) {
+                  float scale, Spot& kernel) {
   assert(kernel.width >= 1 && kernel.width <= model.width());
   assert(kernel.height >= 1 && kernel.height <= model.height());
   for (int y = 0; y < kernel.height; ++y) {
@@ -27,7 +27,7 @@ void appendWindow(const std::vector<float>& plane, const GaussianModel& model, i
   }
 }
 
-TextonCoefficients emptyKernel(const GaussianModel& model, int width, int height) {
+Spot emptyKernel(const GaussianModel& model, int width, int height) {
   return {width, height, int(model.channels.size()), {}};
 }
 
@@ -38,15 +38,15 @@ float partScale(const GaussianModel& model, int width, int height) {
 
 } // namespace
 
-TextonCoefficients exemplarKernel(const GaussianModel& model, int width, int height) {
-  TextonCoefficients kernel = emptyKernel(model, width, height);
+Spot exemplarKernel(const GaussianModel& model, int width, int height) {
+  Spot kernel = emptyKernel(model, width, height);
   const float scale = partScale(model, width, height);
   for (const HalfSpectrum& channel : model.channels)
     appendWindow(inverseFft(channel), model, 0, 0, scale, kernel);
   return kernel;
 }
 
-TextonCoefficients luminanceTexton(const GaussianModel& model, int width, int height) {
+Spot luminanceTexton(const GaussianModel& model, int width, int height) {
   std::vector<std::complex<float>> phases(model.channels[0].values.size(), 0.0f);
   for (const HalfSpectrum& channel : model.channels)
     for (std::size_t i = 0; i < phases.size(); ++i)
@@ -55,7 +55,7 @@ TextonCoefficients luminanceTexton(const GaussianModel& model, int width, int he
     const float modulus = std::abs(phase);
     phase = modulus > 0.0f ? phase / modulus : 1.0f;
   }
-  TextonCoefficients kernel = emptyKernel(model, width, height);
+  Spot kernel = emptyKernel(model, width, height);
   for (HalfSpectrum channel : model.channels) {
     for (std::size_t i = 0; i < phases.size(); ++i)
       channel.values[i] *= std::conj(phases[i]);
@@ -64,13 +64,12 @@ TextonCoefficients luminanceTexton(const GaussianModel& model, int width, int he
   return kernel;
 }
 
-TextonCoefficients randomPhaseKernel(const GaussianModel& model, int width, int height,
-                                     std::uint32_t seed) {
-  TextonCoefficients kernel = emptyKernel(model, width, height);
+Spot randomPhaseKernel(const GaussianModel& model, int width, int height, std::uint32_t seed) {
+  Spot kernel = emptyKernel(model, width, height);
   const float scale = partScale(model, width, height);
   for (const HalfSpectrum& channel : model.channels)
     appendWindow(phaseRandomizedPlane(channel, seed), model, 0, 0, scale, kernel);
   return kernel;
 }
 
-} // namespace lichen::texton
+} // namespace lichen::gaussian

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Makes a Gaussian image periodic whose borders do not fit together.
+#pragma once
+
+#include "transport/point.h"
+
+#include <vector>
+
+namespace lichen::gaussian {
+
+/// A band of an eighth of the side along each border pair is
+/// cross-faded with the image displaced by half its size, which is continuous there. The blend
+/// preserves the variance of independent values: mean + (a (g - mean) + b (h - mean)) /
+/// sqrt(a^2 + b^2), [HN18] eq. 8.
+[[nodiscard]] std::vector<Point> gaussian::crossFadeBorders(const std::vector<Point>& image,
+                                                            int width, int height);
+
+} // namespace lichen::gaussian
