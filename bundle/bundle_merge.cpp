@@ -43,11 +43,8 @@ void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::stri
     return placeTable(into.tables, table,
                       isNamedAfterNoise ? name + table.name.substr(noise.name.size()) : table.name);
   };
-  for (NoiseMap& map : noise.maps) {
-    map.image = placed(map.image);
-    if (map.inverseTable)
-      map.inverseTable = placed(*map.inverseTable);
-  }
+  for (NoiseMap& map : noise.maps)
+    visitTables(map, [&](std::size_t& table) { table = placed(table); });
 }
 
 /// Gathers bundles one after the other.
@@ -101,23 +98,16 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
 Result<void> Merger::add(const NamedBundle& input) {
   if (!input.bundle.ignoredNoises.empty()) {
     const IgnoredNoise& ignored = input.bundle.ignoredNoises.front();
-    return Error{ErrorKind::badInput, input.file + ": noise '" + ignored.name +
-                                          "' is of revision " + std::to_string(ignored.revision) +
-                                          "; " + std::to_string(kNoiseRevision) +
-                                          " is known: the version of lichen that wrote it can "
-                                          "merge it"};
+    return Error{ErrorKind::badInput, input.file + ": noise '" + ignored.name + "' has " +
+                                          ignored.reason() +
+                                          "; merge it with the version of "
+                                          "lichen that wrote it"};
   }
   if (input.bundle.noises.empty())
     return Error{ErrorKind::badInput, input.file + ": has no noise; a bundle with one is accepted"};
   for (std::size_t n = 0; n < input.bundle.noises.size(); ++n)
     addNoise(input, n);
   return {};
-}
-
-/// All of a noise but its name.
-JsonTree contentOf(Noise noise) {
-  noise.name.clear();
-  return describeNoise(noise);
 }
 
 } // namespace
@@ -129,9 +119,10 @@ std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
   const std::string name = uniqueName(noise.name, taken);
   placeTables(into, from, noise, name);
   if (into.tables.size() == tablesBefore) { // else it cannot be there
-    const JsonTree content = contentOf(noise);
-    const auto same = std::find_if(into.noises.begin(), into.noises.end(),
-                                   [&](const Noise& other) { return contentOf(other) == content; });
+    const auto same = std::find_if(into.noises.begin(), into.noises.end(), [&](const Noise& other) {
+      noise.name = other.name; // the only difference that does not matter
+      return noise == other;
+    });
     if (same != into.noises.end())
       return std::size_t(same - into.noises.begin());
   }

@@ -50,7 +50,10 @@ double exemplarAspect(const Bundle& bundle) {
   if (bundle.noises.empty() || bundle.noises.front().maps.empty())
     return 1.0;
   const Noise& noise = bundle.noises.front();
-  if (noise.maps.front().image >= bundle.tables.size())
+  bool hasTables = true;
+  visitTables(noise.maps.front(),
+              [&](std::size_t table) { hasTables = hasTables && table < bundle.tables.size(); });
+  if (!hasTables)
     return 1.0;
   const auto [width, height] = exemplarSize(bundle, noise, noise.maps.front());
   return double(std::max(width, 1u)) / double(std::max(height, 1u));

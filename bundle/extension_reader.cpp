@@ -2,6 +2,8 @@
 // The extension's root, tables, noises and material uses, read and checked against one another.
 #include "extension_reader.h"
 
+#include "methods/method_format.h"
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -74,49 +76,55 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
   return std::move(table).value();
 }
 
-/// The revision of a noise where it is later than those that this version knows; nothing where
-/// readNoise() is to read the noise, or to find what is wrong with it.
-std::optional<int> laterRevision(const json& noise) {
+/// A number that may stand for a revision; 0 where there is none.
+int statedRevision(const json& noise) {
   const json* revision = memberOf(&noise, "revision");
   if (revision == nullptr || !revision->is_number_unsigned())
-    return std::nullopt;
+    return 0;
   const auto value = revision->get<std::uint64_t>();
-  const bool isLater = value > std::uint64_t(kNoiseRevision) &&
-                       value <= std::uint64_t(std::numeric_limits<int>::max());
-  return isLater ? std::optional(int(value)) : std::nullopt;
+  return value <= std::uint64_t(std::numeric_limits<int>::max()) ? int(value) : 0;
 }
 
-/// All of a later revision that can be told without knowing it.
-IgnoredNoise ignoreNoise(const json& noise, std::size_t place, int revision,
-                         const std::string& pointer, FindingList& findings) {
+/// Whether a noise is of a method or of a later revision that this version does not know. Others
+/// are for readNoise() to read, or to find what is wrong with them.
+bool isUnknown(const json& noise) {
+  const json* name = memberOf(&noise, "method");
+  if (name == nullptr || !name->is_string())
+    return false;
+  const std::optional<Method> method = methodFrom(name->get_ref<const std::string&>());
+  return !method || statedRevision(noise) > revisionOf(*method);
+}
+
+/// All that can be known of such a noise.
+IgnoredNoise ignoreNoise(const json& noise, std::size_t place, const std::string& pointer,
+                         FindingList& findings) {
   IgnoredNoise ignored;
   ignored.place = place;
-  ignored.revision = revision;
+  ignored.method = noise["method"].get<std::string>();
+  ignored.revision = statedRevision(noise);
   if (const json* name = memberOf(&noise, "name"); name != nullptr && name->is_string())
     ignored.name = name->get<std::string>();
-  findings.warn("noise-revision", pointer + "/revision",
-                std::to_string(revision) + "; " + std::to_string(kNoiseRevision) +
-                    " is known: the noise is ignored, and its materials show their core textures");
+  const bool isMethodKnown = methodFrom(ignored.method).has_value();
+  findings.warn(isMethodKnown ? "noise-revision" : "noise-method",
+                pointer + (isMethodKnown ? "/revision" : "/method"),
+                ignored.reason() +
+                    ": the noise is ignored, and its materials show their core textures");
   return ignored;
 }
 
 Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings) {
   Noise noise;
   noise.name = reader.text("name").value_or("");
-  if (const auto method = reader.text("method")) {
-    const auto known = methodFrom(*method);
-    if (!known)
-      reader.error("noise-method", "method", quoted(*method) + "; tiling or texton is accepted");
-    noise.method = known.value_or(noise.method);
-  }
+  Method method{};
+  if (const auto named = reader.text("method"))
+    method = methodFrom(*named).value_or(method); // one that is not known is ignored
   if (const auto revision = reader.integer("revision", std::numeric_limits<int>::max());
-      revision && *revision != std::uint64_t(kNoiseRevision))
+      revision && *revision != std::uint64_t(revisionOf(method)))
     reader.error("noise-revision", "revision",
-                 std::to_string(*revision) + "; " + std::to_string(kNoiseRevision) +
+                 std::to_string(*revision) + "; " + std::to_string(revisionOf(method)) +
                      " is accepted");
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
-  if (noise.method == Method::texton)
-    noise.texton = readTextonShape(reader, findings);
+  noise.data = formatOf(method).readNoise(reader, findings);
   const json* maps = reader.array("maps", kMaxMaps);
   std::set<MapTarget> targets;
   for (std::size_t i = 0; maps != nullptr && i < maps->size(); ++i) {
@@ -156,9 +164,9 @@ NoisePlaces readNoises(const json& list, const std::string& pointer, const Table
   std::set<std::string> names;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = elementPointer(pointer, i);
-    if (const auto revision = laterRevision(list[i])) {
+    if (isUnknown(list[i])) {
       places.push_back({true, bundle.ignoredNoises.size()});
-      bundle.ignoredNoises.push_back(ignoreNoise(list[i], i, *revision, place, findings));
+      bundle.ignoredNoises.push_back(ignoreNoise(list[i], i, place, findings));
       continue;
     }
     places.push_back({false, bundle.noises.size()});
@@ -219,7 +227,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     reader.error("noise-index", "noise", "there are no noises");
   else if (noise)
     use.noise = places[std::size_t(*noise)].index;
-  const Method method = bundle.noises.empty() ? Method::tiling : bundle.noises[use.noise].method;
+  const Method method = bundle.noises.empty() ? Method{} : bundle.noises[use.noise].method();
   if (reader.has("mapping"))
     use.mapping = readMapping(reader, method);
   if (reader.has("space"))
@@ -247,8 +255,8 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     use.pointProcess = process.value_or(use.pointProcess);
   }
   use.mix = readMixWeight(reader, textures, findings);
-  // Of a noise with errors the steps may be unknown.
-  if (reader.has("mix") && findings.errorCount() == 0 && bundle.noises[use.noise].texton.steps == 1)
+  // A noise with errors may not know its steps.
+  if (reader.has("mix") && findings.errorCount() == 0 && !isMix(bundle.noises[use.noise]))
     findings.warn("mix-without-steps", reader.pointerTo("mix"),
                   "the noise is no mix, so that its weight has no effect");
   reader.warnOfUnknown();
@@ -295,11 +303,8 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
 void warnOfUnusedTables(const Bundle& bundle, const std::string& pointer, FindingList& findings) {
   std::set<std::size_t> used;
   for (const Noise& noise : bundle.noises)
-    for (const NoiseMap& map : noise.maps) {
-      used.insert(map.image);
-      if (map.inverseTable)
-        used.insert(*map.inverseTable);
-    }
+    for (const NoiseMap& map : noise.maps)
+      visitTables(map, [&](std::size_t table) { used.insert(table); });
   for (std::size_t i = 0; i < bundle.tables.size(); ++i)
     if (!used.contains(i))
       findings.warn("table-unused", elementPointer(pointer, i), "no map uses this table");
@@ -309,15 +314,18 @@ void warnOfUnusedTables(const Bundle& bundle, const std::string& pointer, Findin
 /// own is not for this version to judge.
 std::vector<bool> readableTables(const json* noises, std::size_t count) {
   std::vector<bool> readable(count, true);
-  if (noises == nullptr || std::none_of(noises->begin(), noises->end(), laterRevision))
+  if (noises == nullptr || std::none_of(noises->begin(), noises->end(), isUnknown))
     return readable;
   readable.assign(count, false);
   for (const json& noise : *noises) {
     const json* maps = memberOf(&noise, "maps");
-    if (laterRevision(noise) || maps == nullptr || !maps->is_array())
+    const json* method = memberOf(&noise, "method");
+    if (isUnknown(noise) || maps == nullptr || !maps->is_array() || method == nullptr ||
+        !method->is_string())
       continue;
+    const MethodFormat& format = formatOf(*methodFrom(method->get_ref<const std::string&>()));
     for (const json& map : *maps)
-      for (const char* key : {"gaussian", "texton", "inverseTable"})
+      for (const std::string_view key : format.tableMembers())
         if (const json* table = memberOf(&map, key);
             table != nullptr && table->is_number_unsigned() && table->get<std::uint64_t>() < count)
           readable[table->get<std::size_t>()] = true;
@@ -334,11 +342,8 @@ void keepTables(Tables tables, Bundle& bundle) {
       bundle.tables.push_back(std::move(*table));
   }
   for (Noise& noise : bundle.noises)
-    for (NoiseMap& map : noise.maps) {
-      map.image = places[map.image];
-      if (map.inverseTable)
-        map.inverseTable = places[*map.inverseTable];
-    }
+    for (NoiseMap& map : noise.maps)
+      visitTables(map, [&](std::size_t& table) { table = places[table]; });
 }
 
 /// The root object: tables first, since maps are checked against them.

@@ -17,23 +17,15 @@ using Tables = std::vector<std::optional<Table>>;
 [[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
                                FindingList& findings);
 
-/// Reads and checks what the textons of a noise have in common. One that is at fault has no
-/// coefficients, and nothing is checked against it.
-[[nodiscard]] TextonShape readTextonShape(ObjectReader& noise, FindingList& findings);
-
-/// Reads and checks what a map of a texton noise has besides channels and statistics.
-void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
-                FindingList& findings, NoiseMap& map);
-
-/// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
-/// Time: 70 ns for each channel of a texel. Memory: 60 bytes a texel (docs/benchmarks.md).
-void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
-                       const Table& image);
-
-/// Reads and checks mean, covariance and losses of `n` channels; 0 of channels that are not known.
-/// The losses are `lossRows` rows, of as many levels as is for the kind of image to say.
-[[nodiscard]] MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding,
-                                           std::size_t n, std::size_t lossRows);
+/// Mean and covariance of stored values.
+struct MapMoments {
+  std::vector<double> mean;
+  std::vector<double> covariance;
+};
+/// Reads and checks those of `n` channels, 0 where the channels are not known.
+[[nodiscard]] MapMoments readMoments(ObjectReader& reader, ValueEncoding encoding, std::size_t n);
+/// Reads and checks the member mipLoss: `rows` rows of as many levels as the caller wants to see.
+[[nodiscard]] std::vector<double> readLosses(ObjectReader& reader, std::size_t rows);
 
 /// Reads and checks where a material takes the weight of a mix from; `textures` are glTF's.
 [[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,

@@ -2,41 +2,20 @@
 // The extension's JSON, in the order of the specification's tables.
 #include "extension_writer.h"
 
+#include "methods/method_format.h"
+
 namespace lichen {
 namespace {
 
-JsonTree describeMap(const NoiseMap& map, Method method) {
-  const bool isTexton = method == Method::texton;
+JsonTree describeMap(const NoiseMap& map, const MethodFormat& format) {
   JsonTree json = {{"target", nameOf(map.target)}, {"channels", JsonTree::array()}};
   for (const MapChannel channel : map.channels)
     json["channels"].push_back(nameOf(channel));
   json["encoding"] = nameOf(map.encoding);
   json["mean"] = map.mean;
   json["covariance"] = map.covariance;
-  json[isTexton ? "texton" : "gaussian"] = map.image;
-  if (isTexton)
-    json["scale"] = map.scale;
-  if (map.inverseTable) {
-    json["inverseTable"] = *map.inverseTable;
-    json["levels"] = map.levels;
-    if (!map.tableOffset.empty()) {
-      json["tableBasis"] = map.tableBasis;
-      json["tableOffset"] = map.tableOffset;
-    }
-  }
-  json["mipLoss"] = map.mipLoss;
-  for (const MapStatistics& step : map.laterSteps)
-    json["laterSteps"].push_back(
-        {{"mean", step.mean}, {"covariance", step.covariance}, {"mipLoss", step.mipLoss}});
+  format.writeMap(map, json);
   return json;
-}
-
-JsonTree describeShape(const TextonShape& shape) {
-  return {{"coefficients", {shape.coefficientsX, shape.coefficientsY}},
-          {"order", shape.order},
-          {"mipLevels", shape.mipLevels},
-          {"texelsPerTile", {shape.texelsPerTileX, shape.texelsPerTileY}},
-          {"steps", shape.steps}};
 }
 
 JsonTree describeMix(const MixWeight& mix) {
@@ -66,15 +45,15 @@ JsonTree describeMix(const MixWeight& mix) {
 } // namespace
 
 JsonTree describeNoise(const Noise& noise) {
+  const MethodFormat& format = formatOf(noise);
   JsonTree json = {{"name", noise.name},
-                   {"method", nameOf(noise.method)},
-                   {"revision", noise.revision},
+                   {"method", format.name()},
+                   {"revision", format.revision()},
                    {"tileSize", noise.tileSizeMetres}};
-  if (noise.method == Method::texton)
-    json["texton"] = describeShape(noise.texton);
+  format.writeNoise(noise, json);
   json["maps"] = JsonTree::array();
   for (const NoiseMap& map : noise.maps)
-    json["maps"].push_back(describeMap(map, noise.method));
+    json["maps"].push_back(describeMap(map, format));
   return json;
 }
 

@@ -323,11 +323,8 @@ Result<AppliedNoise> GltfScene::applyNoise(const Bundle& bundle, std::size_t noi
           own.tables[t], state_->addView(encodeKtx2(own.tables[t]), kTableAlignment, false)));
     if (own.noises.size() > noisesBefore) {
       Noise added = own.noises[place];
-      for (NoiseMap& map : added.maps) {
-        map.image += state_->ignoredTables;
-        if (map.inverseTable)
-          *map.inverseTable += state_->ignoredTables;
-      }
+      for (NoiseMap& map : added.maps)
+        visitTables(map, [&](std::size_t& table) { table += state_->ignoredTables; });
       root.member("noises").append(describeNoise(added));
       state_->noiseNames.insert(added.name);
     }

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One map of a noise: its JSON members, and whether they agree with one another and with its
-// tables. D is the number of channels of the Gaussian image, n that of the map, L of the levels.
+// One map of a noise: the JSON members that maps of all methods have, checked against one another.
 #include "extension_reader.h"
+#include "methods/method_format.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 namespace lichen {
 namespace {
 
 using nlohmann::json;
-
-/// 64 slabs of a 32^3 table make a depth of 2,048, the least that desktop devices offer.
-constexpr std::size_t kMaxTableLevels = 64;
-constexpr double kLevelTolerance = 1e-6;
 
 /// The channels that a target may name, in this order.
 std::vector<MapChannel> channelsOf(MapTarget target) {
@@ -82,166 +76,6 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
           (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
 }
 
-/// Whether all pivots of the Cholesky factorization stand out from its rounding.
-bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
-  double trace = 0.0;
-  for (std::size_t i = 0; i < n && c.size() == n * n; ++i)
-    trace += c[i * n + i];
-  for (std::size_t k = 0; k < n && c.size() == n * n; ++k) {
-    const double pivot = c[k * n + k];
-    if (pivot <= kCovarianceTolerance * trace)
-      return false;
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j)
-        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
-  }
-  return true;
-}
-
-/// The affine map of a separable table.
-void readTableBasis(ObjectReader& reader, NoiseMap& map, const Table* gaussian) {
-  constexpr NumberRange kBasisRange{-1e6, 1e6};
-  const bool hasBasis = reader.has("tableBasis");
-  if (hasBasis != reader.has("tableOffset"))
-    return reader.error("map-table-basis", hasBasis ? "tableBasis" : "tableOffset",
-                        "present alone; tableBasis and tableOffset are accepted together");
-  if (!hasBasis)
-    return;
-  const auto basis = reader.numbers("tableBasis", kBasisRange);
-  const auto offset = reader.numbers("tableOffset", kBasisRange);
-  const std::size_t n = map.channels.size();
-  if (!basis || !offset || gaussian == nullptr || n == 0)
-    return;
-  const std::size_t dimensions = usedChannels(gaussian->format);
-  if (map.encoding == ValueEncoding::slope || dimensions < 2)
-    return reader.error("map-table-basis", "tableBasis",
-                        "of slopes or of one dimension; their tables are joint");
-  if (basis->size() != n * dimensions)
-    return reader.error("map-table-basis", "tableBasis",
-                        std::to_string(basis->size()) + " values; " +
-                            std::to_string(n * dimensions) +
-                            ", for each channel one a dimension, are accepted");
-  if (offset->size() != n)
-    return reader.error("map-table-basis", "tableOffset",
-                        std::to_string(offset->size()) + " values; " + std::to_string(n) +
-                            ", one a channel, are accepted");
-  map.tableBasis = *basis;
-  map.tableOffset = *offset;
-}
-
-void checkGaussian(ObjectReader& reader, const NoiseMap& map, const Table& image) {
-  const auto fullChain = std::uint32_t(std::bit_width(std::max(image.width, image.height)));
-  const std::size_t dimensions = usedChannels(image.format);
-  if (image.depth != 0)
-    return reader.error("map-gaussian", "gaussian", shapeOf(image) + "; a 2-D image is accepted");
-  if (image.format == TexelFormat::rgba8Srgb)
-    return reader.error("map-gaussian", "gaussian",
-                        "an sRGB format; only linear ones are accepted");
-  if (image.mipLevels != fullChain)
-    return reader.error("map-gaussian", "gaussian",
-                        std::to_string(image.mipLevels) + " mip levels; the full chain of " +
-                            std::to_string(fullChain) + " is accepted");
-  if (!map.channels.empty() && dimensions > map.channels.size())
-    return reader.error("map-gaussian", "gaussian",
-                        std::to_string(dimensions) + " channels; at most those of the map, " +
-                            std::to_string(map.channels.size()) + ", are accepted");
-  if (!map.inverseTable && !map.channels.empty() && dimensions != map.channels.size())
-    return reader.error("map-gaussian", "gaussian",
-                        std::to_string(dimensions) +
-                            " channels; without an inverse table those "
-                            "of the map, " +
-                            std::to_string(map.channels.size()) + ", are accepted");
-  if (map.mipLoss.size() != fullChain && !map.mipLoss.empty())
-    reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(map.mipLoss.size()) + " values; one a mip level, " +
-                     std::to_string(fullChain) + ", are accepted");
-}
-
-void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const Table& table,
-                       const Table* gaussian) {
-  if (table.mipLevels != 1)
-    return reader.error("map-inverse-table", "inverseTable",
-                        std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
-  const bool isSlope = map.encoding == ValueEncoding::slope;
-  const bool isSeparable = tableKindOf(map) == TableKind::separable;
-  const std::size_t needed = isSeparable
-                                 ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
-                                 : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
-  if (usedChannels(table.format) < needed)
-    return reader.error("map-inverse-table", "inverseTable",
-                        std::to_string(channelCount(table.format)) + " channels; at least " +
-                            std::to_string(needed) + " are accepted");
-  const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
-  const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
-  if (isUnorm && isSeparable)
-    return reader.error("map-inverse-table", "inverseTable",
-                        "8-bit texels; a float format is accepted with a tableBasis");
-  if (isUnorm && !isColor)
-    return reader.error("map-inverse-table", "inverseTable",
-                        "8-bit texels; a float format is accepted for the encoding " +
-                            std::string(nameOf(map.encoding)));
-  if (gaussian == nullptr || map.levels.empty())
-    return;
-  const auto slabs = std::uint32_t(map.levels.size());
-  struct Shape {
-    std::uint32_t width, height, depth;
-  };
-  const std::array<Shape, 3> shapes = {
-      {{256, slabs, 0}, {64, 64 * slabs, 0}, {32, 32, 32 * slabs}}};
-  const Shape& shape = shapes[isSeparable ? 0 : usedChannels(gaussian->format) - 1];
-  if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
-    reader.error("map-inverse-table", "inverseTable",
-                 shapeOf(table) + " texels; " + std::to_string(shape.width) + " x " +
-                     std::to_string(shape.height) +
-                     (shape.depth > 0 ? " x " + std::to_string(shape.depth) : "") +
-                     " are accepted for its Gaussian image and levels");
-}
-
-/// levels[k] = 1 - (1 - k / (L - 1))^2.
-void readLevels(ObjectReader& reader, NoiseMap& map) {
-  auto levels = reader.numbers("levels", {0.0, 1.0});
-  if (!levels)
-    return;
-  const std::size_t count = levels->size();
-  if (count < 2 || count > kMaxTableLevels)
-    return reader.error("map-levels", "levels",
-                        std::to_string(count) + " values; 2 to " + std::to_string(kMaxTableLevels) +
-                            " are accepted");
-  for (std::size_t k = 0; k < count; ++k) {
-    const double kept = 1.0 - double(k) / double(count - 1);
-    if (std::abs((*levels)[k] - (1.0 - kept * kept)) > kLevelTolerance)
-      return reader.error("map-levels", "levels",
-                          json((*levels)[k]).dump() + " at " + std::to_string(k) + "; " +
-                              json(1.0 - kept * kept).dump() + " is accepted");
-  }
-  map.levels = std::move(*levels);
-}
-
-/// The tables of a tiling noise's map.
-void readGaussianAndTable(ObjectReader& reader, const Tables& tables, NoiseMap& map) {
-  const Table* gaussian =
-      readTableIndex(reader, "gaussian", "map-gaussian-index", tables, map.image);
-  if (reader.has("inverseTable")) {
-    std::size_t index = 0;
-    readLevels(reader, map);
-    readTableBasis(reader, map, gaussian);
-    const Table* table =
-        readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
-    map.inverseTable = index;
-    if (table != nullptr)
-      checkInverseTable(reader, map, *table, gaussian);
-  } else if (reader.optional("levels") != nullptr) {
-    reader.error("map-levels", "levels", "present although there is no inverseTable");
-  } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
-    reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
-  } else if (!isPositiveDefinite(map.covariance, map.channels.size())) {
-    reader.error("map-covariance", "covariance",
-                 "not positive definite, as it must be without an inverseTable");
-  }
-  if (gaussian != nullptr)
-    checkGaussian(reader, map, *gaussian);
-}
-
 } // namespace
 
 std::size_t usedChannels(TexelFormat format) {
@@ -289,16 +123,10 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
                    quoted(*name) + " is not an encoding of " + std::string(nameOf(map.target)));
   }
   readChannels(reader, map, targetKnown);
-  const std::size_t lossRows = noise.method == Method::texton ? map.channels.size() : 1;
-  MapStatistics statistics = readStatistics(reader, map.encoding, map.channels.size(), lossRows);
-  map.mean = std::move(statistics.mean);
-  map.covariance = std::move(statistics.covariance);
-  map.mipLoss = std::move(statistics.mipLoss);
-
-  if (noise.method == Method::texton)
-    readTexton(reader, noise.texton, tables, findings, map);
-  else
-    readGaussianAndTable(reader, tables, map);
+  MapMoments moments = readMoments(reader, map.encoding, map.channels.size());
+  map.mean = std::move(moments.mean);
+  map.covariance = std::move(moments.covariance);
+  map.data = formatOf(noise).readMap(reader, noise, map, tables, findings);
   reader.warnOfUnknown();
   return map;
 }

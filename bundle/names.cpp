@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words that the extension's JSON uses for targets, channels, encodings, mappings, spaces,
-// methods and sources of weights.
+// The words that the extension's JSON uses for targets, channels, encodings, mappings, spaces
+// and sources of weights.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -17,7 +17,6 @@ constexpr std::array<std::string_view, 10> kChannelNames = {
 constexpr std::array<std::string_view, 4> kEncodingNames = {"srgb", "linear", "slope", "log2"};
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
 constexpr std::array<std::string_view, 2> kSpaceNames = {"world", "object"};
-constexpr std::array<std::string_view, 2> kMethodNames = {"tiling", "texton"};
 constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};
 constexpr std::array<std::string_view, 4> kMixSourceNames = {"constant", "direction", "texture",
                                                              "vertexColor"};
@@ -38,7 +37,6 @@ std::string_view nameOf(MapChannel value) { return kChannelNames[std::size_t(val
 std::string_view nameOf(ValueEncoding value) { return kEncodingNames[std::size_t(value)]; }
 std::string_view nameOf(Mapping value) { return kMappingNames[std::size_t(value)]; }
 std::string_view nameOf(NoiseSpace value) { return kSpaceNames[std::size_t(value)]; }
-std::string_view nameOf(Method value) { return kMethodNames[std::size_t(value)]; }
 std::string_view nameOf(PointProcess value) { return kPointProcessNames[std::size_t(value)]; }
 std::string_view nameOf(MixSource value) { return kMixSourceNames[std::size_t(value)]; }
 
@@ -57,7 +55,6 @@ std::optional<Mapping> mappingFrom(std::string_view name) {
 std::optional<NoiseSpace> noiseSpaceFrom(std::string_view name) {
   return find<NoiseSpace>(kSpaceNames, name);
 }
-std::optional<Method> methodFrom(std::string_view name) { return find<Method>(kMethodNames, name); }
 std::optional<PointProcess> pointProcessFrom(std::string_view name) {
   return find<PointProcess>(kPointProcessNames, name);
 }

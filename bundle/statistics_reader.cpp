@@ -85,29 +85,16 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
   return std::move(*covariance);
 }
 
-/// Whether values can be one row of losses but not `rows` of them, each of which begins with 0: of
-/// textons, versions before the first release stated the mean over the channels.
-bool isOneRowForAll(const std::vector<double>& losses, std::size_t rows) {
-  if (rows < 2 || losses.size() < 2 || losses.front() != 0.0 || losses.back() == 0.0 ||
-      !std::is_sorted(losses.begin(), losses.end()))
-    return false;
-  // Rows of constant channels, all 0, ascend to that of one that is not.
-  return losses.size() % rows != 0 || lossRow(losses, rows - 1, rows).front() != 0.0;
+} // namespace
+
+MapMoments readMoments(ObjectReader& reader, ValueEncoding encoding, std::size_t n) {
+  return {readMean(reader, encoding, n), readCovariance(reader, n)};
 }
 
-/// Shares of lost variance, a row of levels a channel or one of all. Rows that are no rows are for
-/// the caller to refuse, who knows how many levels there are.
 std::vector<double> readLosses(ObjectReader& reader, std::size_t rows) {
   std::optional<std::vector<double>> losses = reader.numbers("mipLoss", {0.0, 1.0});
   if (!losses)
     return {};
-  if (isOneRowForAll(*losses, rows)) {
-    reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses->size()) + " values in one row, as an older version baked " +
-                     "them; a row for each of " + std::to_string(rows) +
-                     " channels is accepted: bake the exemplar again");
-    return {};
-  }
   for (std::size_t r = 0; r < rows && losses->size() % rows == 0; ++r) {
     const std::span<const double> row = lossRow(*losses, r, rows);
     if (!row.empty() && row.front() != 0.0)
@@ -123,17 +110,6 @@ std::vector<double> readLosses(ObjectReader& reader, std::size_t rows) {
                        ", is accepted");
   }
   return std::move(*losses);
-}
-
-} // namespace
-
-MapStatistics readStatistics(ObjectReader& reader, ValueEncoding encoding, std::size_t n,
-                             std::size_t lossRows) {
-  MapStatistics statistics;
-  statistics.mean = readMean(reader, encoding, n);
-  statistics.covariance = readCovariance(reader, n);
-  statistics.mipLoss = readLosses(reader, lossRows);
-  return statistics;
 }
 
 } // namespace lichen

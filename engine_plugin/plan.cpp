@@ -119,6 +119,13 @@ Table unusedTable() {
   return {"unused", TexelFormat::r8Unorm, 1, 1, 2, 1, std::vector<std::byte>(2)};
 }
 
+/// The table that the shader fetches from for a map: Gaussian image or texton.
+std::size_t imageOf(const NoiseMap& map) {
+  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
+    return tiling->gaussian;
+  return map.as<TextonMap>().image;
+}
+
 /// The table of each map's binding: its inverse table, that of its mix, or one that is not read.
 void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
   std::optional<std::uint32_t> unused;
@@ -129,9 +136,11 @@ void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tab
   for (const Noise& noise : bundle.noises) {
     tables.emplace_back();
     for (const NoiseMap& map : noise.maps) {
-      if (map.inverseTable) {
-        tables.back().push_back(std::uint32_t(*map.inverseTable));
-      } else if (!map.laterSteps.empty()) {
+      const auto* tiling = std::get_if<TilingMap>(&map.data);
+      const auto* texton = std::get_if<TextonMap>(&map.data);
+      if (tiling != nullptr && tiling->inverseTable) {
+        tables.back().push_back(std::uint32_t(*tiling->inverseTable));
+      } else if (texton != nullptr && !texton->laterSteps.empty()) {
         tables.back().push_back(added(mixTable(map)));
       } else {
         unused = unused ? unused : added(unusedTable());
@@ -160,12 +169,13 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
   std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
-    assert(plan.bundle.tables[noise.maps[i].image].mipLevels <= LICHEN_MAX_MIPS);
-    if (!noise.maps[i].inverseTable)
+    assert(plan.bundle.tables[imageOf(noise.maps[i])].mipLevels <= LICHEN_MAX_MIPS);
+    const auto* tiling = std::get_if<TilingMap>(&noise.maps[i].data);
+    if (tiling == nullptr || !tiling->inverseTable)
       continue;
-    const std::size_t index = *noise.maps[i].inverseTable;
+    const std::size_t index = *tiling->inverseTable;
     const Table& table = plan.bundle.tables[index];
-    const auto levels = std::uint32_t(noise.maps[i].levels.size());
+    const auto levels = std::uint32_t(tiling->levels.size());
     if (table.depth == 0) // 1 and 2 channels: the levels one above the other
       plan.extents[index] = {table.width, table.height / levels, levels, 3};
   }
@@ -182,7 +192,7 @@ void planBundle(LichenBundle_T& plan) {
   plan.unknownRevisions.resize(plan.bundle.materials.size());
   for (const IgnoredNoise& noise : plan.bundle.ignoredNoises)
     for (const std::size_t material : noise.materials)
-      plan.unknownRevisions[material] = std::uint32_t(noise.revision);
+      plan.unknownRevisions[material] = std::uint32_t(std::max(1, noise.revision));
 }
 
 LichenResult resultOf(ErrorKind kind) {
@@ -254,9 +264,10 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.mapCount = std::uint32_t(source.maps.size());
   values.tileSizeMetres = source.tileSizeMetres;
   values.uniformBufferCount = 1;
-  values.method = source.method == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
+  values.method = source.method() == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
   values.combinedImageSamplerCount = 2 * values.mapCount;
-  values.mixSteps = std::uint32_t(source.texton.steps);
+  const auto* shape = std::get_if<TextonShape>(&source.data);
+  values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 
@@ -270,9 +281,10 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.target = targetOf(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
-  values.image = std::uint32_t(source.image);
+  values.image = std::uint32_t(imageOf(source));
   values.tableImage = bundle->tables[noise][map];
-  values.tableKind = tableKindNumber(tableKindOf(source));
+  const auto* tiling = std::get_if<TilingMap>(&source.data);
+  values.tableKind = tableKindNumber(tiling != nullptr ? tableKindOf(*tiling) : TableKind::none);
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 
@@ -382,7 +394,7 @@ LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uin
     values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_IMAGE(map);
     values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
     values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_IMAGE;
-    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(maps[map].image);
+    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(imageOf(maps[map]));
   }
   return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);
 }

@@ -21,6 +21,6 @@ struct LichenBundle_T {
   std::vector<std::vector<lichen::shader::LichenMap>> maps;
   /// tables[n][k]: the image of that map's inverse table, or one that is not read.
   std::vector<std::vector<std::uint32_t>> tables;
-  /// Of each material: its noise's revision, where that is ignored; 0 elsewhere.
+  /// For each material the revision of its noise, at least 1, where that is ignored; else 0.
   std::vector<std::uint32_t> unknownRevisions;
 };

@@ -43,14 +43,14 @@ LichenResult readMapping(LichenMapping given, const Noise& noise, Mapping& mappi
   for (const auto& [code, known] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
                                     {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
                                     {LICHEN_MAPPING_SURFACE, Mapping::surface}})
-    if (given == code && mappingFits(noise.method, known)) {
+    if (given == code && mappingFits(noise.method(), known)) {
       mapping = known;
       return LICHEN_SUCCESS;
     }
   say(diagnostic,
       "mapping %d: 0, uv, and 1, triplanar, are accepted, and of texton noise 2, surface; this "
       "noise is of the method %s",
-      int(given), nameOf(noise.method).data());
+      int(given), nameOf(noise.method()).data());
   return LICHEN_ERROR_USAGE;
 }
 

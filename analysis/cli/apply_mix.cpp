@@ -51,7 +51,7 @@ std::vector<std::string> sourcesOf(const MixOptions& options) {
 /// Whether options go together, and with the noise.
 Result<void> check(const MixOptions& options, const Noise& noise) {
   const std::vector<std::string> sources = sourcesOf(options);
-  if (noise.texton.steps == 1)
+  if (!isMix(noise))
     return usage(fmt::format("{}: noise '{}' is no mix; one made by 'lichen mix' is accepted",
                              sources.empty() ? "--mix-channel" : sources.front(), noise.name));
   if (sources.size() > 1)
@@ -187,7 +187,7 @@ Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const
   }
   if (use.mix.source == MixSource::texture)
     return MixWeight{}; // of another file
-  if (use.mix.source == MixSource::direction && noise.texton.steps > 1)
+  if (use.mix.source == MixSource::direction && isMix(noise))
     if (Result<void> there = checkDirection(scene, materials, use, "the direction of its mix");
         !there)
       return there.error();

@@ -12,9 +12,10 @@ namespace {
 
 /// Of the values that are stored for a map.
 int dimensionsOf(const Bundle& bundle, const Noise& noise, const NoiseMap& map) {
-  if (noise.method == Method::texton)
+  if (noise.method() == Method::texton)
     return int(map.channels.size());
-  return std::min(3, channelCount(bundle.tables[map.image].format)); // a fourth is unused
+  return std::min(
+      3, channelCount(bundle.tables[map.as<TilingMap>().gaussian].format)); // a fourth is unused
 }
 
 nlohmann::ordered_json asJson(const PrecisionLoss& loss) {
@@ -99,20 +100,22 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                       {"height", mapHeight},
                       {"dimensions", dimensionsOf(outcome.bundle, noise, map)}});
     }
-    nlohmann::ordered_json json{{"output", outcome.output},
-                                {"name", noise.name},
-                                {"method", nameOf(noise.method)},
-                                {"width", width},
-                                {"height", height},
-                                {"dimensions", dimensionsOf(outcome.bundle, noise, first)},
-                                {"maps", maps},
-                                {"periodic", outcome.exemplarWasPeriodic},
-                                {"table", nameOf(tableKindOf(first))},
-                                {"tableBytes", tableBytes},
-                                {"transport", asJson(outcome.transportBounds)},
-                                {"risks", risksAsJson(outcome.risks)},
-                                {"notes", outcome.notes},
-                                {"seconds", outcome.seconds}};
+    nlohmann::ordered_json json{
+        {"output", outcome.output},
+        {"name", noise.name},
+        {"method", nameOf(noise.method())},
+        {"width", width},
+        {"height", height},
+        {"dimensions", dimensionsOf(outcome.bundle, noise, first)},
+        {"maps", maps},
+        {"periodic", outcome.exemplarWasPeriodic},
+        {"table", nameOf(noise.method() == Method::tiling ? tableKindOf(first.as<TilingMap>())
+                                                          : TableKind::none)},
+        {"tableBytes", tableBytes},
+        {"transport", asJson(outcome.transportBounds)},
+        {"risks", risksAsJson(outcome.risks)},
+        {"notes", outcome.notes},
+        {"seconds", outcome.seconds}};
     if (outcome.precisionLoss)
       json["precisionLoss"] = asJson(*outcome.precisionLoss);
     if (outcome.texton)

@@ -89,16 +89,16 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
 
 /// Whether the noise's method has the mapping at all.
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
-  if (mappingFits(noise.method, mapping))
+  if (mappingFits(noise.method(), mapping))
     return {};
   std::vector<std::string> accepted;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
-    if (mappingFits(noise.method, each))
+    if (mappingFits(noise.method(), each))
       accepted.emplace_back(nameOf(each));
   return Error{ErrorKind::usage,
                fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
                            "{} is accepted{}",
-                           nameOf(mapping), noise.name, nameOf(noise.method),
+                           nameOf(mapping), noise.name, nameOf(noise.method()),
                            alternatives(accepted),
                            mappingFits(Method::texton, mapping)
                                ? ", or a noise that is baked with --method texton"
@@ -122,13 +122,13 @@ Result<void> checkMappingOptions(const Arguments& arguments) {
 
 /// Whether the noise's method has what the options set: tiles.
 Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) {
-  if (noise.method == Method::tiling || !(arguments.sharpness || arguments.tileRotation))
+  if (noise.method() == Method::tiling || !(arguments.sharpness || arguments.tileRotation))
     return {};
   return Error{ErrorKind::usage,
                fmt::format("{}: noise '{}' is of the method {}, which has no tiles; a noise of the "
                            "method tiling is accepted with it",
                            arguments.sharpness ? "--sharpness" : "--tile-rotation", noise.name,
-                           nameOf(noise.method))};
+                           nameOf(noise.method()))};
 }
 
 /// That the noise has another name in the scene than in its bundle.

@@ -105,7 +105,7 @@ Result<MethodBake> bake(const Arguments& arguments, const Judged& exemplar, Note
   for (std::string& line : certificateNotes(baked.value().transportBounds))
     notes.add(std::move(line));
   if (const std::optional<TextonQuality>& quality = baked.value().texton) {
-    const TextonShape& shape = baked.value().noise.texton;
+    const TextonShape& shape = baked.value().noise.as<TextonShape>();
     if (std::optional<std::string> line = supportNote(arguments.method.texton.support, shape))
       notes.add(std::move(*line));
     notes.add(qualityNote(*quality, shape, arguments.method.material.impacts));
@@ -164,7 +164,7 @@ Result<int> run(Arguments& arguments) {
     return file.error();
   const Bundle& bundle = file.value().bundle;
   std::optional<PrecisionLoss> loss;
-  if (arguments.shared.json && bundle.noises.front().method == Method::tiling) {
+  if (arguments.shared.json && bundle.noises.front().method() == Method::tiling) {
     const Result<PrecisionLoss> measured = precisionLoss(bundle, 0, 0, maps.front(), periodic);
     if (!measured)
       return measured.error();

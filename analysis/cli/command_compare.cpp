@@ -109,7 +109,7 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
     const std::optional<std::size_t> place = findMap(noise, map.target);
     if (!place)
       continue; // compareNoise() refuses it
-    const bool isTexton = noise.method == Method::texton;
+    const bool isTexton = noise.method() == Method::texton;
     const int hasWidth = isTexton ? exemplar.width : map.width;
     const int hasHeight = isTexton ? exemplar.height : map.height;
     const auto [width, height] = exemplarSize(bundle, noise, noise.maps[*place]);
@@ -133,7 +133,7 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBak
   if (!noise)
     return noise.error();
   const Noise& measured = bundle.value().noises[noise.value()];
-  if (arguments.mix && measured.texton.steps == 1)
+  if (arguments.mix && !isMix(measured))
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
                              measured.name)};

@@ -71,7 +71,7 @@ MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
 /// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
 /// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
 /// table is filtered by the one fetch, of which a separable table takes one an axis.
-int fetchesOfTiling(const NoiseMap& map, const std::vector<Table>& tables) {
+int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
   switch (tableKindOf(map)) {
   case TableKind::none:
@@ -94,9 +94,16 @@ int fetchesOfTexton(const TextonShape& shape, double impacts) {
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   const Noise& described = bundle.noises[noise];
-  return described.method == Method::texton
-             ? fetchesOfTexton(described.texton, useOf(bundle, noise).impacts)
-             : fetchesOfTiling(map, bundle.tables);
+  return described.method() == Method::texton
+             ? fetchesOfTexton(described.as<TextonShape>(), useOf(bundle, noise).impacts)
+             : fetchesOfTiling(map.as<TilingMap>(), bundle.tables);
+}
+
+/// Per channel of the image that the shader fetches.
+int bitsOf(const Bundle& bundle, const NoiseMap& map) {
+  const auto* tiling = std::get_if<TilingMap>(&map.data);
+  const std::size_t image = tiling != nullptr ? tiling->gaussian : map.as<TextonMap>().image;
+  return formatName(bundle.tables[image].format).bits;
 }
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
@@ -181,9 +188,9 @@ Json describe(const TextonShape& shape) {
           {"steps", shape.steps}};
 }
 
-Json describe(const std::vector<MapStatistics>& steps) {
+Json describe(const std::vector<TextonStep>& steps) {
   Json json = Json::array();
-  for (const MapStatistics& step : steps)
+  for (const TextonStep& step : steps)
     json.push_back({{"mean", step.mean}, {"covariance", step.covariance}});
   return json;
 }
@@ -192,22 +199,24 @@ Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   Json channels = Json::array();
   for (const MapChannel channel : map.channels)
     channels.push_back(nameOf(channel));
-  const bool isTexton = bundle.noises[noise].method == Method::texton;
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
+  const auto* tiling = std::get_if<TilingMap>(&map.data);
+  const auto* texton = std::get_if<TextonMap>(&map.data);
   return {{"target", nameOf(map.target)},
           {"channels", channels},
           {"encoding", nameOf(map.encoding)},
           {"width", width},
           {"height", height},
-          {"bits", formatName(bundle.tables[map.image].format).bits},
+          {"bits", bitsOf(bundle, map)},
           {"mean", map.mean},
           {"covariance", map.covariance},
-          {"gaussian", isTexton ? Json() : Json(map.image)},
-          {"texton", isTexton ? Json(map.image) : Json()},
-          {"inverseTable", map.inverseTable ? Json(*map.inverseTable) : Json()},
-          {"table", nameOf(tableKindOf(map))},
-          {"levels", map.levels.size()},
-          {"laterSteps", describe(map.laterSteps)},
+          {"gaussian", tiling != nullptr ? Json(tiling->gaussian) : Json()},
+          {"texton", texton != nullptr ? Json(texton->image) : Json()},
+          {"inverseTable",
+           tiling != nullptr && tiling->inverseTable ? Json(*tiling->inverseTable) : Json()},
+          {"table", nameOf(tiling != nullptr ? tableKindOf(*tiling) : TableKind::none)},
+          {"levels", tiling != nullptr ? tiling->levels.size() : 0},
+          {"laterSteps", texton != nullptr ? describe(texton->laterSteps) : Json::array()},
           {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
 }
 
@@ -221,14 +230,14 @@ Json describe(const Bundle& bundle, std::size_t index) {
     if (bundle.materials[m] && bundle.materials[m]->noise == index)
       materials.push_back(describe(*bundle.materials[m], m, bundle.materialNames[m]));
   Json json{{"name", noise.name},
-            {"method", nameOf(noise.method)},
-            {"revision", noise.revision},
+            {"method", nameOf(noise.method())},
+            {"revision", revisionOf(noise.method())},
             {"tileSize", noise.tileSizeMetres},
             {"fetchesPerPixel", fetchesPerPixel(bundle, index)},
             {"maps", maps},
             {"materials", materials}};
-  if (noise.method == Method::texton)
-    json["texton"] = describe(noise.texton);
+  if (const auto* shape = std::get_if<TextonShape>(&noise.data))
+    json["texton"] = describe(*shape);
   return json;
 }
 
@@ -237,8 +246,10 @@ Json describe(const Bundle& bundle, const std::string& file, std::size_t diskByt
   for (std::size_t n = 0; n < bundle.noises.size(); ++n)
     noises.push_back(describe(bundle, n));
   for (const IgnoredNoise& noise : bundle.ignoredNoises)
-    ignored.push_back(
-        {{"name", noise.name}, {"revision", noise.revision}, {"materials", noise.materials}});
+    ignored.push_back({{"name", noise.name},
+                       {"method", noise.method},
+                       {"revision", noise.revision},
+                       {"materials", noise.materials}});
   for (const Table& table : bundle.tables)
     tables.push_back({{"name", table.name},
                       {"format", formatName(table.format).name},
@@ -308,7 +319,7 @@ std::string parametersOf(const MaterialNoise& use) {
 }
 
 /// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
-std::string inverseTableOf(const NoiseMap& map, const std::vector<Table>& tables) {
+std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
   const TableKind kind = tableKindOf(map);
   if (kind == TableKind::none)
     return "no inverse table";
@@ -341,17 +352,19 @@ void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise
     channels.push_back(nameOf(channel));
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
-                          formatName(bundle.tables[map.image].format).bits, nameOf(map.encoding),
-                          fetchesPerPixel(bundle, noise, map)));
+  say(shared,
+      fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
+                  bitsOf(bundle, map), nameOf(map.encoding), fetchesPerPixel(bundle, noise, map)));
   say(shared, "    " + statisticsOf(map.mean, map.covariance));
-  if (!map.laterSteps.empty())
-    say(shared, "    at the last step " +
-                    statisticsOf(map.laterSteps.back().mean, map.laterSteps.back().covariance));
-  if (bundle.noises[noise].method == Method::texton)
-    return say(shared, fmt::format("    texton: table {}", map.image));
-  say(shared, fmt::format("    Gaussian image: table {}", map.image));
-  say(shared, "    " + inverseTableOf(map, bundle.tables));
+  if (const auto* texton = std::get_if<TextonMap>(&map.data)) {
+    if (!texton->laterSteps.empty())
+      say(shared, "    at the last step " + statisticsOf(texton->laterSteps.back().mean,
+                                                         texton->laterSteps.back().covariance));
+    return say(shared, fmt::format("    texton: table {}", texton->image));
+  }
+  const auto& tiling = map.as<TilingMap>();
+  say(shared, fmt::format("    Gaussian image: table {}", tiling.gaussian));
+  say(shared, "    " + inverseTableOf(tiling, bundle.tables));
 }
 
 /// "textons of 64 x 64 texels, order 1, 30 impacts a point, stratified".
@@ -365,14 +378,14 @@ std::string textonsOf(const TextonShape& shape, const MaterialNoise& use) {
 
 void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
   const Noise& noise = bundle.noises[index];
-  const bool isTexton = noise.method == Method::texton;
+  const auto* shape = std::get_if<TextonShape>(&noise.data);
   say(shared, "");
   say(shared, "noise " + noise.name);
   say(shared, fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches a pixel and plane",
-                          nameOf(noise.method), noise.revision, noise.tileSizeMetres,
-                          isTexton ? "about " : "", fetchesPerPixel(bundle, index)));
-  if (isTexton)
-    say(shared, "  " + textonsOf(noise.texton, useOf(bundle, index)));
+                          nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
+                          shape != nullptr ? "about " : "", fetchesPerPixel(bundle, index)));
+  if (shape != nullptr)
+    say(shared, "  " + textonsOf(*shape, useOf(bundle, index)));
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, bundle, index, map);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)
@@ -418,8 +431,7 @@ Result<int> run(const Arguments& arguments) {
   for (std::size_t n = 0; n < bundle.noises.size(); ++n)
     sayNoise(arguments.shared, bundle, n);
   for (const IgnoredNoise& noise : bundle.ignoredNoises)
-    say(arguments.shared, fmt::format("noise {}: of revision {}, later than {}, the last known",
-                                      noise.name, noise.revision, kNoiseRevision));
+    say(arguments.shared, fmt::format("noise {}: {}", noise.name, noise.reason()));
   sayTables(arguments.shared, bundle.tables);
   return kDone;
 }

@@ -128,7 +128,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
   bake.noise.tileSizeMetres = arguments.tileMetres;
   MaterialNoise material = arguments.material;
   material.seed = arguments.seed;
-  if (bake.noise.texton.steps > 1)
+  if (isMix(bake.noise))
     material.mix = {.source = MixSource::direction, .start = kPreviewStart, .end = kPreviewEnd};
   file.bundle.tables = std::move(bake.tables);
   file.bundle.materialNames = {bake.noise.name};
@@ -144,7 +144,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
 void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQuality& quality,
             const std::vector<std::string>& notes, double seconds) {
   const Noise& noise = bundle.noises.front();
-  const TextonShape& shape = noise.texton;
+  const TextonShape& shape = noise.as<TextonShape>();
   std::vector<std::string> targets;
   for (const NoiseMap& map : noise.maps)
     targets.emplace_back(nameOf(map.target));
@@ -189,7 +189,7 @@ Result<int> run(Arguments& arguments) {
   if (!baked)
     return baked.error();
   const TextonMixQuality quality = std::move(baked.value().quality);
-  const TextonShape& shape = baked.value().noise.texton;
+  const TextonShape& shape = baked.value().noise.as<TextonShape>();
   if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
     notes.push_back(std::move(*line));
   notes.push_back(qualityNote(quality, shape));

@@ -67,12 +67,12 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
       placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
-  if (const auto foreign = foreignOption(*arguments.verb, chosen.method))
+  if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
     return Error{ErrorKind::usage,
                  fmt::format("{}: belongs to the method {}; noise '{}' of {} is of {}, with which "
                              "it is not accepted",
                              foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
-                             nameOf(chosen.method))};
+                             nameOf(chosen.method()))};
   SynthesisOptions& synthesis = arguments.synthesis;
   synthesis.map = chosen.maps[map.value()].target;
   synthesis.material = materialOf(bundle, noise.value());
@@ -83,7 +83,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   material.tileRotation = arguments.tileRotation.value_or(material.tileRotation);
   material.impacts = arguments.impacts.value_or(material.impacts);
   material.pointProcess = arguments.points.value_or(material.pointProcess);
-  if (arguments.mix && chosen.texton.steps == 1)
+  if (arguments.mix && !isMix(chosen))
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
                              chosen.name)};

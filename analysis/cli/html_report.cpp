@@ -19,10 +19,11 @@ std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bak
   std::vector<std::pair<std::string, std::string>> facts{
       {"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
       {"Bundle", bake.output},
-      {"Method", fmt::format("{}, revision {}", nameOf(noise.method), noise.revision)},
+      {"Method",
+       fmt::format("{}, revision {}", nameOf(noise.method()), revisionOf(noise.method()))},
       {"Seed", std::to_string(material.seed)},
       {"Width", fmt::format("{:g} m", noise.tileSizeMetres)}};
-  if (noise.method == Method::texton)
+  if (noise.method() == Method::texton)
     facts.emplace_back("Impacts", fmt::format("{:g} to a point, {}", material.impacts,
                                               nameOf(material.pointProcess)));
   else

@@ -45,14 +45,14 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
     noises.push_back(noise.name);
   if (const IgnoredNoise* ignored = ignoredNoiseMeant(bundle, wanted))
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: noise '{}' is of revision {}; {} is known: a later version of "
-                             "lichen wrote it{}{}",
-                             file, ignored->name, ignored->revision, kNoiseRevision,
+                 fmt::format("{}: noise '{}' has {}; use the version of lichen that wrote it{}{}",
+                             file, ignored->name, ignored->reason(),
                              noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
   if (bundle.noises.empty() && bundle.ignoredNoises.empty())
     return noNoiseIn(file);
   if (bundle.noises.empty())
-    return Error{ErrorKind::badInput, file + ": has no noise of a revision that is known"};
+    return Error{ErrorKind::badInput,
+                 file + ": has no noise of a method and a revision that this version knows"};
   return placeOf(wanted, noises, "--noise", file);
 }
 

@@ -12,7 +12,7 @@ namespace lichen::gaussian {
 /// cross-faded with the image displaced by half its size, which is continuous there. The blend
 /// preserves the variance of independent values: mean + (a (g - mean) + b (h - mean)) /
 /// sqrt(a^2 + b^2), [HN18] eq. 8.
-[[nodiscard]] std::vector<Point> gaussian::crossFadeBorders(const std::vector<Point>& image,
-                                                            int width, int height);
+[[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
+                                                  int height);
 
 } // namespace lichen::gaussian

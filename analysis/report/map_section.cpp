@@ -134,10 +134,9 @@ Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std
 
 /// All slabs of a separable table, one below the other: a row for each axis, with what its values
 /// give where the others are at their mean.
-LinearImage axesPicture(const Table& table, const NoiseMap& map) {
+LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t channels) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t channels = map.channels.size();
   const std::size_t axes = map.tableBasis.size() / channels;
   LinearImage image(int(table.width), int(table.height * axes), int(channels));
   for (std::size_t slab = 0; slab < table.height; ++slab)
@@ -152,10 +151,9 @@ LinearImage axesPicture(const Table& table, const NoiseMap& map) {
 }
 
 /// All slabs of a joint table: one below the other, their slices side by side.
-LinearImage slicesPicture(const Table& table, const NoiseMap& map, std::size_t slices) {
+LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t channels = map.channels.size();
   const std::size_t layers = std::max(table.depth, 1u), width = table.width;
   const std::size_t rows = table.height;
   LinearImage image(int(width * slices), int(rows * (layers / slices)), int(channels));
@@ -168,14 +166,16 @@ LinearImage slicesPicture(const Table& table, const NoiseMap& map, std::size_t s
 }
 
 Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
-  const std::size_t slices = table.depth > 0 ? table.depth / map.levels.size() : 1;
-  Result<JsonTree> shown =
-      picture(look.picture(tableKindOf(map) == TableKind::joint ? slicesPicture(table, map, slices)
-                                                                : axesPicture(table, map)));
+  const auto& tiling = map.as<TilingMap>();
+  const std::size_t channels = map.channels.size();
+  const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
+  Result<JsonTree> shown = picture(look.picture(tableKindOf(tiling) == TableKind::joint
+                                                    ? slicesPicture(table, channels, slices)
+                                                    : axesPicture(table, tiling, channels)));
   if (!shown)
     return shown.error();
   return JsonTree{
-      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", map.levels}};
+      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
 }
 
 std::string summaryOf(const MapExemplar& exemplar) {
@@ -265,20 +265,21 @@ Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material
           addPictures(section, bundle, material, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
-  const bool isTexton = noise.method == Method::texton;
-  const Table& stored = bundle.tables[map.image];
-  Result<JsonTree> image = isTexton ? textonPicture(stored, noise.texton, map.channels.size())
-                                    : gaussianPicture(stored, exemplarSide);
+  const auto* tiling = std::get_if<TilingMap>(&map.data);
+  Result<JsonTree> image = tiling != nullptr
+                               ? gaussianPicture(bundle.tables[tiling->gaussian], exemplarSide)
+                               : textonPicture(bundle.tables[map.as<TextonMap>().image],
+                                               noise.as<TextonShape>(), map.channels.size());
   if (!image)
     return image.error();
   section["image"] = std::move(image).value();
-  section["method"] = nameOf(noise.method);
+  section["method"] = nameOf(noise.method());
   section["kernels"] =
       comparison.value().kernels ? jsonOf(*comparison.value().kernels) : JsonTree();
   section["table"] = JsonTree();
-  if (map.inverseTable) {
+  if (tiling != nullptr && tiling->inverseTable) {
     Result<JsonTree> table =
-        tablePicture(bundle.tables[*map.inverseTable], map, comparison.value().look);
+        tablePicture(bundle.tables[*tiling->inverseTable], map, comparison.value().look);
     if (!table)
       return table.error();
     section["table"] = std::move(table).value();

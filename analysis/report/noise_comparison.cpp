@@ -88,17 +88,18 @@ Measure modelErrorMeasure(const KernelComparison& kernels) {
           {}};
 }
 
-/// The step of a mix at a weight; 0 of other noises.
+/// The step of textons at a weight.
 std::size_t stepAt(const Noise& noise, double weight) {
-  return std::size_t(std::lround(weight * double(noise.texton.steps - 1)));
+  return std::size_t(std::lround(weight * double(noise.as<TextonShape>().steps - 1)));
 }
 
 /// A map as it is at a step of a mix.
 NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   NoiseMap here = map;
   if (step > 0) {
-    here.mean = map.laterSteps[step - 1].mean;
-    here.covariance = map.laterSteps[step - 1].covariance;
+    const TextonStep& later = map.as<TextonMap>().laterSteps[step - 1];
+    here.mean = later.mean;
+    here.covariance = later.covariance;
   }
   return here;
 }
@@ -142,11 +143,11 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const
   const Extents baked{int(width), int(height)};
   // Textons of smaller maps of a set are of the size of the largest.
   std::optional<MapExemplar> enlarged;
-  if (noise.method == Method::texton &&
+  if (noise.method() == Method::texton &&
       (given.width != baked.width || given.height != baked.height))
     enlarged = exemplar::resampled(given, baked.width, baked.height, false);
   const MapExemplar& exemplar = enlarged ? *enlarged : given;
-  const bool hasLattice = noise.method == Method::tiling;
+  const bool hasLattice = noise.method() == Method::tiling;
   SynthesisOptions options;
   options.material = material;
   options.map = map.target;
@@ -168,7 +169,7 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const
   const MapLook look(exemplar, map.encoding);
   NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}, {},
                              {}};
-  if (noise.method == Method::texton) {
+  if (noise.method() == Method::texton) {
     if (Result<void> judged =
             judgeAsGaussian(bundle, options, map, exemplar, enlarged.has_value(), comparison);
         !judged)

@@ -92,7 +92,7 @@ Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& 
   const auto start = std::chrono::steady_clock::now();
   const std::size_t count = record.exemplars.size();
   const MaterialNoise& material = *record.bundle.materials.front();
-  const int side = exemplarSide(count, record.bundle.noises[material.noise].method);
+  const int side = exemplarSide(count, record.bundle.noises[material.noise].method());
   JsonTree maps = JsonTree::array();
   for (std::size_t m = 0; m < count; ++m) {
     const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};

@@ -97,7 +97,8 @@ using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&,
 
 Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
                                          const shader::LichenNoise& parameters, std::size_t map) {
-  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, options.material.noise, options.tilingQuality);
+  Result<TilingEvaluator> created =
+      TilingEvaluator::create(bundle, options.material.noise, options.tilingQuality);
   if (!created)
     return created.error();
   return PointEvaluation([evaluator = std::move(created).value(), parameters, map,
@@ -145,7 +146,7 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   const MaterialNoise material = onTiles(options.material);
   const shader::LichenNoise parameters = shaderNoise(bundle, material, placement);
   const Result<PointEvaluation> evaluation =
-      bundle.noises[options.material.noise].method == Method::texton
+      bundle.noises[options.material.noise].method() == Method::texton
           ? textonEvaluation(bundle, options, parameters, shaderTexton(bundle, material, placement),
                              map)
           : tilingEvaluation(bundle, options, parameters, map);

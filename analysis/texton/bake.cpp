@@ -118,7 +118,7 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
 /// The largest error of a covariance over the deviations of its two channels, as stored.
 double covarianceError(const TextonBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
   const MatrixXd stored =
-      noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.texton.order);
+      noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.as<TextonShape>().order);
   double worst = 0.0;
   for (Eigen::Index a = 0; a < wanted.rows(); ++a)
     for (Eigen::Index b = 0; b < wanted.cols(); ++b)
@@ -171,8 +171,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
                              "larger support, or another method, is accepted",
                              coefficients.width, coefficients.height, joint.channels())};
   bake.noise.name = std::move(name);
-  bake.noise.method = Method::texton;
-  bake.noise.texton = shapeOf(joint, coefficients, options.order);
+  bake.noise.data = shapeOf(joint, coefficients, options.order);
   const TextonOfMaps whole{inStoredUnits(std::move(coefficients), joint.units), joint.mean};
   storeMaps({&whole, 1}, maps, options.bits, bake.noise, bake.tables);
   bake.quality.covarianceError = covarianceError(bake, joint, wanted);

@@ -213,13 +213,13 @@ Result<TextonEvaluator> TextonEvaluator::create(const Bundle& bundle, std::size_
       return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
                                          std::to_string(bundle.noises.size())};
     const Noise& noise = bundle.noises[noiseIndex];
-    if (noise.method != Method::texton)
+    if (noise.method() != Method::texton)
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
-                                         std::string(nameOf(noise.method)) + ", not texton"};
+                                         std::string(nameOf(noise.method())) + ", not texton"};
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m)
       maps->push_back({shaderMap(bundle, noise, m),
-                       RepeatingImage(bundle.tables[noise.maps[m].image]),
+                       RepeatingImage(bundle.tables[noise.maps[m].as<TextonMap>().image]),
                        texton::MixRows(noise.maps[m])});
     return TextonEvaluator(std::move(maps));
   });

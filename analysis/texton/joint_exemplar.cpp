@@ -16,16 +16,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct exemplar::Moments {
+struct Moments {
   VectorXd mean;
   MatrixXd covariance;
 };
 
-exemplar::Moments exemplar::momentsOf(std::span<const float> values, std::size_t channels) {
+Moments momentsOf(std::span<const float> values, std::size_t channels) {
   const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Index(channels),
                                               Index(values.size() / channels));
-  exemplar::Moments moments{all.cast<double>().rowwise().mean(),
-                            MatrixXd::Zero(all.rows(), all.rows())};
+  Moments moments{all.cast<double>().rowwise().mean(), MatrixXd::Zero(all.rows(), all.rows())};
   constexpr Index kBlock = 4096; // pixels, so that the copy in double stays small
   for (Index begin = 0; begin < all.cols(); begin += kBlock) {
     const Index count = std::min(kBlock, all.cols() - begin);
@@ -48,7 +47,7 @@ bool areOneQuantity(MapChannel a, MapChannel b) {
 }
 
 /// What a map's channels vary by: 0 where only the rounding of floats does.
-VectorXd variancesOf(const exemplar::Moments& moments) {
+VectorXd variancesOf(const Moments& moments) {
   VectorXd variances = moments.covariance.diagonal();
   for (Index c = 0; c < variances.size(); ++c) {
     const double rounding = std::numeric_limits<float>::epsilon() * moments.mean[c];
@@ -94,7 +93,7 @@ JointExemplar joinedMaps(std::span<const MapExemplar> maps) {
   Index first = 0;
   for (const MapExemplar& map : maps) {
     const auto n = Index(map.channels.size());
-    const exemplar::Moments own = exemplar::momentsOf(map.values, std::size_t(n));
+    const Moments own = momentsOf(map.values, std::size_t(n));
     joint.mean.segment(first, n) = own.mean;
     joint.units.segment(first, n) = unitsOf(map, variancesOf(own));
     variances.segment(first, n) =
@@ -110,7 +109,7 @@ JointExemplar joinedMaps(std::span<const MapExemplar> maps) {
                   joint.units[first + c]);
     first += n;
   }
-  joint.covariance = exemplar::momentsOf(joint.values, std::size_t(channels)).covariance;
+  joint.covariance = momentsOf(joint.values, std::size_t(channels)).covariance;
   const VectorXd gains = (joint.covariance.diagonal().array() > 0.0)
                              .select(variances.cwiseQuotient(joint.covariance.diagonal()), 0.0)
                              .cwiseSqrt();

@@ -35,7 +35,7 @@ TextonCoefficients storedCoefficients(const Table& image, const TextonShape& sha
   for (std::size_t c = 0; c < map.channels.size(); ++c)
     for (std::size_t y = 0; y < std::size_t(shape.coefficientsY); ++y)
       for (std::size_t x = 0; x < std::size_t(shape.coefficientsX); ++x)
-        stored.values.push_back(float(map.scale[c]) *
+        stored.values.push_back(float(map.as<TextonMap>().scale[c]) *
                                 texels[((top + y) * image.width + x) * stride + c]);
   return stored;
 }
@@ -47,8 +47,9 @@ Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, cons
   const gaussian::GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
   return compareKernels(model,
-                        storedCoefficients(bundle.tables[map.image], noise.texton, map, step),
-                        noise.texton.order, seenWeights(map.channels));
+                        storedCoefficients(bundle.tables[map.as<TextonMap>().image],
+                                           noise.as<TextonShape>(), map, step),
+                        noise.as<TextonShape>().order, seenWeights(map.channels));
 }
 
 /// What the pictures of an encoding can hold.
@@ -98,12 +99,12 @@ Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIn
       return usage("noise " + std::to_string(noiseIndex) + ": the bundle has " +
                    std::to_string(bundle.noises.size()));
     const Noise& noise = bundle.noises[noiseIndex];
-    if (noise.method != Method::texton)
+    if (noise.method() != Method::texton)
       return usage("noise '" + noise.name + "' has the method " +
-                   std::string(nameOf(noise.method)) + ", not texton");
-    if (step >= std::size_t(noise.texton.steps))
+                   std::string(nameOf(noise.method())) + ", not texton");
+    if (step >= std::size_t(noise.as<TextonShape>().steps))
       return usage("step " + std::to_string(step) + ": noise '" + noise.name + "' has " +
-                   std::to_string(noise.texton.steps));
+                   std::to_string(noise.as<TextonShape>().steps));
     const std::optional<std::size_t> place = findMap(noise, exemplar.target);
     if (!place)
       return usage("noise '" + noise.name + "' has no map " + std::string(nameOf(exemplar.target)));

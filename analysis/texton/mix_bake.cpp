@@ -248,8 +248,7 @@ Result<TextonMixBake> baked(std::string name, std::span<const MixedExemplar> exe
   TextonMixBake bake;
   bake.quality = qualityOf(mix.value());
   bake.noise.name = std::move(name);
-  bake.noise.method = Method::texton;
-  bake.noise.texton = shape;
+  bake.noise.data = shape;
   storeMaps(inMapUnits(std::move(mix).value(), means, units), maps, options.texton.bits, bake.noise,
             bake.tables);
   return bake;

@@ -21,9 +21,10 @@ shader::uvec4 keptBytes(const Amplitudes& kept) {
 } // namespace
 
 MixRows::MixRows(const NoiseMap& map) {
-  if (map.laterSteps.empty())
+  const std::size_t laterSteps = map.as<TextonMap>().laterSteps.size();
+  if (laterSteps == 0)
     return;
-  steps_ = map.laterSteps.size() + 1;
+  steps_ = laterSteps + 1;
   values_ = decodeLevel(mixTable(map), 0);
 }
 

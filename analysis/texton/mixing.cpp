@@ -159,7 +159,7 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions&
                  between(textons[leg], textons[leg + 1], rho)};
     step.weights[leg] = 1.0 - rho;
     step.weights[leg + 1] = rho;
-    const gaussian::GaussianModel model = between(aligned[leg], aligned[leg + 1], rho);
+    const gaussian::GaussianModel model = texton::between(aligned[leg], aligned[leg + 1], rho);
     if (Result<void> finished = finish(exemplars, model, options.order, step); !finished)
       return finished.error();
     mix.steps.push_back(std::move(step));

@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 constexpr double kScaleDeviations = 6.0;
 
 /// Mean and covariance of `n` channels from `first` on.
-MapStatistics statisticsOf(const Eigen::VectorXd& mean, const MatrixXd& covariance, Index first,
-                           Index n) {
-  MapStatistics statistics;
+TextonStep statisticsOf(const Eigen::VectorXd& mean, const MatrixXd& covariance, Index first,
+                        Index n) {
+  TextonStep statistics;
   for (Index c = first; c < first + n; ++c) {
     statistics.mean.push_back(mean[c]);
     for (Index d = first; d < first + n; ++d)
@@ -53,10 +53,11 @@ TextonCoefficients inStoredUnits(TextonCoefficients coefficients, const Eigen::V
 
 void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar> maps, int bits,
                Noise& noise, std::vector<Table>& tables) {
+  const auto& shape = noise.as<TextonShape>();
   std::vector<MatrixXd> covariances;
   std::vector<const TextonCoefficients*> coefficients;
   for (const TextonOfMaps& step : steps) {
-    covariances.push_back(noiseCovariance(step.coefficients, noise.texton.order));
+    covariances.push_back(noiseCovariance(step.coefficients, shape.order));
     coefficients.push_back(&step.coefficients);
   }
   Index first = 0;
@@ -66,23 +67,25 @@ void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar>
     map.target = source.target;
     map.channels = source.channels;
     map.encoding = source.encoding;
-    map.scale = scaleOf(covariances, first, n);
-    Table table = textonTable(coefficients, noise.texton, std::size_t(first), map.scale,
-                              bits == 16 ? 32 : 16);
+    TextonMap texton;
+    texton.scale = scaleOf(covariances, first, n);
+    Table table =
+        textonTable(coefficients, shape, std::size_t(first), texton.scale, bits == 16 ? 32 : 16);
     table.name = noise.name + "." + std::string(nameOf(map.target)) + ".texton";
-    const std::vector<std::vector<double>> losses = mipLosses(table, noise.texton, std::size_t(n));
+    const std::vector<std::vector<double>> losses = mipLosses(table, shape, std::size_t(n));
     for (std::size_t k = 0; k < steps.size(); ++k) {
-      MapStatistics step = statisticsOf(steps[k].mean, covariances[k], first, n);
+      TextonStep step = statisticsOf(steps[k].mean, covariances[k], first, n);
       step.mipLoss = losses[k];
       if (k > 0) {
-        map.laterSteps.push_back(std::move(step));
+        texton.laterSteps.push_back(std::move(step));
         continue;
       }
       map.mean = std::move(step.mean);
       map.covariance = std::move(step.covariance);
-      map.mipLoss = std::move(step.mipLoss);
+      texton.mipLoss = std::move(step.mipLoss);
     }
-    map.image = tables.size();
+    texton.image = tables.size();
+    map.data = std::move(texton);
     tables.push_back(std::move(table));
     noise.maps.push_back(std::move(map));
     first += n;

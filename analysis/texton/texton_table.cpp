@@ -129,10 +129,10 @@ Table textonTable(std::span<const TextonCoefficients* const> steps, const Texton
 }
 
 TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables, int step) {
-  const TextonShape& shape = noise.texton;
+  const TextonShape& shape = noise.as<TextonShape>();
   TextonCoefficients texton{shape.coefficientsX, shape.coefficientsY, 0, {}};
   for (const NoiseMap& map : noise.maps) {
-    const Table& table = tables[map.image];
+    const Table& table = tables[map.as<TextonMap>().image];
     const std::vector<float> texels = decodeLevel(table, 0);
     const auto stride = std::size_t(channelCount(table.format));
     for (std::size_t c = 0; c < map.channels.size(); ++c, ++texton.channels)
@@ -140,7 +140,7 @@ TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> table
         for (int x = 0; x < texton.width; ++x) {
           const std::size_t row = std::size_t(step) * shape.frameHeight() + std::size_t(y);
           const float texel = texels[(row * table.width + std::size_t(x)) * stride + c];
-          texton.values.push_back(float(map.scale[c] * double(texel)));
+          texton.values.push_back(float(map.as<TextonMap>().scale[c] * double(texel)));
         }
   }
   return texton;

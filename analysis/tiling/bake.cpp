@@ -206,21 +206,23 @@ void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTabl
   result.encoding = map.encoding;
   appendValues(result.mean, moments.mean);
   appendValues(result.covariance, moments.covariance);
+  TilingMap tiling;
   double loss = 0.0;
   for (const exemplar::ChannelMatrix& mip : tables.lost)
-    result.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
+    tiling.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
   const std::string prefix = name + "." + std::string(nameOf(map.target));
   tables.gaussian.name = prefix + ".gaussian";
-  result.image = bake.tables.size();
+  tiling.gaussian = bake.tables.size();
   bake.tables.push_back(std::move(tables.gaussian));
   if (tables.inverse) {
-    result.levels = tableLevels();
-    result.tableBasis = std::move(tables.tableBasis);
-    result.tableOffset = std::move(tables.tableOffset);
+    tiling.levels = tableLevels();
+    tiling.tableBasis = std::move(tables.tableBasis);
+    tiling.tableOffset = std::move(tables.tableOffset);
     tables.inverse->name = prefix + ".inverse";
-    result.inverseTable = bake.tables.size();
+    tiling.inverseTable = bake.tables.size();
     bake.tables.push_back(*std::move(tables.inverse));
   }
+  result.data = std::move(tiling);
   bake.noise.maps.push_back(std::move(result));
 }
 

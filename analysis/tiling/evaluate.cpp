@@ -143,20 +143,21 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       return Error{ErrorKind::usage, "noise " + std::to_string(noiseIndex) + ": the bundle has " +
                                          std::to_string(bundle.noises.size())};
     const Noise& noise = bundle.noises[noiseIndex];
-    if (noise.method != Method::tiling)
+    if (noise.method() != Method::tiling)
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
-                                         std::string(nameOf(noise.method)) + ", not tiling"};
+                                         std::string(nameOf(noise.method())) + ", not tiling"};
     if (const std::optional<std::string> problem = problemOf(quality))
       return Error{ErrorKind::usage, *problem};
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
+      const auto& stored = noise.maps[m].as<TilingMap>();
       Map map{shaderMap(bundle, noise, m),
-              RepeatingImage(bundle.tables[noise.maps[m].image]),
+              RepeatingImage(bundle.tables[stored.gaussian]),
               noise.maps[m].channels.size(),
               0,
               {}};
-      if (noise.maps[m].inverseTable) {
-        const Table& table = bundle.tables[*noise.maps[m].inverseTable];
+      if (stored.inverseTable) {
+        const Table& table = bundle.tables[*stored.inverseTable];
         map.tableSide = int(table.width);
         map.table = texelsOf(table, 0);
       }

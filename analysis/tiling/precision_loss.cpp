@@ -12,8 +12,6 @@
 namespace lichen {
 namespace {
 
-using namespace tiling;
-
 /// Stored values as an image, for the measures of quality.h.
 SrgbImage imageOf(const MapExemplar& exemplar, std::vector<float> stored) {
   SrgbImage image;
@@ -67,7 +65,7 @@ Result<PrecisionLoss> precisionLoss(const Bundle& bundle, std::size_t noise, std
       return Error{ErrorKind::usage, "map " + std::to_string(map) + ": the noise has " +
                                          std::to_string(evaluator.value().mapCount())};
     const NoiseMap& described = bundle.noises[noise].maps[map];
-    const Table& gaussian = bundle.tables[described.image];
+    const Table& gaussian = bundle.tables[described.as<TilingMap>().gaussian];
     if (int(gaussian.width) != exemplar.width || int(gaussian.height) != exemplar.height ||
         described.channels != exemplar.channels)
       return Error{ErrorKind::usage, "an exemplar that the map was not baked from"};

@@ -110,8 +110,7 @@ FetchMoments momentsOfFetches(const InverseTable& slab, const Mips& mips, const 
   return moments;
 }
 
-FetchMoments exemplar::momentsOf(const InverseTable& slab, const Mips& mips,
-                                 const Between& between) {
+FetchMoments momentsOf(const InverseTable& slab, const Mips& mips, const Between& between) {
   switch (slab.dimensions) {
   case 1:
     return momentsOfFetches<1>(slab, mips, between);
@@ -126,7 +125,7 @@ FetchMoments exemplar::momentsOf(const InverseTable& slab, const Mips& mips,
 
 FetchMoments fetchMoments(const InverseTable& slab, const Table& gaussian, double level,
                           const std::vector<exemplar::ChannelMatrix>& lost) {
-  return exemplar::momentsOf(slab, Mips(gaussian), betweenMips(level, lost));
+  return momentsOf(slab, Mips(gaussian), betweenMips(level, lost));
 }
 
 void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
@@ -138,8 +137,7 @@ void restoreSlabMeans(std::vector<InverseTable>& slabs, const Table& gaussian,
   const auto channels = std::size_t(exact.channels);
   tbb::parallel_for(std::size_t(1), slabs.size() - 1, [&](std::size_t k) {
     InverseTable& slab = slabs[k];
-    const std::array<double, 4> fetched =
-        exemplar::momentsOf(slab, mips, betweenMips(levels[k], lost)).mean;
+    const std::array<double, 4> fetched = momentsOf(slab, mips, betweenMips(levels[k], lost)).mean;
     for (std::size_t c = 0; c < channels; ++c) {
       float low = exact.values[c];
       float high = low;

@@ -101,13 +101,13 @@ std::vector<std::uint32_t> completed(const std::vector<std::optional<std::uint32
   return complete;
 }
 
-struct exemplar::Moments {
+struct Moments {
   double meanX = 0.0, meanY = 0.0, meanZ = 0.0;
   double squares = 0.0; ///< sum of squared distances from the mean
 };
 
-exemplar::Moments exemplar::momentsOf(std::span<const Point> points) {
-  exemplar::Moments m;
+Moments momentsOf(std::span<const Point> points) {
+  Moments m;
   const double count = double(points.size());
   for (const Point& p : points) {
     m.meanX += double(p.x) / count;
@@ -124,7 +124,7 @@ exemplar::Moments exemplar::momentsOf(std::span<const Point> points) {
 }
 
 /// The squared distance of two means.
-double squaredDistance(const exemplar::Moments& a, const exemplar::Moments& b) {
+double squaredDistance(const Moments& a, const Moments& b) {
   const double x = a.meanX - b.meanX, y = a.meanY - b.meanY, z = a.meanZ - b.meanZ;
   return x * x + y * y + z * z;
 }
@@ -152,8 +152,8 @@ BoundAndAuction boundByAuction(std::span<const Point> source, std::span<const Po
   if (source.empty())
     return result;
   const double count = double(source.size());
-  const exemplar::Moments from = exemplar::momentsOf(source);
-  const exemplar::Moments to = exemplar::momentsOf(target);
+  const Moments from = momentsOf(source);
+  const Moments to = momentsOf(target);
   const double meansApart = squaredDistance(from, to);
   bound.cost = transportCost(source, target, assignment);
   bound.centredCost = std::max(0.0, bound.cost - meansApart);
@@ -212,8 +212,7 @@ TransportBound boundOfOptimum(std::span<const Point> source, std::span<const Poi
                               std::span<const std::uint32_t> assignment) {
   const double cost = transportCost(source, target, assignment);
   const double meansApart =
-      source.empty() ? 0.0
-                     : squaredDistance(exemplar::momentsOf(source), exemplar::momentsOf(target));
+      source.empty() ? 0.0 : squaredDistance(momentsOf(source), momentsOf(target));
   return {cost, cost, std::max(0.0, cost - meansApart)};
 }
 

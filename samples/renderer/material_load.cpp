@@ -68,7 +68,7 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
 }
 
 /// The noise that a material uses. The extension is the plugin's to check, later: here a fault
-/// counts as absence, and so does a revision that the plugin ignores.
+/// counts as absence, and so does a method or a revision that the plugin ignores.
 const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Value& use) {
   static const tinygltf::Value kNull;
   const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
@@ -76,8 +76,12 @@ const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Val
   if (root == nullptr || !index.IsInt())
     return kNull;
   const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
+  const tinygltf::Value& method = at(noise, "method");
   const tinygltf::Value& revision = at(noise, "revision");
-  return revision.IsInt() && revision.GetNumberAsInt() <= kNoiseRevision ? noise : kNull;
+  const std::optional<Method> known =
+      method.IsString() ? methodFrom(method.Get<std::string>()) : std::nullopt;
+  const bool isRead = known && revision.IsInt() && revision.GetNumberAsInt() <= revisionOf(*known);
+  return isRead ? noise : kNull;
 }
 
 /// Of the mappings in space: uv is the default. The extension is the plugin's to check: here and

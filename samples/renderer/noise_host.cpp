@@ -134,9 +134,9 @@ void NoiseHost::readMaterials(const Scene& scene) {
     materials_.push_back(material);
     const std::string place = "/materials/" + std::to_string(m);
     if (material.unknownRevision != 0)
-      fileNotes_.insert(place + ": its noise is of revision " +
+      fileNotes_.insert(place + ": this version does not know its noise's method or revision (" +
                         std::to_string(material.unknownRevision) +
-                        ", which this version does not know; the core textures are drawn");
+                        "); the core textures are drawn");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
     if (material.texCoord > 1)

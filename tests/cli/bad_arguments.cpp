@@ -278,10 +278,11 @@ TEST_CASE("a noise of a later revision is warned of by check, and refused by syn
   later[at + revision.size()] = '2';
   const std::string path = m.workplace.write("later.glb", later);
   checkRefusal({"synth", path, "-o", m.workplace.path("new.png")}, kBadInput,
-               {"later.glb", "'stone' is of revision 2; 1 is known"});
+               {"later.glb", "'stone' has revision 2 of tiling; this version knows 1"});
   const Ended ended = runLichen({"check", path});
   CHECK(ended.code == 0);
-  CHECK_THAT(ended.output, Catch::StartsWith("warning: 2; 1 is known"));
+  CHECK_THAT(ended.output,
+             Catch::StartsWith("warning: revision 2 of tiling; this version knows 1"));
   CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
 }
 
@@ -310,8 +311,8 @@ TEST_CASE("synth takes the file's first noise, and a known one before an ignored
 
   const std::string first = writeWith("moss", true);
   const std::string refusal =
-      "noise 'moss' is of revision 2; 1 is known: a later version of lichen wrote it; --noise can "
-      "name stone";
+      "noise 'moss' has revision 2 of tiling; this version knows 1; use the version of lichen that "
+      "wrote it; --noise can name stone";
   refuse(first, {}, refusal);
   refuse(first, {"--noise", "moss"}, refusal);
   CHECK((synth(workplace, first, named).values == expected.values));

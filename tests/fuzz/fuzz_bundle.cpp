@@ -50,64 +50,70 @@ void checkShape(const TextonShape& shape) {
   require(isWithin(shape.steps, 1, kMaxTextonSteps), "number of steps");
 }
 
-void checkTexton(const NoiseMap& map, const TextonShape& shape, const Table& image) {
+void checkTexton(const NoiseMap& map, const TextonShape& shape, const Bundle& bundle) {
+  const auto& texton = map.as<TextonMap>();
+  require(texton.image < bundle.tables.size(), "index of the image");
+  const Table& image = bundle.tables[texton.image];
   const std::size_t n = map.channels.size();
   require(image.depth == 0 && image.width == shape.frameWidth() &&
               image.height == shape.frameHeight() * std::uint32_t(shape.steps) &&
               image.mipLevels == std::uint32_t(shape.mipLevels),
           "shape of a texton's image");
   require(std::size_t(channelCount(image.format)) >= n, "channels of a texton");
-  require(map.scale.size() == n && areFinite(map.scale), "a scale for each channel");
-  require(map.laterSteps.size() + 1 == std::size_t(shape.steps), "statistics of every step");
-  for (const MapStatistics& step : map.laterSteps) {
+  require(texton.scale.size() == n && areFinite(texton.scale), "a scale for each channel");
+  require(texton.laterSteps.size() + 1 == std::size_t(shape.steps), "statistics of every step");
+  for (const TextonStep& step : texton.laterSteps) {
     require(step.mean.size() == n && step.covariance.size() == n * n &&
-                step.mipLoss.size() == map.mipLoss.size(),
+                step.mipLoss.size() == texton.mipLoss.size(),
             "size of a step's statistics");
     require(areFinite(step.mean) && areFinite(step.covariance) && areFinite(step.mipLoss),
             "a number of a step that is not finite");
   }
-  require(map.mipLoss.size() % n == 0 && map.mipLoss.size() >= n * image.mipLevels &&
-              map.mipLoss.size() <= n * kMaxTextonLosses,
+  require(texton.mipLoss.size() % n == 0 && texton.mipLoss.size() >= n * image.mipLevels &&
+              texton.mipLoss.size() <= n * kMaxTextonLosses,
           "number of a texton's losses");
-  require(!map.inverseTable && map.levels.empty(), "an inverse table of a texton");
+  require(areFinite(texton.mipLoss), "a number of a texton that is not finite");
 }
 
-void checkGaussian(const NoiseMap& map, const Table& image) {
-  require(map.mipLoss.size() == image.mipLevels, "number of mip losses");
-  require(map.inverseTable.has_value() == !map.levels.empty(), "levels without a table");
-  require(map.scale.empty() && map.laterSteps.empty(), "a texton's members of a Gaussian image");
+void checkTiling(const NoiseMap& map, const Bundle& bundle) {
+  const auto& tiling = map.as<TilingMap>();
+  require(tiling.gaussian < bundle.tables.size(), "index of the image");
+  const Table& image = bundle.tables[tiling.gaussian];
+  require(tiling.mipLoss.size() == image.mipLevels && areFinite(tiling.mipLoss),
+          "losses of a Gaussian image");
+  require(tiling.inverseTable.has_value() == !tiling.levels.empty(), "levels without a table");
+  require(tiling.tableOffset.empty() == tiling.tableBasis.empty(), "a basis without an offset");
+  require(tiling.inverseTable || tiling.tableBasis.empty(), "a basis without a table");
+  require(tiling.tableOffset.empty() || tiling.tableOffset.size() == map.channels.size(),
+          "size of a table's offset");
+  require(!tiling.inverseTable || *tiling.inverseTable < bundle.tables.size(),
+          "index of the table");
 }
 
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   const std::size_t n = map.channels.size();
   require(n >= 1 && n <= 3, "number of channels");
   require(map.mean.size() == n && map.covariance.size() == n * n, "size of the statistics");
-  require(areFinite(map.mean) && areFinite(map.covariance) && areFinite(map.mipLoss),
-          "a number that is not finite");
-  require(map.image < bundle.tables.size(), "index of the image");
-  if (noise.method == Method::texton)
-    checkTexton(map, noise.texton, bundle.tables[map.image]);
+  require(areFinite(map.mean) && areFinite(map.covariance), "a number that is not finite");
+  require(map.data.index() == noise.data.index(), "a map of another method than its noise");
+  if (noise.method() == Method::texton)
+    checkTexton(map, noise.as<TextonShape>(), bundle);
   else
-    checkGaussian(map, bundle.tables[map.image]);
-  require(map.tableOffset.empty() == map.tableBasis.empty(), "a basis without an offset");
-  require(map.inverseTable || map.tableBasis.empty(), "a basis without a table");
-  require(map.tableOffset.empty() || map.tableOffset.size() == map.channels.size(),
-          "an offset for each channel");
-  require(!map.inverseTable || *map.inverseTable < bundle.tables.size(), "index of the table");
+    checkTiling(map, bundle);
 }
 
 void checkContract(const Bundle& bundle) {
   std::for_each(bundle.tables.begin(), bundle.tables.end(), checkTable);
   for (const Noise& noise : bundle.noises) {
-    if (noise.method == Method::texton)
-      checkShape(noise.texton);
+    if (noise.method() == Method::texton)
+      checkShape(noise.as<TextonShape>());
     for (const NoiseMap& map : noise.maps)
       checkMap(map, noise, bundle);
   }
   require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
   for (const std::optional<MaterialNoise>& use : bundle.materials) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
-    require(!use || mappingFits(bundle.noises[use->noise].method, use->mapping),
+    require(!use || mappingFits(bundle.noises[use->noise].method(), use->mapping),
             "a mapping that the noise has not");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
@@ -121,7 +127,8 @@ void checkContract(const Bundle& bundle) {
     require(!use || isWithin(use->mix.texCoord, 0, 15), "texture coordinates of a mask");
   }
   for (const IgnoredNoise& noise : bundle.ignoredNoises) {
-    require(noise.revision > kNoiseRevision, "a known revision that is ignored");
+    const std::optional<Method> method = methodFrom(noise.method);
+    require(!method || noise.revision > revisionOf(*method), "a known noise that is ignored");
     for (const std::size_t material : noise.materials)
       require(material < bundle.materials.size() && !bundle.materials[material],
               "a material of an ignored noise");

@@ -26,8 +26,8 @@ Bytes laterRevision() {
   Bundle& bundle = file.bundle;
   Noise second = bundle.noises[0];
   second.name = "second";
-  second.maps[0].image = 2;
-  second.maps[0].inverseTable = 3;
+  second.maps[0].as<TilingMap>().gaussian = 2;
+  second.maps[0].as<TilingMap>().inverseTable = 3;
   bundle.noises.push_back(second);
   const std::vector<Table> ownTables = bundle.tables;
   bundle.tables.insert(bundle.tables.end(), ownTables.begin(), ownTables.end());
@@ -36,7 +36,7 @@ Bytes laterRevision() {
   bundle.materials.emplace_back(use);
   file.previews.emplace_back();
   example::GlbParts parts(encodeGlb(file).value());
-  parts.extension()["noises"][0]["revision"] = kNoiseRevision + 1;
+  parts.extension()["noises"][0]["revision"] = revisionOf(Method::tiling) + 1;
   return parts.join();
 }
 

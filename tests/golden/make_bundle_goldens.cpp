@@ -137,13 +137,14 @@ BundleFile feltExample() {
   NoiseMap map;
   map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
   setStatistics(map, image);
-  map.image = 0;
-  map.inverseTable = 1;
-  map.levels = example::levels(kLevels);
+  auto& tiling = map.as<TilingMap>();
+  tiling.gaussian = 0;
+  tiling.inverseTable = 1;
+  tiling.levels = example::levels(kLevels);
   // Of white noise, a level keeps 4^-level of the variance.
   for (std::uint32_t level = 0; level < example::fullMipChain(kSide, kSide); ++level)
-    map.mipLoss.push_back(1.0 - std::pow(4.0, -double(level)));
-  file.bundle.tables = {gaussianImage(gaussian), inverseTable(map.levels)};
+    tiling.mipLoss.push_back(1.0 - std::pow(4.0, -double(level)));
+  file.bundle.tables = {gaussianImage(gaussian), inverseTable(tiling.levels)};
   Noise noise;
   noise.name = "felt";
   noise.tileSizeMetres = 0.1;

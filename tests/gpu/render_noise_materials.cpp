@@ -252,8 +252,8 @@ TEST_CASE("a material whose noise is of a later revision is drawn as without it,
   CHECK(drawn.pixels.values == picture(withoutNoise(scene)).values);
   CHECK(drawn.pixels.values != picture(scene).values);
   REQUIRE(drawn.notes.size() == 1);
-  CHECK(drawn.notes[0] == "/materials/0: its noise is of revision 2, which this version does not "
-                          "know; the core textures are drawn");
+  CHECK(drawn.notes[0] == "/materials/0: this version does not know its noise's method or "
+                          "revision (2); the core textures are drawn");
 }
 
 TEST_CASE("a device that cannot filter a noise's table is refused by the file and the table") {

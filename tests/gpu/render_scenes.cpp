@@ -173,7 +173,7 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
   nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
   root["noises"] = {
-      {{"revision", 1}, {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
+      {{"method", "tiling"}, {"revision", 1}, {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
   use["noise"] = 0;
   CHECK(tangentOf(scene) == alongY);
   use["texCoord"] = 1;
@@ -192,7 +192,7 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
     use["noise"] = 0;
     root["noises"] = fault;
     CHECK(tangentOf(scene) == alongY);
-    root["noises"] = {{{"revision", 1}, {"maps", fault}}};
+    root["noises"] = {{{"method", "tiling"}, {"revision", 1}, {"maps", fault}}};
     CHECK(tangentOf(scene) == alongY);
   }
 }
@@ -209,7 +209,7 @@ TEST_CASE("tangents of the file belong to its normal texture") {
   scene.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = scene.addFloats(tangents, 4);
   CHECK(tangentOf(scene) == stored);
   scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"] = {
-      {{"revision", 1}, {"maps", {{{"target", "normal"}}}}}};
+      {{"method", "tiling"}, {"revision", 1}, {"maps", {{{"target", "normal"}}}}}};
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
   use = {{"noise", 0}, {"texCoord", 1}};
   CHECK(tangentOf(scene) == stored);

@@ -87,7 +87,7 @@ std::vector<MapExemplar> colouredBumps() {
 
 /// Takes the slopes' variance out of a bundle's table.
 void forgetVariance(Bundle& bundle) {
-  Table& table = bundle.tables[*bundle.noises[0].maps[0].inverseTable];
+  Table& table = bundle.tables[*bundle.noises[0].maps[0].as<TilingMap>().inverseTable];
   std::vector<float> texels = decodeLevel(table, 0);
   for (std::size_t i = 2; i < texels.size(); i += 4)
     texels[i] = 0.0f;
@@ -277,7 +277,7 @@ TEST_CASE("lit, coloured bumps are as bright at every distance, in either mappin
         for (std::size_t k = 1; k < kSides.size(); left += kSides[k], ++k) {
           const double seen = meanRadiance(image, left, row * kSides[0], kSides[k]);
           INFO((row == 0 ? "stone, " : "metal, ")
-               << nameOf(file.bundle.noises[0].method) << ", " << nameOf(mapping) << ", "
+               << nameOf(file.bundle.noises[0].method()) << ", " << nameOf(mapping) << ", "
                << kTexelsAPixel[k] << " texels a pixel: drawn " << drawn << ", seen " << seen);
           CHECK(std::abs(seen / drawn - 1.0) < kBounds[row]);
         }

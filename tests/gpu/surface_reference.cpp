@@ -36,7 +36,7 @@ std::vector<std::uint32_t> wordsOf(const std::array<std::int64_t, 3>& cube,
 SurfaceReference::SurfaceReference(const Bundle& bundle, const shader::LichenNoise& noise,
                                    const shader::LichenTexton& texton)
     : bundle_(bundle), noise_(noise), texton_(texton) {
-  const Table& image = bundle.tables[bundle.noises[0].maps[0].image];
+  const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     mips_.push_back(decodeLevel(image, level));
 }
@@ -44,7 +44,7 @@ SurfaceReference::SurfaceReference(const Bundle& bundle, const shader::LichenNoi
 SurfaceReference::Vec SurfaceReference::textonAt(double x, double y, std::uint32_t mip,
                                                  int step) const {
   const NoiseMap& map = bundle_.noises[0].maps[0];
-  const Table& image = bundle_.tables[map.image];
+  const Table& image = bundle_.tables[map.as<TextonMap>().image];
   const auto stored = std::size_t(channelCount(image.format));
   const int order = mip == 0 ? int(texton_.order) : 1;
   const double side = std::exp2(double(mip));
@@ -56,7 +56,7 @@ SurfaceReference::Vec SurfaceReference::textonAt(double x, double y, std::uint32
       const auto texel =
           std::size_t((step * (texton_.frameY >> mip) + row) * int(image.width >> mip) + column);
       for (std::size_t c = 0; c < map.channels.size(); ++c)
-        sum[c] += h * map.scale[c] * double(mips_[mip][texel * stored + c]);
+        sum[c] += h * map.as<TextonMap>().scale[c] * double(mips_[mip][texel * stored + c]);
     }
   return sum;
 }

@@ -118,15 +118,16 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
   map.covariance.assign(n * n, source.table == SyntheticTable::none ? 0.006 : 0.0);
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
+  auto& tiling = map.as<TilingMap>();
   if (source.table == SyntheticTable::separable) {
     // Turned by a third about the grey axis, and part of it out of gamut.
-    map.tableBasis = {0.577, 0.816, 0.0, 0.577, -0.408, 0.707, 0.577, -0.408, -0.707};
-    map.tableOffset = {-0.3, 0.1, 0.2};
+    tiling.tableBasis = {0.577, 0.816, 0.0, 0.577, -0.408, 0.707, 0.577, -0.408, -0.707};
+    tiling.tableOffset = {-0.3, 0.1, 0.2};
   }
   for (std::size_t k = 0; source.table != SyntheticTable::none && k < source.levels; ++k)
-    map.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
+    tiling.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
   for (std::uint32_t level = 0; level < mipLevels; ++level)
-    map.mipLoss.push_back(1.0 - std::pow(0.4, double(level)));
+    tiling.mipLoss.push_back(1.0 - std::pow(0.4, double(level)));
   return map;
 }
 
@@ -140,10 +141,10 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
   for (const SyntheticMap& source : maps) {
     Table gaussian = gaussianTable(source, generator);
     NoiseMap map = describeMap(source, gaussian.mipLevels);
-    map.image = file.bundle.tables.size();
+    map.as<TilingMap>().gaussian = file.bundle.tables.size();
     file.bundle.tables.push_back(std::move(gaussian));
     if (source.table != SyntheticTable::none) {
-      map.inverseTable = file.bundle.tables.size();
+      map.as<TilingMap>().inverseTable = file.bundle.tables.size();
       file.bundle.tables.push_back(inverseTable(source));
     }
     noise.maps.push_back(std::move(map));

@@ -202,28 +202,27 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
                  : n == 2 ? std::vector{slopeX, slopeY}
                           : std::vector{height};
   map.mean.assign(n, n == 2 ? 0.1 : 0.5);
-  map.scale.assign(n, 0.0);
+  auto& data = map.data.emplace<TextonMap>();
+  data.scale.assign(n, 0.0);
   for (int k = 0; k < texton.steps; ++k) {
     const Plane step = planeOf(texton, k);
-    MapStatistics statistics{std::vector<double>(n, map.mean[0] - 0.1 * std::min(k, 4)),
-                             quadraticForm(step, texton.order, 0, 0),
-                             mipLosses(step, texton.order)};
+    TextonStep statistics{std::vector<double>(n, map.mean[0] - 0.1 * std::min(k, 4)),
+                          quadraticForm(step, texton.order, 0, 0), mipLosses(step, texton.order)};
     for (std::size_t c = 0; c < n; ++c)
-      map.scale[c] = std::max(map.scale[c], 6.0 * std::sqrt(statistics.covariance[c * n + c]));
+      data.scale[c] = std::max(data.scale[c], 6.0 * std::sqrt(statistics.covariance[c * n + c]));
     if (k > 0) {
-      map.laterSteps.push_back(std::move(statistics));
+      data.laterSteps.push_back(std::move(statistics));
     } else {
       map.covariance = std::move(statistics.covariance);
-      map.mipLoss = std::move(statistics.mipLoss);
+      data.mipLoss = std::move(statistics.mipLoss);
     }
   }
 
   BundleFile file;
   Noise noise;
   noise.name = "synthetic texton";
-  noise.method = Method::texton;
-  noise.texton = shapeOf(texton);
-  file.bundle.tables.push_back(imageOf(texton, noise.texton, map.scale));
+  noise.data = shapeOf(texton);
+  file.bundle.tables.push_back(imageOf(texton, noise.as<TextonShape>(), data.scale));
   noise.maps.push_back(std::move(map));
   file.bundle.noises.push_back(std::move(noise));
   file.bundle.materials.emplace_back(MaterialNoise{});

@@ -37,11 +37,12 @@ int poissonQuantile(double quantile) {
 double deviationAt(const NoiseMap& map, double weight, std::size_t channel) {
   const std::size_t diagonal = channel * (map.channels.size() + 1);
   const auto ofStep = [&](std::size_t step) {
-    return std::sqrt((step == 0 ? map.covariance : map.laterSteps[step - 1].covariance)[diagonal]);
+    return std::sqrt((step == 0 ? map.covariance
+                                : map.as<TextonMap>().laterSteps[step - 1].covariance)[diagonal]);
   };
-  const double at = std::clamp(weight, 0.0, 1.0) * double(map.laterSteps.size());
+  const double at = std::clamp(weight, 0.0, 1.0) * double(map.as<TextonMap>().laterSteps.size());
   const auto below = std::size_t(at);
-  return below == map.laterSteps.size()
+  return below == map.as<TextonMap>().laterSteps.size()
              ? ofStep(below)
              : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
 }
@@ -65,7 +66,7 @@ TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise
         impacts_.push_back({x * cellX, y * cellY, (word >> 31) != 0 ? -1.0 : 1.0});
       }
     }
-  const Table& image = bundle.tables[bundle.noises[0].maps[0].image];
+  const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     mips_.push_back(decodeLevel(image, level));
 }
@@ -74,7 +75,7 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
                                          double mixWeight,
                                          std::array<double, 2> mixGradient) const {
   const NoiseMap& map = bundle_.noises[0].maps[0];
-  const Table& image = bundle_.tables[map.image];
+  const Table& image = bundle_.tables[map.as<TextonMap>().image];
   const auto stored = std::size_t(channelCount(image.format));
   const int order = mip == 0 ? int(texton_.order) : 1;
   const double side = std::exp2(double(mip));
@@ -115,8 +116,8 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
                             stored];
             const double h = impact.sign * centredSpline(order, x0) * centredSpline(order, y0);
             for (std::size_t c = 0; c < map.channels.size(); ++c)
-              sum.value[c] += h * map.scale[c] * double(texel[c]);
-            const double first = impact.sign * map.scale[0] * double(texel[0]);
+              sum.value[c] += h * map.as<TextonMap>().scale[c] * double(texel[c]);
+            const double first = impact.sign * map.as<TextonMap>().scale[0] * double(texel[0]);
             sum.gradient[0] += first * splineSlope(order, x0) * centredSpline(order, y0);
             sum.gradient[1] += first * centredSpline(order, x0) * splineSlope(order, y0);
           }

@@ -202,15 +202,16 @@ std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenNo
 } // namespace
 
 TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy)
-    : slabs_(map.levels.size()), map_(map), fetchedBy_(fetchedBy) {
-  const Table& gaussian = bundle.tables[map.image];
+    : map_(map), tiling_(map.as<TilingMap>()), slabs_(tiling_.levels.size()),
+      fetchedBy_(fetchedBy) {
+  const Table& gaussian = bundle.tables[tiling_.gaussian];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
     levels_.push_back({int(std::max(1u, gaussian.width >> level)),
                        int(std::max(1u, gaussian.height >> level)), 1,
                        std::size_t(channelCount(gaussian.format)), decodeLevel(gaussian, level)});
-  if (!map.inverseTable)
+  if (!tiling_.inverseTable)
     return;
-  const Table& table = bundle.tables[*map.inverseTable];
+  const Table& table = bundle.tables[*tiling_.inverseTable];
   table_ = {int(table.width), int(table.height), int(std::max(1u, table.depth)),
             std::size_t(channelCount(table.format)), decodeLevel(table, 0)};
 }
@@ -246,11 +247,11 @@ TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, do
   Decoded value{0.0, 0.0, 0.0, 1.0};
   const std::size_t n = map_.channels.size();
   for (std::size_t c = 0; c < n; ++c) {
-    value[c] = map_.tableOffset[c];
+    value[c] = tiling_.tableOffset[c];
     for (unsigned axis = 0; axis < dimensions; ++axis) {
       const double u = uniformOf(gaussian[axis]) * table_.width;
-      value[c] +=
-          map_.tableBasis[c * dimensions + axis] * sampleClamp(table_, {u, level + 0.5, 0.5})[axis];
+      value[c] += tiling_.tableBasis[c * dimensions + axis] *
+                  sampleClamp(table_, {u, level + 0.5, 0.5})[axis];
     }
     value[c] = std::clamp(value[c], 0.0, map_.encoding == ValueEncoding::log2 ? 65504.0 : 1.0);
   }
@@ -346,12 +347,12 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   const double kept = std::max(1.0 - missing, std::min(1.0 - lost, 1.0 / (last * last)));
   const double level = last * (1.0 - std::sqrt(kept));
   const auto decode = [&](Decoded gaussian) {
-    if (!map_.inverseTable)
+    if (!tiling_.inverseTable)
       return withoutTable(gaussian, missing);
     for (double& value : gaussian)
       value = 0.5 + (value - 0.5) / std::sqrt(std::max(1.0, missing));
-    return map_.tableOffset.empty() ? fromTable(gaussian, level, m.dimensions)
-                                    : fromTables(gaussian, level, m.dimensions);
+    return tiling_.tableOffset.empty() ? fromTable(gaussian, level, m.dimensions)
+                                       : fromTables(gaussian, level, m.dimensions);
   };
   if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
     // Step 8, of turned tiles.

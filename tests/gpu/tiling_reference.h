@@ -56,8 +56,9 @@ private:
 
   std::vector<Volume> levels_;
   Volume table_;
-  std::size_t slabs_;
   const NoiseMap map_;
+  const TilingMap tiling_;
+  std::size_t slabs_;
   const FetchedBy fetchedBy_;
 };
 

@@ -65,7 +65,7 @@ TilingBake baked(std::span<const MapExemplar> maps, const TilingOptions& options
 /// The texels of the last map's Gaussian image, baked after the first or alone.
 std::vector<std::byte> lastImage(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const TilingBake bake = baked(maps, options);
-  return bake.tables[bake.noise.maps.back().image].texels;
+  return bake.tables[bake.noise.maps.back().as<TilingMap>().gaussian].texels;
 }
 
 } // namespace

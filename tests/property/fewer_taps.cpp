@@ -83,11 +83,11 @@ double kolmogorovSmirnov(std::vector<double> a, std::vector<double> b) {
   return largest;
 }
 
-struct exemplar::Moments {
+struct Moments {
   double mean = 0.0, variance = 0.0;
 };
 
-exemplar::Moments exemplar::momentsOf(const std::vector<double>& values) {
+Moments momentsOf(const std::vector<double>& values) {
   double sum = 0.0, squares = 0.0;
   for (const double value : values)
     sum += value, squares += value * value;
@@ -194,14 +194,14 @@ TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies
     return values;
   };
   const std::vector<double> vertex = samples(0.001, 0.001, {});
-  const exemplar::Moments wanted = exemplar::momentsOf(vertex);
+  const Moments wanted = momentsOf(vertex);
   for (const TilingQuality& quality :
        {TilingQuality{2, 0.0}, TilingQuality{3, kPixel / sideOf(0.5)},
         TilingQuality{2, kPixel / sideOf(0.5)}, TilingQuality{2, kPixel}})
     for (const auto& [f, g] :
          {std::pair{1.0 / 3.0, 1.0 / 3.0}, {0.4, 0.3}, {0.5, 0.25}, {0.7, 0.5}}) {
       const std::vector<double> found = samples(f, g, quality);
-      const exemplar::Moments moments = exemplar::momentsOf(found);
+      const Moments moments = momentsOf(found);
       INFO(quality.taps << " taps, one from " << quality.oneTapTiles << " tiles, at " << f << ", "
                         << g);
       // 8100 cells: standard errors of 1.6 % of a deviation for the difference of two means and

@@ -63,7 +63,7 @@ Sampled sampled(const Plane& plane, const TileFootprint& pixel, int samples, std
 }
 
 /// Adds up what one channel of pixels shows.
-struct exemplar::Moments {
+struct Moments {
   void add(double filtered, double first, double second) {
     const double mean = 0.5 * (first + second);
     f += filtered, a += first, b += second;
@@ -100,7 +100,7 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
       return lightOf(evaluate(askew(at, metres)));
     };
   };
-  if (bundle.noises[0].method == Method::texton)
+  if (bundle.noises[0].method() == Method::texton)
     return withEvaluator([twin = TextonEvaluator::create(bundle, 0).value(), noise,
                           texton](const auto& at) { return twin.evaluate(0, noise, texton, at); });
   return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value(),
@@ -125,7 +125,7 @@ FilteredView filteredView(const Plane& plane, double width, double height, int p
   });
   FilteredView view;
   for (std::size_t c = 0; c < 3; ++c) {
-    exemplar::Moments moments;
+    Moments moments;
     for (const Sampled& one : all)
       moments.add(one.filtered[c], one.first[c], one.second[c]);
     view.meanError = std::max(view.meanError, std::abs(moments.meanError()));
@@ -186,7 +186,7 @@ CameraMove cameraMove(const Plane& floor, int samples) {
   CameraMove move;
   for (const Place& place : places)
     for (std::size_t c = 0; c < 3; ++c) {
-      exemplar::Moments over, steps;
+      Moments over, steps;
       for (std::size_t k = 0; k < place.frames.size(); ++k) {
         const Sampled& now = place.frames[k];
         over.add(now.filtered[c], now.first[c], now.second[c]);

@@ -16,7 +16,6 @@
 #include <materials.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
 
 namespace {
 

@@ -229,7 +229,8 @@ TEST_CASE("a map of few values that has nothing to do with the others stays so")
 TEST_CASE("the Gaussian values of a map on a line keep the order of its values beside others") {
   const std::vector<MapExemplar> maps = coarseSet(true);
   const Bundle bundle = bakedBundle(maps);
-  const std::vector<float> gaussian = decodeLevel(bundle.tables[bundle.noises[0].maps[1].image], 0);
+  const std::vector<float> gaussian =
+      decodeLevel(bundle.tables[bundle.noises[0].maps[1].as<TilingMap>().gaussian], 0);
   std::map<float, std::pair<float, float>> ranges; // of Gaussian values, by roughness
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);

@@ -259,6 +259,7 @@ TEST_CASE("maps of a set share a share of the surroundings, which stays small", 
     settled.emplace_back(maps[m], exemplar::colorSpaceOf(maps[m]), expected.gaussian,
                          expected.table);
     const TilingBake& set = bake.value();
-    CHECK(set.tables[set.noise.maps[m].image].texels == gaussianTable(expected.gaussian, 8).texels);
+    CHECK(set.tables[set.noise.maps[m].as<TilingMap>().gaussian].texels ==
+          gaussianTable(expected.gaussian, 8).texels);
   }
 }

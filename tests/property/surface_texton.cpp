@@ -270,7 +270,7 @@ TEST_CASE(
   const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
   const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 30.0, 2));
   const Plane plane({1.0, 2.0, -2.0});
-  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].mipLoss;
+  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].as<TextonMap>().mipLoss;
   for (const int level : {1, 3}) {
     constexpr int kPlaces = 8000;
     double square = 0.0;
@@ -401,7 +401,7 @@ TEST_CASE("impacts in space and their grid are those of the specification's test
   CHECK(count > 10);
   for (const nlohmann::json& v : vectors["surfaceGrid"]) {
     Bundle bundle = syntheticTextonBundle(kColour).bundle;
-    TextonShape& shape = bundle.noises[0].texton;
+    TextonShape& shape = bundle.noises[0].as<TextonShape>();
     shape.coefficientsX = v["coefficients"][0];
     shape.coefficientsY = v["coefficients"][1];
     shape.order = v["order"];

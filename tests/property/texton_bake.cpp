@@ -39,13 +39,13 @@ struct Channel {
 std::vector<Channel> channelsOf(const TextonBake& bake, std::uint32_t level = 0) {
   std::vector<Channel> all;
   for (const NoiseMap& map : bake.noise.maps) {
-    const Table& table = bake.tables[map.image];
+    const Table& table = bake.tables[map.as<TextonMap>().image];
     const std::vector<float> values = decodeLevel(table, level);
     const auto stride = std::size_t(channelCount(table.format));
     for (std::size_t c = 0; c < map.channels.size(); ++c) {
       Channel channel{{}, int(table.width >> level), int(table.height >> level)};
       for (std::size_t i = c; i < values.size(); i += stride)
-        channel.texels.push_back(map.scale[c] * double(values[i]));
+        channel.texels.push_back(map.as<TextonMap>().scale[c] * double(values[i]));
       all.push_back(std::move(channel));
     }
   }
@@ -73,8 +73,8 @@ MatrixXd storedCovariance(const TextonBake& bake) {
   MatrixXd result(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
-      result(i, j) =
-          covariance(channels[std::size_t(i)], channels[std::size_t(j)], bake.noise.texton.order);
+      result(i, j) = covariance(channels[std::size_t(i)], channels[std::size_t(j)],
+                                bake.noise.as<TextonShape>().order);
   return result;
 }
 
@@ -207,7 +207,8 @@ TEST_CASE("a faint map of a set is fitted like a strong one, its covariances as 
   CHECK(faintBake.quality.channelErrors == strongBake.quality.channelErrors);
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(faintBake.tables[i].texels == strongBake.tables[i].texels);
-  CHECK(faintBake.noise.maps[1].scale[0] == kGain * strongBake.noise.maps[1].scale[0]);
+  CHECK(faintBake.noise.maps[1].as<TextonMap>().scale[0] ==
+        kGain * strongBake.noise.maps[1].as<TextonMap>().scale[0]);
 }
 
 TEST_CASE("the maps of a set keep their covariances with one another") {
@@ -231,14 +232,14 @@ TEST_CASE("grey stored as RGB, a constant channel and one colour are usual exemp
   for (std::size_t i = 2; i < flatBlue.values.size(); i += 3)
     flatBlue.values[i] = 0.25f;
   const TextonBake blueBake = bakeOf({&flatBlue, 1}, supportOf(16));
-  CHECK(blueBake.noise.maps[0].scale[2] == 0.0);
+  CHECK(blueBake.noise.maps[0].as<TextonMap>().scale[2] == 0.0);
   CHECK(blueBake.noise.maps[0].mean[2] == Approx(0.25));
 
   MapExemplar one = flatBlue;
   std::fill(one.values.begin(), one.values.end(), 0.5f);
   const TextonBake oneBake = bakeOf({&one, 1}, supportOf(16));
   CHECK(oneBake.quality.modelError == 0.0);
-  CHECK(oneBake.noise.maps[0].scale == std::vector<double>{0.0, 0.0, 0.0});
+  CHECK(oneBake.noise.maps[0].as<TextonMap>().scale == std::vector<double>{0.0, 0.0, 0.0});
 }
 
 TEST_CASE("an exemplar of one pixel, and one that is thinner than the support, make textons") {
@@ -247,8 +248,8 @@ TEST_CASE("an exemplar of one pixel, and one that is thinner than the support, m
     const MapExemplar part = test::cropped(map, 0, 0, width, height);
     const Result<TextonBake> baked = bakeTexton("stone", {&part, 1}, supportOf(16));
     REQUIRE(baked);
-    CHECK(baked.value().noise.texton.coefficientsX == std::min(15, width));
-    CHECK(baked.value().noise.texton.coefficientsY == std::min(15, height));
+    CHECK(baked.value().noise.as<TextonShape>().coefficientsX == std::min(15, width));
+    CHECK(baked.value().noise.as<TextonShape>().coefficientsY == std::min(15, height));
   }
 }
 
@@ -291,8 +292,8 @@ TEST_CASE("the losses of a texton's mips are those of the noise that is fetched 
   const MapExemplar map = test::threeMaterials(64, 64, 12);
   const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
   const NoiseMap& noise = bake.noise.maps[0];
-  REQUIRE(bake.noise.texton.mipLevels == 3);
-  REQUIRE(noise.mipLoss.size() == 3 * kMaxTextonLosses);
+  REQUIRE(bake.noise.as<TextonShape>().mipLevels == 3);
+  REQUIRE(noise.as<TextonMap>().mipLoss.size() == 3 * kMaxTextonLosses);
   for (std::uint32_t level = 0; level < 3; ++level) {
     // The integral of the bilinear fetch squared, midpoint by midpoint.
     constexpr int kSteps = 8; // a texel: 1 / (3 kSteps^2) of a product of hats is missed, 0.5 %
@@ -316,12 +317,12 @@ TEST_CASE("the losses of a texton's mips are those of the noise that is fetched 
         }
       const double kept = side * side * sum / (kSteps * kSteps) / covariance(whole[c], whole[c], 1);
       INFO("level " << level << ", channel " << c);
-      CHECK(lossRow(noise.mipLoss, c, 3)[level] == Approx(1.0 - kept).margin(0.01));
+      CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3)[level] == Approx(1.0 - kept).margin(0.01));
     }
   }
   // Averages over far more than the support have next to nothing left.
   for (std::size_t c = 0; c < 3; ++c)
-    CHECK(lossRow(noise.mipLoss, c, 3).back() > 0.999);
+    CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3).back() > 0.999);
 }
 
 TEST_CASE("the bytes of a texton bake do not depend on the number of threads") {
@@ -338,10 +339,10 @@ TEST_CASE("each option of a texton changes what it says") {
   for (std::size_t i = 0; i < map.values.size(); ++i) // light that falls off to one side
     map.values[i] *= 0.5f + 0.5f * float(i / 3 % 64) / 63.0f;
   const TextonBake plain = bakeOf({&map, 1}, supportOf(16));
-  CHECK(plain.noise.texton.coefficientsX == 15);
-  CHECK(plain.noise.texton.frameWidth() == 18);
+  CHECK(plain.noise.as<TextonShape>().coefficientsX == 15);
+  CHECK(plain.noise.as<TextonShape>().frameWidth() == 18);
   CHECK(bakeOf({&map, 1}, supportOf(24)).quality.modelError < plain.quality.modelError);
-  CHECK(bakeOf({&map, 1}, supportOf(16, 3)).noise.texton.coefficientsX == 13);
+  CHECK(bakeOf({&map, 1}, supportOf(16, 3)).noise.as<TextonShape>().coefficientsX == 13);
   CHECK(texelBytes(plain.tables[0].format) == 16);
   CHECK(texelBytes(bakeOf({&map, 1}, supportOf(16, 1, 8)).tables[0].format) == 8);
 

@@ -199,7 +199,7 @@ TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mi
           "average of the noise") {
   const double variance = covarianceAt(kHeight, syntheticCoefficients(kHeight, 0), 0, 0)[0];
   const Evaluation noise(kHeight, PointProcess::stratified, 30.0, 2);
-  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].mipLoss;
+  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].as<TextonMap>().mipLoss;
   for (const int level : {1, 2, 3, 4}) {
     constexpr int kSide = 120;
     constexpr double kCount = double(kSide) * kSide;
@@ -330,7 +330,7 @@ TEST_CASE("integer parts of the origin are exact for texton noise") {
 TEST_CASE("an evaluator of textons refuses other noises by name") {
   Bundle bundle = syntheticTextonBundle(kColour).bundle;
   CHECK_FALSE(TextonEvaluator::create(bundle, 1));
-  bundle.noises[0].method = Method::tiling;
+  bundle.noises[0].data = TilingNoise();
   const Result<TextonEvaluator> other = TextonEvaluator::create(bundle, 0);
   REQUIRE_FALSE(other);
   CHECK(other.error().message.find("tiling, not texton") != std::string::npos);

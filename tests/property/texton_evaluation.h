@@ -31,7 +31,7 @@ struct TextonEvaluation {
   template <class Footprint>
   [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {
     const TextonEvaluator::Value gaussian = twin.gaussian(0, noise, texton, place);
-    const std::vector<double>& scale = bundle.noises[0].maps[0].scale;
+    const std::vector<double>& scale = bundle.noises[0].maps[0].as<TextonMap>().scale;
     std::array<double, 3> stored{};
     for (std::size_t c = 0; c < scale.size(); ++c)
       stored[c] = (double(gaussian[c]) - 0.5) * scale[c];

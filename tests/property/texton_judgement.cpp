@@ -82,7 +82,7 @@ TEST_CASE("a luminance texton as large as the exemplar is its Gaussian texture, 
   const MapExemplar map = faint();
   for (const int order : {0, 1, 3}) {
     Baked baked = bakedOf(map, order, kSide + order); // as many coefficients as texels
-    REQUIRE(baked.bundle.noises[0].texton.coefficientsX == kSide);
+    REQUIRE(baked.bundle.noises[0].as<TextonShape>().coefficientsX == kSide);
     const KernelComparison comparison = comparisonOf(baked, map);
     // Rounding, which a cubic spline's least power, 0.003, magnifies: 0.004 was seen.
     CHECK(comparison.luminance.modelError < 0.01);
@@ -139,7 +139,7 @@ TEST_CASE("textons are compared with exemplars of their own channels and method 
   REQUIRE_FALSE(channels);
   CHECK(channels.error().kind == ErrorKind::badInput);
   CHECK_FALSE(gaussianVersion(baked.bundle.noises[0].maps[0], other, 1));
-  baked.bundle.noises[0].method = Method::tiling;
+  baked.bundle.noises[0].data = TilingNoise();
   const Result<KernelComparison> method = compareTexton(baked.bundle, 0, map);
   REQUIRE_FALSE(method);
   CHECK(method.error().message.find("tiling, not texton") != std::string::npos);

@@ -92,24 +92,27 @@ TEST_CASE("the ends of a mix have the statistics of their exemplars, and means l
   const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1),
                                              exemplarOf("c", 9)};
   const TextonMixBake bake = bakeOf(exemplars, smallOptions(5));
-  CHECK(bake.noise.texton.steps == 9);
+  CHECK(bake.noise.as<TextonShape>().steps == 9);
   CHECK(bake.quality.modelErrors.size() == 9);
   CHECK(bake.quality.largestStep > 0.0);
   const NoiseMap& map = bake.noise.maps.at(0);
-  REQUIRE(map.laterSteps.size() == 8);
+  REQUIRE(map.as<TextonMap>().laterSteps.size() == 8);
   checkStatistics(map.mean, map.covariance, exemplars[0].maps[0]);
-  checkStatistics(map.laterSteps[3].mean, map.laterSteps[3].covariance, exemplars[1].maps[0]);
-  checkStatistics(map.laterSteps[7].mean, map.laterSteps[7].covariance, exemplars[2].maps[0]);
+  checkStatistics(map.as<TextonMap>().laterSteps[3].mean,
+                  map.as<TextonMap>().laterSteps[3].covariance, exemplars[1].maps[0]);
+  checkStatistics(map.as<TextonMap>().laterSteps[7].mean,
+                  map.as<TextonMap>().laterSteps[7].covariance, exemplars[2].maps[0]);
   std::vector<double> greatest(3, 0.0);
   for (std::size_t c = 0; c < 3; ++c) {
-    CHECK(map.laterSteps[0].mean[c] ==
-          Approx(0.75 * map.mean[c] + 0.25 * map.laterSteps[3].mean[c]));
-    CHECK(map.laterSteps[5].mean[c] ==
-          Approx(0.5 * map.laterSteps[3].mean[c] + 0.5 * map.laterSteps[7].mean[c]));
+    CHECK(map.as<TextonMap>().laterSteps[0].mean[c] ==
+          Approx(0.75 * map.mean[c] + 0.25 * map.as<TextonMap>().laterSteps[3].mean[c]));
+    CHECK(map.as<TextonMap>().laterSteps[5].mean[c] ==
+          Approx(0.5 * map.as<TextonMap>().laterSteps[3].mean[c] +
+                 0.5 * map.as<TextonMap>().laterSteps[7].mean[c]));
     greatest[c] = map.covariance[4 * c];
-    for (const MapStatistics& step : map.laterSteps)
+    for (const TextonStep& step : map.as<TextonMap>().laterSteps)
       greatest[c] = std::max(greatest[c], step.covariance[4 * c]);
-    CHECK(map.scale[c] == Approx(6.0 * std::sqrt(greatest[c])));
+    CHECK(map.as<TextonMap>().scale[c] == Approx(6.0 * std::sqrt(greatest[c])));
   }
 }
 
@@ -119,8 +122,8 @@ TEST_CASE("weights make one texton of the exemplars' mean") {
   TextonMixOptions options = smallOptions(21);
   options.weights = {2.0, 1.0, 1.0};
   const TextonMixBake bake = bakeOf(exemplars, options);
-  CHECK(bake.noise.texton.steps == 1);
-  CHECK(bake.noise.maps[0].laterSteps.empty());
+  CHECK(bake.noise.as<TextonShape>().steps == 1);
+  CHECK(bake.noise.maps[0].as<TextonMap>().laterSteps.empty());
   for (Eigen::Index c = 0; c < 3; ++c) {
     double mean = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -147,7 +150,8 @@ TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud o
   for (std::size_t m = 0; m < 2; ++m) {
     const NoiseMap& map = bake.noise.maps[m];
     checkStatistics(map.mean, map.covariance, exemplars[0].maps[m]);
-    checkStatistics(map.laterSteps[1].mean, map.laterSteps[1].covariance, exemplars[1].maps[m]);
+    checkStatistics(map.as<TextonMap>().laterSteps[1].mean,
+                    map.as<TextonMap>().laterSteps[1].covariance, exemplars[1].maps[m]);
   }
 }
 
@@ -179,7 +183,8 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
       INFO("step " << step << ", level " << level);
       const double count = kSide * kSide;
       const std::vector<double>& losses =
-          step == 0 ? map.mipLoss : map.laterSteps[std::size_t(step) - 1].mipLoss;
+          step == 0 ? map.as<TextonMap>().mipLoss
+                    : map.as<TextonMap>().laterSteps[std::size_t(step) - 1].mipLoss;
       // Amplitudes are kept as bytes.
       CHECK(lost == Approx(losses[std::size_t(level)]).margin(2.0 / 255.0));
       // In units of the step's own variance: 4,096 independent values, of a kurtosis up to 4, have

@@ -21,7 +21,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::texton;
+using namespace lichen::gaussian;
 
 namespace {
 
@@ -32,8 +32,8 @@ constexpr double kStandardErrors = 4.5;
 constexpr double kRounding = 1e-5;
 
 /// Two channels that are correlated, with a skewed distribution.
-TextonCoefficients skewedSpot(int width, int height) {
-  TextonCoefficients spot{width, height, 2, {}};
+Spot skewedSpot(int width, int height) {
+  Spot spot{width, height, 2, {}};
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
   for (std::size_t i = 0; i < pixels; ++i)
     spot.values.push_back(float(std::pow(transport::randomUniform(1, i), 3.0)) - 0.1f);
@@ -42,19 +42,19 @@ TextonCoefficients skewedSpot(int width, int height) {
   return spot;
 }
 
-float at(const gaussian::NoisePlanes& noise, int x, int y, int channel) {
+float at(const NoisePlanes& noise, int x, int y, int channel) {
   return noise.values[std::size_t((channel * noise.height + y) * noise.width + x)];
 }
 
 /// 0 outside the spot.
-double at(const TextonCoefficients& spot, int x, int y, int channel) {
+double at(const Spot& spot, int x, int y, int channel) {
   if (x < 0 || y < 0 || x >= spot.width || y >= spot.height)
     return 0.0;
   return double(spot.values[std::size_t((channel * spot.height + y) * spot.width + x)]);
 }
 
 /// sum over y of h_c(y) h_d(y + lag)
-double spotCovariance(const TextonCoefficients& spot, int c, int d, int lagX, int lagY) {
+double spotCovariance(const Spot& spot, int c, int d, int lagX, int lagY) {
   double sum = 0.0;
   for (int y = 0; y < spot.height; ++y)
     for (int x = 0; x < spot.width; ++x)
@@ -62,7 +62,7 @@ double spotCovariance(const TextonCoefficients& spot, int c, int d, int lagX, in
   return sum;
 }
 
-double spotPower(const TextonCoefficients& spot, int exponent) {
+double spotPower(const Spot& spot, int exponent) {
   double sum = 0.0;
   for (int y = 0; y < spot.height; ++y)
     for (int x = 0; x < spot.width; ++x)
@@ -100,7 +100,7 @@ private:
 
 /// The mean over a torus of f(x, y).
 template <class F>
-double torusMean(const gaussian::NoisePlanes& noise, const F& f) {
+double torusMean(const NoisePlanes& noise, const F& f) {
   double sum = 0.0;
   for (int y = 0; y < noise.height; ++y)
     for (int x = 0; x < noise.width; ++x)
@@ -113,12 +113,12 @@ constexpr std::array<std::pair<int, int>, 5> kLags{{{0, 0}, {1, 0}, {-2, 1}, {0,
 /// Mean, covariances at kLags, third and fourth moments of what `noise(seed)` gives on tori, of
 /// which 1 / intensity is `rarity`, against those of the spot.
 template <class Noise>
-void checkMoments(const TextonCoefficients& spot, double rarity, const Noise& noise) {
+void checkMoments(const Spot& spot, double rarity, const Noise& noise) {
   constexpr int kTori = 2000;
   Sample mean, third, fourth;
   std::array<Sample, kLags.size() * 4> covariances;
   for (int seed = 0; seed < kTori; ++seed) {
-    const gaussian::NoisePlanes torus = noise(std::uint64_t(seed));
+    const NoisePlanes torus = noise(std::uint64_t(seed));
     const auto power = [&](int exponent) {
       return torusMean(
           torus, [&](int x, int y) { return std::pow(double(at(torus, x, y, 0)), exponent); });
@@ -147,8 +147,8 @@ void checkMoments(const TextonCoefficients& spot, double rarity, const Noise& no
   }
 }
 
-gaussian::GaussianModel modelOf(const MapExemplar& map) {
-  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+GaussianModel modelOf(const MapExemplar& map) {
+  return gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
 } // namespace
@@ -156,8 +156,7 @@ gaussian::GaussianModel modelOf(const MapExemplar& map) {
 TEST_CASE("counts of points follow the Poisson law, of small means and of large") {
   constexpr int kSide = 256;
   for (const double mean : {0.03, 0.7, 5.0, 32.0, 33.0, 200.0}) {
-    const std::vector<float> counts =
-        gaussian::poissonCounts({-7, 90, kSide, kSide, false}, mean, 3);
+    const std::vector<float> counts = poissonCounts({-7, 90, kSide, kSide, false}, mean, 3);
     std::vector<double> observed(std::size_t(2.0 * mean) + 40, 0.0);
     for (const float count : counts) {
       REQUIRE(std::size_t(count) < observed.size());
@@ -193,7 +192,7 @@ TEST_CASE("counts of points follow the Poisson law, of small means and of large"
 
 TEST_CASE("Gaussian white noise is normal, and white") {
   constexpr int kSide = 256;
-  std::vector<float> noise = gaussian::gaussianWhiteNoise({0, 0, kSide, kSide, false}, 5);
+  std::vector<float> noise = gaussianWhiteNoise({0, 0, kSide, kSide, false}, 5);
   const double count = double(noise.size());
   double alongRows = 0.0;
   double alongColumns = 0.0;
@@ -213,18 +212,16 @@ TEST_CASE("Gaussian white noise is normal, and white") {
 }
 
 TEST_CASE("summing point by point and by transforms is the same noise, on planes and on tori") {
-  const TextonCoefficients spot = skewedSpot(7, 4);
+  const Spot spot = skewedSpot(7, 4);
   for (const bool periodic : {false, true}) {
     // Odd, prime, smaller than the spot, one pixel; far from the origin.
-    for (const gaussian::PixelDomain& domain : {gaussian::PixelDomain{0, 0, 24, 18, periodic},
-                                                gaussian::PixelDomain{-1000, 777, 31, 29, periodic},
-                                                gaussian::PixelDomain{5, -3, 5, 3, periodic},
-                                                gaussian::PixelDomain{0, 0, 1, 1, periodic}}) {
+    for (const PixelDomain& domain :
+         {PixelDomain{0, 0, 24, 18, periodic}, PixelDomain{-1000, 777, 31, 29, periodic},
+          PixelDomain{5, -3, 5, 3, periodic}, PixelDomain{0, 0, 1, 1, periodic}}) {
       for (const double intensity : {0.02, 3.0}) {
-        const gaussian::NoisePlanes direct =
-            gaussian::discreteSpotNoise(spot, intensity, domain, 4, gaussian::Summation::direct);
-        const gaussian::NoisePlanes spectral =
-            gaussian::discreteSpotNoise(spot, intensity, domain, 4, gaussian::Summation::spectral);
+        const NoisePlanes direct = discreteSpotNoise(spot, intensity, domain, 4, Summation::direct);
+        const NoisePlanes spectral =
+            discreteSpotNoise(spot, intensity, domain, 4, Summation::spectral);
         CHECK(largestDifference(direct.values, spectral.values) < kRounding);
       }
     }
@@ -232,11 +229,11 @@ TEST_CASE("summing point by point and by transforms is the same noise, on planes
 }
 
 TEST_CASE("a crop of a noise is the noise of the crop") {
-  const TextonCoefficients spot = skewedSpot(5, 6);
-  const gaussian::NoisePlanes whole = gaussian::discreteSpotNoise(spot, 0.1, {-9, 4, 40, 30, false},
-                                                                  6, gaussian::Summation::direct);
-  const gaussian::NoisePlanes part = gaussian::discreteSpotNoise(spot, 0.1, {3, 10, 11, 13, false},
-                                                                 6, gaussian::Summation::direct);
+  const Spot spot = skewedSpot(5, 6);
+  const NoisePlanes whole =
+      discreteSpotNoise(spot, 0.1, {-9, 4, 40, 30, false}, 6, Summation::direct);
+  const NoisePlanes part =
+      discreteSpotNoise(spot, 0.1, {3, 10, 11, 13, false}, 6, Summation::direct);
   for (int c = 0; c < 2; ++c)
     for (int y = 0; y < part.height; ++y)
       for (int x = 0; x < part.width; ++x)
@@ -244,11 +241,11 @@ TEST_CASE("a crop of a noise is the noise of the crop") {
 }
 
 TEST_CASE("a crop of a circular noise is the plane's where the margin holds the spot, only there") {
-  const TextonCoefficients spot = skewedSpot(5, 6);
-  const gaussian::PixelDomain plane{2, 3, 30, 26, false};
-  gaussian::PixelDomain torus = plane;
+  const Spot spot = skewedSpot(5, 6);
+  const PixelDomain plane{2, 3, 30, 26, false};
+  PixelDomain torus = plane;
   torus.periodic = true;
-  const auto agree = [&](const gaussian::NoisePlanes& a, const gaussian::NoisePlanes& b) {
+  const auto agree = [&](const NoisePlanes& a, const NoisePlanes& b) {
     int inside = 0, outside = 0;
     for (int c = 0; c < 2; ++c) {
       for (int y = 0; y < a.height; ++y) {
@@ -264,32 +261,31 @@ TEST_CASE("a crop of a circular noise is the plane's where the margin holds the 
     CHECK(inside == 0);
     CHECK(outside > 0);
   };
-  agree(gaussian::discreteSpotNoise(spot, 0.2, torus, 8, gaussian::Summation::direct),
-        gaussian::discreteSpotNoise(spot, 0.2, plane, 8, gaussian::Summation::direct));
-  agree(gaussian::gaussianSpotNoise(spot, torus, 8), gaussian::gaussianSpotNoise(spot, plane, 8));
+  agree(discreteSpotNoise(spot, 0.2, torus, 8, Summation::direct),
+        discreteSpotNoise(spot, 0.2, plane, 8, Summation::direct));
+  agree(gaussianSpotNoise(spot, torus, 8), gaussianSpotNoise(spot, plane, 8));
 }
 
 TEST_CASE("a spot noise has the mean, covariances and cumulants of its spot") {
-  const TextonCoefficients spot = skewedSpot(3, 4);
+  const Spot spot = skewedSpot(3, 4);
   for (const double intensity : {0.1, 2.0}) {
     INFO("intensity " << intensity);
     checkMoments(spot, 1.0 / intensity, [&](std::uint64_t seed) {
-      return gaussian::discreteSpotNoise(spot, intensity, {0, 0, 12, 10, true}, seed,
-                                         gaussian::Summation::direct);
+      return discreteSpotNoise(spot, intensity, {0, 0, 12, 10, true}, seed, Summation::direct);
     });
   }
 }
 
 TEST_CASE("its Gaussian limit has the covariances of the spot, and no other cumulant") {
-  const TextonCoefficients spot = skewedSpot(3, 4);
+  const Spot spot = skewedSpot(3, 4);
   checkMoments(spot, 0.0, [&](std::uint64_t seed) {
-    return gaussian::gaussianSpotNoise(spot, {0, 0, 12, 10, true}, seed);
+    return gaussianSpotNoise(spot, {0, 0, 12, 10, true}, seed);
   });
 }
 
 TEST_CASE("a Gaussian texture on the model's torus has its spectra and cross-spectra") {
-  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(64, 64, 7), 5, 3, 47, 40));
-  const gaussian::NoisePlanes noise = gaussian::gaussianTexture(model, {0, 0, 47, 40, true}, 9);
+  const GaussianModel model = modelOf(cropped(threeMaterials(64, 64, 7), 5, 3, 47, 40));
+  const NoisePlanes noise = gaussianTexture(model, {0, 0, 47, 40, true}, 9);
   const std::size_t pixels = 47 * 40;
   std::vector<HalfSpectrum> spectra;
   for (std::size_t c = 0; c < 3; ++c)
@@ -318,11 +314,11 @@ TEST_CASE("a Gaussian texture on the model's torus has its spectra and cross-spe
 }
 
 TEST_CASE("a Gaussian texture smaller than the model has the model's covariances") {
-  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(24, 24, 3), 2, 1, 13, 12));
-  const gaussian::PixelDomain domain{4, 4, 9, 12, false};
+  const GaussianModel model = modelOf(cropped(threeMaterials(24, 24, 3), 2, 1, 13, 12));
+  const PixelDomain domain{4, 4, 9, 12, false};
   std::array<Sample, kLags.size()> samples;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-    const gaussian::NoisePlanes noise = gaussian::gaussianTexture(model, domain, seed);
+    const NoisePlanes noise = gaussianTexture(model, domain, seed);
     REQUIRE(noise.width == 9);
     REQUIRE(noise.height == 12);
     for (std::size_t k = 0; k < kLags.size(); ++k) {
@@ -348,8 +344,8 @@ TEST_CASE("a Gaussian texture smaller than the model has the model's covariances
 
 TEST_CASE("a Gaussian texture larger than the model has its covariances at short lags") {
   const MapExemplar map = threeMaterials(64, 64, 7);
-  const gaussian::GaussianModel model = modelOf(map);
-  const gaussian::NoisePlanes noise = gaussian::gaussianTexture(model, {0, 0, 1000, 700, false}, 2);
+  const GaussianModel model = modelOf(map);
+  const NoisePlanes noise = gaussianTexture(model, {0, 0, 1000, 700, false}, 2);
   const std::vector<float> covariance =
       inverseFft(crossSpectrum(model.channels[0], model.channels[0]));
   const std::vector<double> measured =
@@ -362,13 +358,12 @@ TEST_CASE("a Gaussian texture larger than the model has its covariances at short
 }
 
 TEST_CASE("spot noises are the same bytes on one thread and on many") {
-  const TextonCoefficients spot = skewedSpot(9, 8);
-  const gaussian::PixelDomain domain{0, 0, 61, 53, false};
+  const Spot spot = skewedSpot(9, 8);
+  const PixelDomain domain{0, 0, 61, 53, false};
   const auto noises = [&] {
-    return std::array{
-        gaussian::discreteSpotNoise(spot, 0.3, domain, 1, gaussian::Summation::direct).values,
-        gaussian::discreteSpotNoise(spot, 0.3, domain, 1, gaussian::Summation::spectral).values,
-        gaussian::gaussianSpotNoise(spot, domain, 1).values};
+    return std::array{discreteSpotNoise(spot, 0.3, domain, 1, Summation::direct).values,
+                      discreteSpotNoise(spot, 0.3, domain, 1, Summation::spectral).values,
+                      gaussianSpotNoise(spot, domain, 1).values};
   };
   const auto many = noises();
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

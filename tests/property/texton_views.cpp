@@ -196,7 +196,7 @@ Seen seenThrough(const ValueAt& valueAt, double width, double height, int side) 
 class FilteredTexton {
 public:
   FilteredTexton(const Bundle& bundle, std::size_t channel) {
-    const TextonShape& shape = bundle.noises[0].texton;
+    const TextonShape& shape = bundle.noises[0].as<TextonShape>();
     const RepeatingImage image(bundle.tables[0]);
     Mip mip{shape.coefficientsX, shape.coefficientsY, {}};
     for (int y = 0; y < mip.height; ++y)
@@ -372,7 +372,7 @@ TEST_CASE("each channel of a view keeps what its own losses leave, beyond the la
     }
     for (std::size_t c = 0; c < 3; ++c) {
       INFO("level " << level << ", channel " << c);
-      const double kept = 1.0 - lossRow(map.mipLoss, c, 3)[level];
+      const double kept = 1.0 - lossRow(map.as<TextonMap>().mipLoss, c, 3)[level];
       // Five standard errors of 4,096 values of a kurtosis up to 4, sqrt(3 / 4096) each, and the
       // steps of the amplitudes' bytes.
       CHECK(variance[c] == Approx(kept).epsilon(0.14).margin(std::sqrt(kept) / 255.0));
@@ -420,7 +420,8 @@ TEST_CASE("the spectrum of texton noise with 30 impacts is that of its Gaussian 
         at.position = {float(x + 0.5) / kSide, float(y + 0.5) / kSide};
         const auto value = view.twin.gaussian(0, view.noise, view.texton, at);
         for (std::size_t c = 0; c < 3; ++c)
-          result.pixel(x, y)[c] = float(map.mean[c] + map.scale[c] * (double(value[c]) - 0.5));
+          result.pixel(x, y)[c] =
+              float(map.mean[c] + map.as<TextonMap>().scale[c] * (double(value[c]) - 0.5));
       }
     });
     // A generated exemplar is its own periodic component: its model is itself with random phases.

@@ -79,8 +79,8 @@ Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double
     appendTexels(table.texels, format, texels);
     NoiseMap map = described;
     map.target = target;
-    map.image = bundle.tables.size();
-    map.mipLoss = {0.0};
+    map.as<TilingMap>().gaussian = bundle.tables.size();
+    map.as<TilingMap>().mipLoss = {0.0};
     bundle.tables.push_back(std::move(table));
     noise.maps.push_back(std::move(map));
   };
@@ -178,10 +178,10 @@ double kolmogorovSmirnov(std::vector<double> a, std::vector<double> b) {
   return largest;
 }
 
-struct exemplar::Moments {
+struct Moments {
   double mean, variance;
 };
-exemplar::Moments exemplar::momentsOf(const std::vector<double>& values) {
+Moments momentsOf(const std::vector<double>& values) {
   double sum = 0.0, squares = 0.0;
   for (const double value : values)
     sum += value, squares += value * value;
@@ -302,11 +302,11 @@ TEST_CASE("turned colours keep mean, variance and histogram wherever in a triang
     return values;
   };
   const std::vector<double> vertex = samples(0, 0.001, 0.001);
-  const exemplar::Moments wanted = exemplar::momentsOf(vertex);
+  const Moments wanted = momentsOf(vertex);
   for (const std::uint32_t steps : kSteps)
     for (const auto& [f, g] : {std::pair{0.001, 0.001}, {1.0 / 3.0, 1.0 / 3.0}, {0.7, 0.5}}) {
       const std::vector<double> found = samples(steps, f, g);
-      const exemplar::Moments moments = exemplar::momentsOf(found);
+      const Moments moments = momentsOf(found);
       INFO("steps " << steps << " at " << f << ", " << g << ": variance " << moments.variance
                     << " of " << wanted.variance);
       // 8100 cells: as in fewer_taps.cpp, alpha 1e-4 in all.

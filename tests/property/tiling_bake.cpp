@@ -88,7 +88,7 @@ TEST_CASE("a bake does not depend on the number of threads") {
   REQUIRE(one.tables.size() == many.tables.size());
   for (std::size_t t = 0; t < one.tables.size(); ++t)
     CHECK(one.tables[t].texels == many.tables[t].texels);
-  CHECK(one.noise.maps[0].mipLoss == many.noise.maps[0].mipLoss);
+  CHECK(one.noise.maps[0].as<TilingMap>().mipLoss == many.noise.maps[0].as<TilingMap>().mipLoss);
 }
 
 TEST_CASE("the bake of a set does not depend on the number of threads", "[large]") {
@@ -135,7 +135,7 @@ TEST_CASE("the bake of a set does not depend on the number of threads", "[large]
     CHECK(one.tables[t].texels == many.tables[t].texels);
   }
   for (std::size_t m = 0; m < maps.size(); ++m)
-    CHECK(one.noise.maps[m].mipLoss == many.noise.maps[m].mipLoss);
+    CHECK(one.noise.maps[m].as<TilingMap>().mipLoss == many.noise.maps[m].as<TilingMap>().mipLoss);
 }
 
 TEST_CASE("one map that does not tile makes the whole set be blended") {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <exemplar/borders.h>
+#include <gaussian/cross_fade.h>
 
 using namespace lichen;
 using namespace lichen::test;

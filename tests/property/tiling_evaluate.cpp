@@ -384,7 +384,7 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
 
 TEST_CASE("a noise that this version cannot evaluate is refused by name") {
   Bundle bundle = exampleBundle();
-  bundle.noises[0].method = Method::texton;
+  bundle.noises[0].data = TextonShape();
   const Result<TilingEvaluator> otherMethod = TilingEvaluator::create(bundle, 0);
   REQUIRE_FALSE(otherMethod);
   CHECK(otherMethod.error().message.find("texton") != std::string::npos);

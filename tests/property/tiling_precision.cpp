@@ -63,7 +63,7 @@ TEST_CASE("an image that is stored in fewer steps has lost more") {
   const MapExemplar map = test::threeMaterials(96, 96, 12);
   Bundle bundle = bakedWith(map, 8);
   const PrecisionLoss before = lossOf(bundle, map);
-  Table& gaussian = bundle.tables[bundle.noises[0].maps[0].image];
+  Table& gaussian = bundle.tables[bundle.noises[0].maps[0].as<TilingMap>().gaussian];
   for (std::byte& texel : gaussian.texels) // four bits
     texel = std::byte(unsigned(texel) / 16 * 17);
   const PrecisionLoss after = lossOf(bundle, map);
@@ -75,7 +75,7 @@ TEST_CASE("the measures are those of the decoded texels") {
   // the exemplar to a single colour.
   const MapExemplar map = test::threeMaterials(64, 64, 3);
   Bundle bundle = bakedWith(map, 16);
-  Table& table = bundle.tables[*bundle.noises[0].maps[0].inverseTable];
+  Table& table = bundle.tables[*bundle.noises[0].maps[0].as<TilingMap>().inverseTable];
   const std::vector<float> black(table.texels.size() / 2, 0.0f);
   table.texels.clear();
   appendTexels(table.texels, table.format, black);
@@ -100,7 +100,7 @@ TEST_CASE("an exemplar of another shape is refused") {
 TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const Bundle bundle = bakedWith(map, 8);
-  const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].image];
+  const Table& gaussian = bundle.tables[bundle.noises[0].maps[0].as<TilingMap>().gaussian];
   const std::vector<float> texels = decodeLevel(gaussian, 0);
   std::array<std::size_t, 256> codes{};
   for (std::size_t i = 0; i < texels.size(); ++i)

@@ -76,7 +76,7 @@ exemplar::Moments synthesizedMoments(const Bundle& bundle, int side, double texe
 exemplar::Moments lightMoments(const MapExemplar& map) {
   std::vector<float> values = map.values;
   for (float& value : values)
-    value = decoded(value, map.encoding);
+    value = exemplar::decoded(value, map.encoding);
   return exemplar::momentsOf(values, int(map.channels.size()));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
   options.gaussian = GaussianOnly::yes;
   const Bundle bundle = bakedWith(map, options);
   REQUIRE(bundle.tables.size() == 1);
-  CHECK_FALSE(bundle.noises[0].maps[0].inverseTable.has_value());
+  CHECK_FALSE(bundle.noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
   const exemplar::Moments wanted = lightMoments(map);
   const exemplar::Moments near = synthesizedMoments(bundle, 1024);
   // 1024^2 pixels correlated over 9: standard errors of 0.3 % of a deviation and 0.4 % of a
@@ -179,7 +179,7 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
   CHECK(refused.error().kind == ErrorKind::usage);
   CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
   options.gaussian = GaussianOnly::detect;
-  CHECK(bakedWith(grey, options).noises[0].maps[0].inverseTable.has_value());
+  CHECK(bakedWith(grey, options).noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
 }
 
 TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table") {
@@ -281,8 +281,8 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
   options.lut = LookupTable::separable;
   const Bundle bundle = bakedWith(map, options);
   const NoiseMap& baked = bundle.noises[0].maps[0];
-  REQUIRE(baked.tableBasis.size() == 9);
-  CHECK(bundle.tables[*baked.inverseTable].texels.size() == 256 * kTableLevels * 8);
+  REQUIRE(baked.as<TilingMap>().tableBasis.size() == 9);
+  CHECK(bundle.tables[*baked.as<TilingMap>().inverseTable].texels.size() == 256 * kTableLevels * 8);
   const exemplar::Moments wanted = lightMoments(map);
   const exemplar::Moments near = synthesizedMoments(bundle, 1024);
   // As of the joint table, tests/property/tiling_evaluate.cpp; and clamping what leaves the gamut
@@ -309,7 +309,7 @@ TEST_CASE(
   TilingOptions options;
   options.lut = LookupTable::separable;
   options.gaussian = GaussianOnly::no;
-  CHECK(bakedWith(dark, options).noises[0].maps[0].tableBasis.empty());
+  CHECK(bakedWith(dark, options).noises[0].maps[0].as<TilingMap>().tableBasis.empty());
 }
 
 TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in any case",
@@ -328,7 +328,7 @@ TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in
   separable.lut = LookupTable::separable;
   for (const MapExemplar& map : {grey, slopes, bright}) {
     const Bundle bundle = bakedWith(map, separable);
-    CHECK(bundle.noises[0].maps[0].tableBasis.empty());
+    CHECK(bundle.noises[0].maps[0].as<TilingMap>().tableBasis.empty());
     CHECK(bundle.tables[1].texels == bakedWith(map, joint).tables[1].texels);
   }
 }

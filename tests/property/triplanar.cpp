@@ -213,7 +213,7 @@ TEST_CASE("the gradient in space is that of the height which all planes show") {
   material.planeSharpness = 2.0;
   const shader::LichenNoise noise = shaderNoise(bundle, material, {});
   const shader::LichenTexton texton = shaderTexton(bundle, material, {});
-  const double deviation = bundle.noises[0].maps[0].scale[0];
+  const double deviation = bundle.noises[0].maps[0].as<TextonMap>().scale[0];
   std::mt19937 generator(8u);
   std::uniform_real_distribution<float> metres(-1.0f, 1.0f);
   std::normal_distribution<float> gaussian;

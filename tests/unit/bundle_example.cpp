@@ -27,7 +27,7 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
   for (std::uint32_t level = 0; level < mipLevels; ++level)
-    map.mipLoss.push_back(double(level) / double(mipLevels));
+    map.as<TilingMap>().mipLoss.push_back(double(level) / double(mipLevels));
   return map;
 }
 
@@ -93,6 +93,7 @@ constexpr std::array<double, 3> kMixShares = {1.0, 0.75, 0.5};
 /// Gives a map of a mix of order 3 a texton of pattern texels, less with each step, of its own
 /// variance, and the statistics of it.
 Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map) {
+  auto& texton = map.data.emplace<TextonMap>();
   const auto stored = std::size_t(channelCount(format));
   const std::size_t n = map.channels.size();
   const std::size_t width = shape.frameWidth(), height = shape.frameHeight();
@@ -108,25 +109,24 @@ Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map)
     energy.push_back(product(frame, width, stored, {c, c}, shape.order));
   for (std::size_t i = 0; i < frame.size(); ++i)
     frame[i] /= kDeviations * std::sqrt(energy[i % stored]);
-  map.scale.clear();
   for (std::size_t c = 0; c < n; ++c)
-    map.scale.push_back(kDeviations * std::sqrt(map.covariance[c * n + c]));
+    texton.scale.push_back(kDeviations * std::sqrt(map.covariance[c * n + c]));
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t d = 0; d < n; ++d)
       if (c != d)
         map.covariance[c * n + d] =
-            map.scale[c] * map.scale[d] *
+            texton.scale[c] * texton.scale[d] *
             product(frame, width, stored, {std::min(c, d), std::max(c, d)}, shape.order);
   // Losses of the mips and of one average more, by bilinear interpolation.
   const std::size_t levels = std::size_t(shape.mipLevels) + 1;
-  map.mipLoss.assign(n * levels, 0.0);
+  texton.mipLoss.assign(n * levels, 0.0);
   std::vector<double> mip = frame;
   double area = 1.0;
   for (std::size_t level = 1; level < levels; ++level) {
     mip = halved(mip, width >> (level - 1), stored);
     area *= 4.0;
     for (std::size_t c = 0; c < n; ++c)
-      map.mipLoss[c * levels + level] =
+      texton.mipLoss[c * levels + level] =
           1.0 - 36.0 * area * product(mip, width >> level, stored, {c, c}, 1);
   }
   std::vector<double> image;
@@ -135,12 +135,12 @@ Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map)
       image.push_back(share * texel);
     if (share == kMixShares.front())
       continue;
-    MapStatistics step{map.mean, map.covariance, map.mipLoss};
+    TextonStep step{map.mean, map.covariance, texton.mipLoss};
     for (double& mean : step.mean)
       mean *= share;
     for (double& covariance : step.covariance)
       covariance *= share * share;
-    map.laterSteps.push_back(std::move(step));
+    texton.laterSteps.push_back(std::move(step));
   }
   return textonTable("", shape, format, std::move(image));
 }
@@ -210,11 +210,11 @@ BundleFile smallest() {
   Noise noise;
   noise.name = "felt";
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 3);
-  map.image =
+  map.as<TilingMap>().gaussian =
       addTable(file.bundle, patternTable("felt.height.gaussian", TexelFormat::r8Unorm, 4, 2, 0, 3));
-  map.inverseTable = addTable(
+  map.as<TilingMap>().inverseTable = addTable(
       file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
-  map.levels = levels(2);
+  map.as<TilingMap>().levels = levels(2);
   addNoise(file, std::move(noise), std::move(map));
   return file;
 }
@@ -223,8 +223,7 @@ BundleFile smallestTexton() {
   BundleFile file;
   Noise noise;
   noise.name = "dune";
-  noise.method = Method::texton;
-  TextonShape& shape = noise.texton;
+  auto& shape = noise.data.emplace<TextonShape>();
   shape.coefficientsX = shape.coefficientsY = 8;
   shape.texelsPerTileX = shape.texelsPerTileY = 32;
   shape.mipLevels = shape.mostMipLevels();
@@ -238,15 +237,17 @@ BundleFile smallestTexton() {
       texels[y * side + x] = arch(x) * arch(y);
     }
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 1);
+  auto& texton = map.data.emplace<TextonMap>();
+  texton.mipLoss = {0.0};
   const double energy = bilinearEnergy(texels, side);
-  map.scale = {6.0 * std::sqrt(map.covariance[0])};
+  texton.scale = {6.0 * std::sqrt(map.covariance[0])};
   for (double& texel : texels)
     texel /= 6.0 * std::sqrt(energy); // so that the variance is the map's
   const std::vector<double> coarse = halved(texels, side);
   constexpr double kCoarseTexelArea = 4.0;
-  map.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
-  map.image = addTable(file.bundle, textonTable("dune.height.texton", shape, TexelFormat::r16Sfloat,
-                                                std::move(texels)));
+  texton.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
+  texton.image = addTable(file.bundle, textonTable("dune.height.texton", shape,
+                                                   TexelFormat::r16Sfloat, std::move(texels)));
   addNoise(file, std::move(noise), std::move(map));
   return file;
 }
@@ -257,11 +258,10 @@ BundleFile textonMix() {
   Bundle& bundle = file.bundle;
   Noise noise;
   noise.name = "sand to moss";
-  noise.method = Method::texton;
-  noise.texton = {9, 17, 3, 2, 100, 50, 3};
+  noise.data = TextonShape{9, 17, 3, 2, 100, 50, 3};
   const auto addMap = [&](NoiseMap map, TexelFormat format) {
-    Table table = patternTexton(noise.texton, format, map);
-    map.image = addTable(bundle, std::move(table));
+    Table table = patternTexton(noise.as<TextonShape>(), format, map);
+    map.as<TextonMap>().image = addTable(bundle, std::move(table));
     noise.maps.push_back(std::move(map));
   };
   addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 1),
@@ -293,35 +293,43 @@ BundleFile everyMap() {
   noise.tileSizeMetres = 0.5;
 
   NoiseMap color = makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 4);
-  color.image = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
-  color.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba8Srgb, 32, 32, 64, 1));
-  color.levels = levels(2);
+  color.as<TilingMap>().gaussian =
+      addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
+  color.as<TilingMap>().inverseTable =
+      addTable(bundle, patternTable("", TexelFormat::rgba8Srgb, 32, 32, 64, 1));
+  color.as<TilingMap>().levels = levels(2);
   noise.maps.push_back(std::move(color));
 
   NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
-  normal.image = addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
-  normal.inverseTable =
+  normal.as<TilingMap>().gaussian =
+      addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
+  normal.as<TilingMap>().inverseTable =
       addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 64, 192, 0, 1));
-  normal.levels = levels(3);
+  normal.as<TilingMap>().levels = levels(3);
   noise.maps.push_back(std::move(normal));
 
   NoiseMap grey = makeMap(MapTarget::occlusionRoughnessMetallic, {occlusion, roughness, metallic},
                           ValueEncoding::linear, 4);
-  grey.image = addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
-  grey.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 4, 0, 1));
-  grey.levels = levels(4);
+  grey.as<TilingMap>().gaussian =
+      addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
+  grey.as<TilingMap>().inverseTable =
+      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 4, 0, 1));
+  grey.as<TilingMap>().levels = levels(4);
   noise.maps.push_back(std::move(grey));
 
   NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear, 1);
-  opacityMap.image = addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
+  opacityMap.as<TilingMap>().gaussian =
+      addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
   noise.maps.push_back(std::move(opacityMap));
 
   NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
-  glow.image = addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
-  glow.inverseTable = addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
-  glow.levels = levels(2);
-  glow.tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};
-  glow.tableOffset = {0.0, 0.125, 0.25};
+  glow.as<TilingMap>().gaussian =
+      addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
+  glow.as<TilingMap>().inverseTable =
+      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
+  glow.as<TilingMap>().levels = levels(2);
+  glow.as<TilingMap>().tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};
+  glow.as<TilingMap>().tableOffset = {0.0, 0.125, 0.25};
   noise.maps.push_back(std::move(glow));
 
   bundle.noises.push_back(std::move(noise));

@@ -127,7 +127,7 @@ TEST_CASE("one exemplar spans the same area everywhere on the ball and on the gr
 
 TEST_CASE("an exemplar keeps the shape on the ground that its textons tell") {
   BundleFile file = example::smallestTexton();
-  file.bundle.noises[0].texton.texelsPerTileX *= 3; // of an image as wide as high
+  file.bundle.noises[0].as<TextonShape>().texelsPerTileX *= 3; // of an image as wide as high
   file.shape = PreviewShape::plane;
   GlbParts parts(encodeGlb(file).value());
   const Geometry ground(parts, parts.json["meshes"][0]["primitives"][0]);
@@ -223,6 +223,6 @@ TEST_CASE("parts of a file that do not fit one another are refused") {
   CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->contrast = 7.0; }));
   CHECK(refused([](BundleFile& f) { f.previews[0].tilesPerImage = 0; }));
   CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].mean[0] = std::nan(""); }));
-  CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].image = 100; }));
+  CHECK(refused([](BundleFile& f) { f.bundle.noises[0].maps[0].as<TilingMap>().gaussian = 100; }));
   CHECK(refused([](BundleFile& f) { f.bundle.noises[0].name = "\xff"; }));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Noises of a later revision are ignored with all that is theirs, and the others read as ever.
+// Noises of a method or a revision that this version does not know are ignored, the others read.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 
@@ -11,11 +11,12 @@ using nlohmann::json;
 
 namespace {
 
-/// The file of every map, whose first noise a later version has written in ways of its own.
+/// The file of every map, whose first noise a later version has written.
 GlbParts laterFile() {
   GlbParts parts(encodeGlb(example::everyMap()).value());
   json& noise = parts.extension()["noises"][0];
-  noise = {{"name", noise["name"]}, {"method", "magic"}, {"revision", 2}, {"maps", {{"spell", 7}}}};
+  noise = {
+      {"name", noise["name"]}, {"method", "tiling"}, {"revision", 2}, {"maps", {{"spell", 7}}}};
   parts.use(0) = {{"noise", 0}, {"mapping", "surface"}, {"scale", "large"}};
   parts.setTableWord(0, 12, 131); // vkFormat: VK_FORMAT_BC1_RGB_UNORM_BLOCK
   parts.extension()["tables"][1] = {{"bufferView", 1000}};
@@ -47,11 +48,34 @@ TEST_CASE("a noise of a later revision is ignored with its maps, tables and mate
   for (std::size_t m = 0; m < all.noises[1].maps.size(); ++m) {
     const NoiseMap& expected = all.noises[1].maps[m];
     const NoiseMap& map = bundle.noises[0].maps[m];
-    CHECK(bundle.tables[map.image].texels == all.tables[expected.image].texels);
-    REQUIRE(map.inverseTable.has_value() == expected.inverseTable.has_value());
-    if (map.inverseTable)
-      CHECK(bundle.tables[*map.inverseTable].texels == all.tables[*expected.inverseTable].texels);
+    std::vector<std::size_t> tables, expectedTables;
+    visitTables(map, [&](std::size_t table) { tables.push_back(table); });
+    visitTables(expected, [&](std::size_t table) { expectedTables.push_back(table); });
+    REQUIRE(tables.size() == expectedTables.size());
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      CHECK(bundle.tables[tables[t]].texels == all.tables[expectedTables[t]].texels);
   }
+}
+
+TEST_CASE("a noise of a method that nobody knows is ignored, whatever its revision") {
+  GlbParts parts = laterFile();
+  parts.extension()["noises"][0]["method"] = "magic";
+  SECTION("revision 1") { parts.extension()["noises"][0]["revision"] = 1; }
+  SECTION("a later revision") {}
+  SECTION("no revision") { parts.extension()["noises"][0].erase("revision"); }
+  const std::vector<std::byte> file = parts.join();
+  const auto parsed = parseBundle(file, "unknown.glb");
+  REQUIRE(parsed.ok());
+  REQUIRE(parsed.value().ignoredNoises.size() == 1);
+  CHECK(parsed.value().ignoredNoises[0].method == "magic");
+  CHECK_FALSE(parsed.value().materials[0].has_value());
+  CHECK(parsed.value().noises.size() == 1);
+  const std::vector<Finding> findings = checkBundle(file);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].severity == Finding::Severity::warning);
+  CHECK(findings[0].code == "noise-method");
+  CHECK(findings[0].pointer == "/extensions/LICHEN_materials_exemplar_noise/noises/0/method");
+  CHECK(findings[0].message.starts_with("method 'magic'; this version does not know it"));
 }
 
 TEST_CASE("the checker warns of a later revision with the one that is known, and of nothing else") {
@@ -60,7 +84,7 @@ TEST_CASE("the checker warns of a later revision with the one that is known, and
   CHECK(findings[0].severity == Finding::Severity::warning);
   CHECK(findings[0].code == "noise-revision");
   CHECK(findings[0].pointer == "/extensions/LICHEN_materials_exemplar_noise/noises/0/revision");
-  CHECK(findings[0].message.starts_with("2; 1 is known"));
+  CHECK(findings[0].message.starts_with("revision 2 of tiling; this version knows 1"));
 }
 
 TEST_CASE("a file of later noises alone has none") {

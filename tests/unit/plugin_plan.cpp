@@ -273,7 +273,7 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
   const BundleFile file = example::everyMap();
   const OwnedBundle bundle(file);
   constexpr std::uint32_t opacity = 3;
-  REQUIRE_FALSE(file.bundle.noises[1].maps[opacity].inverseTable.has_value());
+  REQUIRE_FALSE(file.bundle.noises[1].maps[opacity].as<TilingMap>().inverseTable.has_value());
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, opacity, &map) == LICHEN_SUCCESS);
@@ -297,7 +297,8 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
 TEST_CASE(
     "each map of a mix has a table of its steps, and the material says who gives the weight") {
   const BundleFile file = example::textonMix();
-  const std::vector<double>& losses = file.bundle.noises[1].maps[0].mipLoss; // of all steps
+  const std::vector<double>& losses =
+      file.bundle.noises[1].maps[0].as<TextonMap>().mipLoss; // of all steps
   const OwnedBundle bundle(file);
   LichenNoiseProperties noise;
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);

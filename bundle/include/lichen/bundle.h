@@ -4,6 +4,9 @@
 #pragma once
 
 #include <lichen/result.h>
+#include <lichen/table.h>
+#include <lichen/texton_map.h>
+#include <lichen/tiling_map.h>
 
 #include <array>
 #include <cstddef>
@@ -14,68 +17,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace lichen {
 
 inline constexpr std::string_view kExtensionName = "LICHEN_materials_exemplar_noise";
-
-/// The revision of each method that this version writes and evaluates. It ignores noises of later
-/// ones.
-inline constexpr int kNoiseRevision = 1;
-
-enum class TexelFormat {
-  r8Unorm,
-  rg8Unorm,
-  rgba8Unorm,
-  rgba8Srgb,
-  r16Sfloat,
-  rg16Sfloat,
-  rgba16Sfloat,
-  r32Sfloat,
-  rgba32Sfloat,
-};
-
-/// The largest value of a 16-bit texel; larger ones are stored as it.
-inline constexpr float kHalfMax = 65504.0f;
-
-/// Texels of a table's longest side.
-inline constexpr std::uint32_t kMaxTableSide = 16384;
-
-/// Bytes of one texel, and how many channels it has.
-[[nodiscard]] std::size_t texelBytes(TexelFormat format);
-[[nodiscard]] int channelCount(TexelFormat format);
-
-/// An uncompressed 2-D texture with mips, or a 3-D texture without: the content of one KTX2 file.
-/// Level l has max(1, width >> l) x max(1, height >> l) texels, rows top first, z slowest, tightly
-/// packed; levels follow one another from 0 in `texels`.
-struct Table {
-  std::string name;
-  TexelFormat format = TexelFormat::rgba8Unorm;
-  std::uint32_t width = 1;
-  std::uint32_t height = 1;
-  std::uint32_t depth = 0;     ///< 0 for a 2-D texture
-  std::uint32_t mipLevels = 1; ///< 1 when 3-D
-  std::vector<std::byte> texels;
-};
-
-/// Offset and size in bytes of one mip level inside Table::texels. `level` < mipLevels.
-struct LevelRange {
-  std::size_t offset = 0;
-  std::size_t size = 0;
-};
-[[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
-
-/// One mip level as floats, channelCount interleaved, sRGB decoded to light. Throws std::bad_alloc.
-[[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);
-/// Appends float texels, channelCount(format) interleaved, rounded to nearest into `format`; sRGB
-/// formats are given light and store its code. Throws std::bad_alloc.
-void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
-                  std::span<const float> values);
-
-/// KTX2 of a table (throws std::bad_alloc), and back. `name`, of messages, becomes Table::name.
-[[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
-[[nodiscard]] Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name);
 
 enum class MapTarget { baseColor, normal, occlusionRoughnessMetallic, emissive, height, opacity };
 enum class MapChannel {
@@ -99,6 +46,12 @@ enum class Mapping { uv, triplanar, surface, solid };
 enum class NoiseSpace { world, object };
 /// How a noise is evaluated: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
 enum class Method { tiling, texton };
+
+/// All methods, in their order.
+[[nodiscard]] std::span<const Method> allMethods();
+/// The revision of a method that this version writes and evaluates. Noises of other revisions are
+/// ignored.
+[[nodiscard]] int revisionOf(Method method);
 /// How the impacts of a texton noise lie: one in each cell of a grid, or a Poisson process.
 enum class PointProcess { stratified, poisson };
 /// Where the weight of a mix comes from: a number, a way along texture coordinates, a texture, or
@@ -123,101 +76,58 @@ enum class MixSource { constant, direction, texture, vertexColor };
 [[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
 [[nodiscard]] std::optional<MixSource> mixSourceFrom(std::string_view name);
 
-/// Of an exemplar's stored values, or of one step of a mix of textons; members as NoiseMap's.
-struct MapStatistics {
-  std::vector<double> mean;
-  std::vector<double> covariance;
-  std::vector<double> mipLoss;
-};
+/// What a method holds for all maps of a noise, and for one map. Both alternatives of a noise are
+/// those of one method, in the order of Method.
+using MethodNoise = std::variant<TilingNoise, TextonShape>;
+using MethodMap = std::variant<TilingMap, TextonMap>;
 
 /// One map of a noise.
-///
-/// Of a texton noise: `image` is the texton's (TextonShape says where its coefficients lie), of a
-/// float format with a colour channel for each of the map's, and the stored value is mean + scale x
-/// the sum over impacts.
-///
-/// Of a tiling noise: `image` is the Gaussian image. It has D = 1, 2 or 3 colour channels
-/// (R8/R16F/R32F, RG.., RGBA.. with alpha unused), D being the dimension of the affine space that
-/// the exemplar's values span: a grey photograph stored as RGB has D = 1 and three `channels`. The
-/// inverse table maps [0, 1]^D to the channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x
-/// 64 L; D = 3: 3-D, 32 x 32 x 32 L. Slab k is prefiltered for the lost variance levels[k] = 1 - (1
-/// - k / (L - 1))^2, in units of the full variance: kept amplitude falls linearly from slab 0
-/// (nothing lost) to L - 1 (constant).
 struct NoiseMap {
   MapTarget target = MapTarget::baseColor;
   std::vector<MapChannel> channels; ///< 1 to 3
   ValueEncoding encoding = ValueEncoding::srgb;
-  std::vector<double> mean;                ///< n = channels.size() values
-  std::vector<double> covariance;          ///< n x n, row-major, symmetric
-  std::size_t image = 0;                   ///< index into Bundle::tables
-  std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
-  std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
-  /// Of a separable table: decoded = tableOffset + tableBasis t, t one value an axis; n x D values,
-  /// row-major, and n. Empty for a joint table and without a table.
-  std::vector<double> tableBasis;
-  std::vector<double> tableOffset;
-  /// Of a texton noise: a factor >= 0 for each channel, six times its deviation, of a mix its
-  /// greatest. Empty otherwise.
-  std::vector<double> scale;
-  /// Share of the variance that each mip level of the image has lost; in [0, 1], from 0, not
-  /// decreasing. Of a Gaussian image the mean over its channels, one value a mip level. Of a texton
-  /// n rows, a row a channel, of a value a mip level and up to kMaxTextonLosses: the others are of
-  /// the box averages beyond the last mip.
-  std::vector<double> mipLoss;
-  /// Of a mix, whose first step mean, covariance and mipLoss are of, the others in order:
-  /// TextonShape::steps - 1. Empty otherwise.
-  std::vector<MapStatistics> laterSteps;
+  std::vector<double> mean;       ///< of the exemplar's stored values, n = channels.size() of them
+  std::vector<double> covariance; ///< n x n, row-major, symmetric
+  MethodMap data;
+
+  /// The data of the map's own method.
+  template <class Data>
+  [[nodiscard]] const Data& as() const {
+    return std::get<Data>(data);
+  }
+  template <class Data>
+  [[nodiscard]] Data& as() {
+    return std::get<Data>(data);
+  }
+
+  [[nodiscard]] bool operator==(const NoiseMap&) const = default;
 };
 
-/// Levels of averaging for which the losses of a texton's channel are known.
-inline constexpr std::size_t kMaxTextonLosses = 16;
-
-/// One of the rows of a mipLoss; `row` below `rows`, of which it has a whole number.
-[[nodiscard]] std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
-                                              std::size_t rows);
-
-/// How a map's Gaussian values become its own: one table over all dimensions, one for each, or the
-/// affine map of its mean and covariance.
-enum class TableKind { joint, separable, none };
-[[nodiscard]] TableKind tableKindOf(const NoiseMap& map);
-/// "joint", "separable" or "none".
-[[nodiscard]] std::string_view nameOf(TableKind kind);
-
-/// What all textons of a noise have in common.
-///
-/// Their coefficients are the top left part of a frame of frameWidth() x frameHeight() texels,
-/// which is zero elsewhere: half a texel of the last mip on all sides, as the image repeats. An
-/// image is `steps` frames, one above the other, together at most kMaxTableSide high.
-struct TextonShape {
-  int coefficientsX = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
-  int coefficientsY = 0;  ///< likewise
-  int order = 1;          ///< of the B-spline between coefficients: 0, 1 or 3
-  int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
-  int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
-  int texelsPerTileY = 0; ///< likewise
-  int steps = 1;          ///< of a mix, textons from its first exemplar to the last; otherwise 1
-
-  /// As many as keep four texels of the last mip, 2^(mipLevels - 1) coefficients wide, inside the
-  /// texton: wider ones would reach far beyond it and make a pixel pay for impacts that it hardly
-  /// sees.
-  [[nodiscard]] int mostMipLevels() const;
-
-  /// Texels of a frame: whole texels of the last mip, and one more.
-  [[nodiscard]] std::uint32_t frameWidth() const;
-  [[nodiscard]] std::uint32_t frameHeight() const;
-};
-inline constexpr int kMaxTextonSide = 1024;
-inline constexpr int kMaxTextonMips = 9; ///< mostMipLevels() of the largest texton
-inline constexpr int kMaxTextonSteps = 64;
+/// Calls visit(index) for each index of a table in a map, const or not.
+template <class Map, class Visit>
+void visitTables(Map& map, const Visit& visit) {
+  std::visit([&](auto& data) { data.visitTables(data, visit); }, map.data);
+}
 
 /// One noise: maps that share lattice, hash, seed and weights, or impacts.
 struct Noise {
   std::string name;
-  Method method = Method::tiling;
-  int revision = kNoiseRevision;
   double tileSizeMetres = 1.0; ///< width of one exemplar
-  TextonShape texton;          ///< of Method::texton
+  MethodNoise data;
   std::vector<NoiseMap> maps;
+
+  [[nodiscard]] Method method() const { return Method(data.index()); }
+  /// The data of the noise's own method.
+  template <class Data>
+  [[nodiscard]] const Data& as() const {
+    return std::get<Data>(data);
+  }
+  template <class Data>
+  [[nodiscard]] Data& as() {
+    return std::get<Data>(data);
+  }
+
+  [[nodiscard]] bool operator==(const Noise&) const = default;
 };
 
 struct Bundle;
@@ -233,6 +143,9 @@ struct Bundle;
 /// Whether noises of a method can be put on a surface in this way: uv and triplanar always, surface
 /// for textons; none has a solid form.
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
+
+/// Whether a noise changes along the weight of a mix.
+[[nodiscard]] bool isMix(const Noise& noise);
 
 /// Whether a mapping has its places in space, not on texture coordinates.
 [[nodiscard]] bool isInSpace(Mapping mapping);
@@ -302,13 +215,17 @@ struct MaterialNoise {
   MixWeight mix; ///< of a mix of textons
 };
 
-/// A noise of a revision that this version does not know. Materials that use it have no noise: they
-/// are to be shown with their core textures.
+/// A noise of a method or a revision that this version does not know. Materials that use it have no
+/// noise: they are to be shown with their core textures.
 struct IgnoredNoise {
   std::size_t place = 0; ///< among all noises of the file
   std::string name;      ///< may be empty
-  int revision = 0;
+  std::string method;
+  int revision = 0;                   ///< 0 where the file states none
   std::vector<std::size_t> materials; ///< glTF's, in order
+
+  /// Why, such as "revision 3 of tiling; this version knows 1".
+  [[nodiscard]] std::string reason() const;
 };
 
 /// The extension's content. materials[i] belongs to glTF material i. Noises and tables are numbered

@@ -263,8 +263,9 @@ typedef struct LichenMaterialProperties {
   uint32_t noise; /* LICHEN_NO_NOISE for a material that has none */
   LichenMapping mapping;
   uint32_t texCoord; /* [0, 15], the TEXCOORD_n that the noise takes */
-  /* 0, or the revision of the material's noise, which is then one that this library does not know:
-   * `noise` is LICHEN_NO_NOISE, and the material is to be drawn with its core textures. */
+  /* 0, or at least 1 where this library does not know the method of the material's noise or its
+   * revision, which this is: `noise` is LICHEN_NO_NOISE; draw the material with its core textures.
+   */
   uint32_t unknownRevision;
   LichenMixSource mixSource;
   uint32_t mixTexture; /* of LICHEN_MIX_TEXTURE, the glTF texture; its stored value is the weight,

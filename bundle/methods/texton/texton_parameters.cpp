@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Shape of the textons, mean number of impacts -> the grid of cells, and the shader's constants.
-// Whole cells in a tile make integer tile origins exact; the amplitude is that of the density that
-// results, so the covariance is exact too, and only the number of impacts is rounded. [GLM17]
-// Galerne, Leclaire and Moisan 2017, section 6.
+// A texton noise and its material -> the members of the shader's constants that only textons have.
 #include "impact_grid.h"
+#include "methods/map_constants.h"
+#include "texton_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,21 +10,23 @@
 namespace lichen {
 namespace {
 
-/// How many cells come nearest to filling a length: at least one, and so few that an int holds
-/// three periods of them.
-int cellsIn(double lengthTexels, double sideTexels) {
-  constexpr double kMostCells = 1 << 29;
-  return int(std::clamp(std::round(lengthTexels / sideTexels), 1.0, kMostCells));
+/// The n x n matrix with these values on its diagonal, row by row.
+std::vector<double> diagonal(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  std::vector<double> matrix(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    matrix[i * n + i] = values[i];
+  return matrix;
 }
 
-/// A B-spline of order k reaches (k + 1) / 2 texels beyond the centres of the coefficients.
-double supportArea(const TextonShape& shape) {
-  return double(shape.coefficientsX + shape.order) * double(shape.coefficientsY + shape.order);
+/// What mips keep of each channel of a texton; nothing of one that does not vary, so that impacts
+/// are left out where nothing is left of the others.
+void setTextonKept(shader::LichenMap& result, const TextonMap& map) {
+  const std::array<shader::uvec4*, 3> kept{&result.mipKept0, &result.mipKept1, &result.mipKept2};
+  for (std::size_t c = 0; c < map.scale.size(); ++c)
+    if (map.scale[c] > 0.0)
+      *kept[c] = keptAmplitudes(lossRow(map.mipLoss, c, map.scale.size()));
 }
-
-/// The r of [GLM17] section 6, how thick a layer of impacts a point sees; of a texton that is not
-/// square, the side of the square of its area.
-double surfaceThickness(const TextonShape& shape) { return std::sqrt(supportArea(shape)); }
 
 /// Weight of a mix = constant + perUv . uv.
 struct LinearWeight {
@@ -57,44 +58,14 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
 
 } // namespace
 
-Lattice impactGrid(const TextonShape& shape, double impacts, const Placement& placement) {
-  const double side = std::sqrt(supportArea(shape) / impacts);
-  Lattice grid;
-  if (!placement.periodic) {
-    grid.columnsPerTile = cellsIn(shape.texelsPerTileX, side);
-    grid.rowsPerTile = cellsIn(shape.texelsPerTileY, side);
-    return grid;
-  }
-  grid.periodColumns = cellsIn(shape.texelsPerTileX * placement.periodTilesX, side);
-  grid.periodRows = cellsIn(shape.texelsPerTileY * placement.periodTilesY, side);
-  grid.columnsPerTile = grid.periodColumns / placement.periodTilesX;
-  grid.rowsPerTile = grid.periodRows / placement.periodTilesY;
-  return grid;
-}
-
-Lattice surfaceGrid(const TextonShape& shape, double impacts) {
-  // [GLM17] section 6: lambda r^3 impacts.
-  const double side =
-      std::cbrt(supportArea(shape) * surfaceThickness(shape) / (kSurfaceImpacts * impacts));
-  Lattice grid;
-  grid.columnsPerTile = grid.rowsPerTile = cellsIn(shape.texelsPerTileX, side);
-  return grid;
-}
-
-LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX, std::int64_t tileY) {
-  const auto cell = [](std::int64_t tile, double perTile) {
-    return std::int32_t(std::uint32_t(std::uint64_t(tile) * std::uint64_t(perTile)));
-  };
-  return {{cell(tileX, grid.columnsPerTile), cell(tileY, grid.rowsPerTile)}, {0.0f, 0.0f}};
-}
-
 shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& material,
                                   const Placement& placement) {
   const Noise& noise = bundle.noises[material.noise];
   shader::LichenTexton result{};
-  if (noise.method != Method::texton)
+  const auto* found = std::get_if<TextonShape>(&noise.data);
+  if (found == nullptr)
     return result;
-  const TextonShape& shape = noise.texton;
+  const TextonShape& shape = *found;
   result.texelsPerTileX = float(shape.texelsPerTileX);
   result.texelsPerTileY = float(shape.texelsPerTileY);
   result.coefficientsX = shape.coefficientsX;
@@ -125,6 +96,44 @@ shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& mat
       shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
   result.amplitude = float(std::sqrt(cellArea));
   return result;
+}
+
+Lattice TextonFormat::cells(const Noise& noise, const MaterialNoise& material,
+                            const Placement& placement) const {
+  return impactGrid(noise.as<TextonShape>(), material.impacts, placement);
+}
+
+LatticeOrigin TextonFormat::cellOf(const Lattice& cells, std::int64_t tileX,
+                                   std::int64_t tileY) const {
+  return impactGridOrigin(cells, tileX, tileY);
+}
+
+void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,
+                          shader::LichenMap& constants) const {
+  const auto& texton = map.as<TextonMap>();
+  setImage(constants, bundle.tables[texton.image]);
+  constants.decoding = LICHEN_DECODING_GAUSSIAN;
+  setRows(constants, diagonal(texton.scale), map.mean.size(), map.mean);
+  constants.sumFactor = {1.0f, 1.0f, 1.0f, 0.0f};
+  setTextonKept(constants, texton);
+  setGaussianMean(constants);
+}
+
+void TextonFormat::setNoise(const Bundle&, const MaterialNoise&, const Placement&,
+                            shader::LichenNoise& constants) const {
+  constants.method = LICHEN_METHOD_TEXTON;
+}
+
+void TextonFormat::setSurface(const Noise& noise, const MaterialNoise& material,
+                              const Placement& placement, shader::LichenNoise& constants) const {
+  const Lattice grid = surfaceGrid(noise.as<TextonShape>(), material.impacts);
+  constants.columnsPerTile = constants.rowsPerTile = float(grid.columnsPerTile);
+  const LatticeOrigin across = impactGridOrigin(grid, placement.tileOriginX, placement.tileOriginY);
+  const LatticeOrigin along = impactGridOrigin(grid, placement.tileOriginZ, 0);
+  constants.cellI = across.cell[0];
+  constants.cellJ = across.cell[1];
+  constants.cellK = along.cell[0];
+  constants.seedWord = latticeSeed(material.seed, kSurfacePlane);
 }
 
 } // namespace lichen

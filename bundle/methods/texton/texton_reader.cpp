@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a texton noise has of its own: the shape that its textons share, and each map's texton. n is
 // the number of a map's channels.
-#include "extension_reader.h"
+#include "texton_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +61,13 @@ void checkShape(ObjectReader& reader, const TextonShape& shape) {
 }
 
 /// Whether a map's image is one of such textons.
-bool checkImage(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
-                const Table& image) {
+bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, const Table& image) {
   const auto error = [&](const std::string& message) {
     reader.error("map-texton", "texton", message);
     return false;
   };
   const std::uint32_t width = shape.frameWidth();
   const std::uint32_t height = shape.frameHeight() * std::uint32_t(shape.steps);
-  const std::size_t n = map.channels.size();
   if (image.depth != 0 || image.width != width || image.height != height)
     return error(shapeOf(image) + " texels; " + std::to_string(width) + " x " +
                  std::to_string(height) + " are accepted for its noise's texton");
@@ -95,9 +93,9 @@ std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const 
   return values.value_or(std::vector<double>());
 }
 
-/// What the steps after the first have for themselves.
-void readLaterSteps(ObjectReader& reader, const TextonShape& shape, FindingList& findings,
-                    NoiseMap& map) {
+/// What the steps after the first have for themselves. `texton` has the first one's losses.
+void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+                    FindingList& findings, TextonMap& texton) {
   constexpr const char* kCode = "map-later-steps";
   constexpr const char* kKey = "laterSteps";
   if (!reader.has(kKey) && shape.steps > 1)
@@ -115,23 +113,25 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, FindingList&
   for (std::size_t k = 0; k < later; ++k) {
     ObjectReader step((*list)[k], reader.pointerTo(kKey) + "/" + std::to_string(k), findings);
     const std::size_t n = map.channels.size();
-    map.laterSteps.push_back(readStatistics(step, map.encoding, n, n));
+    MapMoments moments = readMoments(step, map.encoding, n);
+    texton.laterSteps.push_back(
+        {std::move(moments.mean), std::move(moments.covariance), readLosses(step, n)});
     step.warnOfUnknown();
-    const std::size_t losses = map.laterSteps.back().mipLoss.size();
-    if (losses != 0 && losses != map.mipLoss.size())
+    const std::size_t losses = texton.laterSteps.back().mipLoss.size();
+    if (losses != 0 && losses != texton.mipLoss.size())
       step.error("map-mip-loss", "mipLoss",
                  std::to_string(losses) + " values; as many as those of the first step, " +
-                     std::to_string(map.mipLoss.size()) + ", are accepted");
+                     std::to_string(texton.mipLoss.size()) + ", are accepted");
   }
 }
 
 } // namespace
 
-TextonShape readTextonShape(ObjectReader& noise, FindingList& findings) {
+MethodNoise TextonFormat::readNoise(ObjectReader& noise, FindingList& findings) const {
   const std::size_t errorsBefore = findings.errorCount();
   const json* member = noise.required("texton");
   if (member == nullptr)
-    return {};
+    return TextonShape();
   ObjectReader reader(*member, noise.pointerTo("texton"), findings);
   const auto coefficients = readPair(reader, "coefficients", kMaxTextonSide);
   const auto tile = readPair(reader, "texelsPerTile", int(kMaxTableSide));
@@ -142,7 +142,7 @@ TextonShape readTextonShape(ObjectReader& noise, FindingList& findings) {
     shape.steps = int(reader.integer("steps", kMaxTextonSteps, "range", 1).value_or(1));
   reader.warnOfUnknown();
   if (findings.errorCount() > errorsBefore || !coefficients || !tile)
-    return {};
+    return TextonShape();
   shape.coefficientsX = (*coefficients)[0];
   shape.coefficientsY = (*coefficients)[1];
   shape.texelsPerTileX = (*tile)[0];
@@ -151,16 +151,19 @@ TextonShape readTextonShape(ObjectReader& noise, FindingList& findings) {
   return findings.errorCount() > errorsBefore ? TextonShape() : shape;
 }
 
-void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& tables,
-                FindingList& findings, NoiseMap& map) {
+MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                                const Tables& tables, FindingList& findings) const {
   constexpr NumberRange kScales{0.0, 1e6};
-  map.scale = readPerChannel(reader, "scale", "map-scale", kScales, map.channels.size());
-  readLaterSteps(reader, shape, findings, map);
-  const Table* image = readTableIndex(reader, "texton", "map-texton-index", tables, map.image);
-  if (isUnknown(shape))
-    return;
+  const auto& shape = noise.as<TextonShape>();
   const std::size_t n = map.channels.size();
-  const std::size_t losses = map.mipLoss.size();
+  TextonMap texton;
+  texton.mipLoss = readLosses(reader, n);
+  texton.scale = readPerChannel(reader, "scale", "map-scale", kScales, n);
+  readLaterSteps(reader, shape, map, findings, texton);
+  const Table* image = readTableIndex(reader, "texton", "map-texton-index", tables, texton.image);
+  if (isUnknown(shape))
+    return texton;
+  const std::size_t losses = texton.mipLoss.size();
   const bool lossesFit = n != 0 && losses % n == 0 && losses >= n * std::size_t(shape.mipLevels) &&
                          losses <= n * kMaxTextonLosses;
   if (losses != 0 && n != 0 && !lossesFit)
@@ -172,13 +175,14 @@ void readTexton(ObjectReader& reader, const TextonShape& shape, const Tables& ta
     return n != 0 && covariance.size() == n * n;
   };
   const bool statisticsFit =
-      fits(map.covariance) && map.scale.size() == n &&
-      map.laterSteps.size() + 1 == std::size_t(shape.steps) &&
-      std::all_of(map.laterSteps.begin(), map.laterSteps.end(), [&](const MapStatistics& step) {
+      fits(map.covariance) && texton.scale.size() == n &&
+      texton.laterSteps.size() + 1 == std::size_t(shape.steps) &&
+      std::all_of(texton.laterSteps.begin(), texton.laterSteps.end(), [&](const TextonStep& step) {
         return fits(step.covariance) && step.mipLoss.size() == losses;
       });
-  if (image != nullptr && checkImage(reader, shape, map, *image) && lossesFit && statisticsFit)
-    checkTextonTexels(reader, shape, map, *image);
+  if (image != nullptr && checkImage(reader, shape, n, *image) && lossesFit && statisticsFit)
+    checkTextonTexels(reader, shape, map, texton, *image);
+  return texton;
 }
 
 } // namespace lichen

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastRatio = 0x1p-14; // the smallest normal half float
 
 /// Six deviations of a channel over what its texels are multiplied with.
-double deviationRatio(const MapStatistics& step, const std::vector<double>& scale, std::size_t c) {
+double deviationRatio(const TextonStep& step, const std::vector<double>& scale, std::size_t c) {
   constexpr double kScaleDeviations = 6.0;
   const double variance = step.covariance[c * scale.size() + c];
   const double ratio =
@@ -26,8 +26,9 @@ double deviationRatio(const MapStatistics& step, const std::vector<double>& scal
 
 Table mixTable(const NoiseMap& map) {
   constexpr std::size_t kComponents = 4; // of a texel
-  std::vector<MapStatistics> steps{{map.mean, map.covariance, map.mipLoss}};
-  steps.insert(steps.end(), map.laterSteps.begin(), map.laterSteps.end());
+  const auto& texton = map.as<TextonMap>();
+  std::vector<TextonStep> steps{{map.mean, map.covariance, texton.mipLoss}};
+  steps.insert(steps.end(), texton.laterSteps.begin(), texton.laterSteps.end());
   Table table{"mix", TexelFormat::rgba16Sfloat, std::uint32_t(steps.size()), 1, LICHEN_MIX_ROWS, 1,
               {}};
   std::vector<float> texels(LICHEN_MIX_ROWS * steps.size() * kComponents, 0.0f);
@@ -37,14 +38,14 @@ Table mixTable(const NoiseMap& map) {
     };
     for (std::size_t c = 0; c < map.mean.size(); ++c) {
       texel(LICHEN_MIX_MEAN)[c] = float(steps[s].mean[c] - map.mean[c]);
-      texel(LICHEN_MIX_DEVIATION)[c] = float(deviationRatio(steps[s], map.scale, c));
+      texel(LICHEN_MIX_DEVIATION)[c] = float(deviationRatio(steps[s], texton.scale, c));
     }
     for (std::size_t c = map.mean.size(); c < kComponents; ++c)
       texel(LICHEN_MIX_DEVIATION)[c] = 1.0f;
-    for (std::size_t c = 0; c < map.scale.size(); ++c) {
+    for (std::size_t c = 0; c < texton.scale.size(); ++c) {
       // Of a channel that never varies mips keep nothing, as where there is no mix.
-      const std::span<const double> losses = lossRow(steps[s].mipLoss, c, map.scale.size());
-      for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && map.scale[c] > 0.0; ++mip)
+      const std::span<const double> losses = lossRow(steps[s].mipLoss, c, texton.scale.size());
+      for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && texton.scale[c] > 0.0; ++mip)
         texel(LICHEN_MIX_KEPT + mip)[c] =
             float(std::sqrt(1.0 - losses[std::min(mip, losses.size() - 1)]));
     }

@@ -5,7 +5,7 @@
 // The noise's covariance is sum over k, l of b(k - l) alpha(k) alpha(l)^T, alpha being scale x
 // texels. A texel that is off by e at the most moves a sum of products a a' by no more than
 // sum b (|a| e' + e |a'| + e e'). Sources: [GLM17] sections 4.1 and 5.2.
-#include "extension_reader.h"
+#include "texton_format.h"
 
 #include <algorithm>
 #include <array>
@@ -128,6 +128,7 @@ struct Texton {
   ObjectReader& reader;
   const TextonShape& shape;
   const NoiseMap& map;
+  const TextonMap& data;
   const Table& image;
   Rounding rounding;                      ///< of its texels
   std::vector<std::vector<float>> levels; ///< of the image, decoded
@@ -203,12 +204,12 @@ void checkScale(const Texton& texton) {
   const std::size_t n = texton.map.channels.size();
   for (std::size_t c = 0; c < n; ++c) {
     double variance = texton.map.covariance[c * n + c];
-    for (const MapStatistics& step : texton.map.laterSteps)
+    for (const TextonStep& step : texton.data.laterSteps)
       variance = std::max(variance, step.covariance[c * n + c]);
     const double wanted = kDeviations * std::sqrt(variance);
-    if (std::abs(texton.map.scale[c] - wanted) > kTextRounding * wanted)
+    if (std::abs(texton.data.scale[c] - wanted) > kTextRounding * wanted)
       return texton.reader.error("texton-scale", "scale",
-                                 text(texton.map.scale[c]) + " at " + std::to_string(c) +
+                                 text(texton.data.scale[c]) + " at " + std::to_string(c) +
                                      "; six times the deviation, " + text(wanted) +
                                      ", is accepted");
   }
@@ -224,7 +225,7 @@ void checkCovariance(const Texton& texton, std::size_t step,
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t d = 0; d <= c; ++d) {
       const Moment moment = momentOf(planes[c], planes[d], texton.shape.order, texton.rounding);
-      const double factor = texton.map.scale[c] * texton.map.scale[d];
+      const double factor = texton.data.scale[c] * texton.data.scale[d];
       const double stated = covariance[c * n + d];
       if (std::abs(factor * moment.value - stated) >
           factor * moment.error + kTextRounding * std::abs(stated))
@@ -289,8 +290,8 @@ void checkLosses(const Texton& texton, std::size_t step, const std::vector<doubl
 } // namespace
 
 void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
-                       const Table& image) {
-  Texton texton{reader, shape, map, image, roundingOf(image.format), {}};
+                       const TextonMap& data, const Table& image) {
+  Texton texton{reader, shape, map, data, image, roundingOf(image.format), {}};
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     texton.levels.push_back(decodeLevel(image, level));
   if (!checkBorders(texton))
@@ -301,10 +302,10 @@ void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const Noi
         return;
   checkScale(texton);
   checkCovariance(texton, 0, map.covariance);
-  checkLosses(texton, 0, map.mipLoss);
-  for (std::size_t k = 0; k < map.laterSteps.size(); ++k) {
-    checkCovariance(texton, k + 1, map.laterSteps[k].covariance);
-    checkLosses(texton, k + 1, map.laterSteps[k].mipLoss);
+  checkLosses(texton, 0, data.mipLoss);
+  for (std::size_t k = 0; k < data.laterSteps.size(); ++k) {
+    checkCovariance(texton, k + 1, data.laterSteps[k].covariance);
+    checkLosses(texton, k + 1, data.laterSteps[k].mipLoss);
   }
 }
 

@@ -19,6 +19,10 @@ namespace lichen {
 [[nodiscard]] LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX,
                                              std::int64_t tileY);
 
+/// The r of [GLM17] section 6, in texels: how thick a layer of impacts a point sees. For a texton
+/// that is not square, the side of the square of its area.
+[[nodiscard]] double surfaceThickness(const TextonShape& shape);
+
 /// Of surface noise: cubes, of which a point sees kSurfaceImpacts x `impacts` in the mean. Never
 /// periodic.
 [[nodiscard]] Lattice surfaceGrid(const TextonShape& shape, double impacts);

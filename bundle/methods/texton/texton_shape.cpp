@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How large a texton's frame is, and how many mips it may have.
-#include <lichen/bundle.h>
+// How large a texton's frame is, how many mips it may have, and the rows of its losses.
+#include <lichen/texton_map.h>
 
 #include <algorithm>
 #include <bit>
@@ -25,5 +25,11 @@ int TextonShape::mostMipLevels() const {
 
 std::uint32_t TextonShape::frameWidth() const { return frameSide(coefficientsX, mipLevels); }
 std::uint32_t TextonShape::frameHeight() const { return frameSide(coefficientsY, mipLevels); }
+
+std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
+                                std::size_t rows) {
+  const std::size_t levels = mipLoss.size() / rows;
+  return mipLoss.subspan(row * levels, levels);
+}
 
 } // namespace lichen

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What the analysis asks of a method. Each method implements it in its own folder; methods.cpp
+// lists them.
+#pragma once
+
+#include <lichen/noise_evaluator.h>
+
+#include <memory>
+
+namespace lichen {
+
+class MethodAnalysis {
+public:
+  virtual ~MethodAnalysis() = default;
+
+  /// As NoiseEvaluator::create(), which has checked the noise and the mapping.
+  [[nodiscard]] virtual Result<std::unique_ptr<const NoiseEvaluator>>
+  evaluator(const Bundle& bundle, const MaterialNoise& material, const Placement& placement,
+            const EvaluationOptions& options) const = 0;
+};
+
+[[nodiscard]] const MethodAnalysis& analysisOf(Method method);
+
+} // namespace lichen

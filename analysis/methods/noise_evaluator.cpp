@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Bundle, material and point -> value, by the noise's method. The twin of
+// shaders_glsl/mapping/uv.glsl and noise/tile_frame.glsl.
+#include "method_analysis.h"
+
+#include <cmath>
+
+namespace lichen {
+
+Result<std::unique_ptr<const NoiseEvaluator>>
+NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
+                       const Placement& placement, const EvaluationOptions& options) {
+  if (material.noise >= bundle.noises.size())
+    return Error{ErrorKind::usage, "noise " + std::to_string(material.noise) + ": the bundle has " +
+                                       std::to_string(bundle.noises.size())};
+  const Noise& noise = bundle.noises[material.noise];
+  if (!mappingFits(noise.method(), material.mapping))
+    return Error{ErrorKind::usage, "noise '" + noise.name + "' of the method " +
+                                       std::string(nameOf(noise.method())) +
+                                       " does not fit the mapping " +
+                                       std::string(nameOf(material.mapping))};
+  return withinMemory(
+      [&] { return "noise '" + noise.name + "': not enough memory for its tables"; },
+      [&] { return analysisOf(noise.method()).evaluator(bundle, material, placement, options); });
+}
+
+NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenNoise& constants)
+    : constants_(constants) {
+  for (const NoiseMap& map : noise.maps)
+    holdsSlopes_.push_back(map.encoding == ValueEncoding::slope);
+}
+
+NoiseEvaluator::Value NoiseEvaluator::evaluateUv(std::size_t map, const UvFootprint& at) const {
+  const auto toTile = [this](const std::array<float, 2>& uv) {
+    return std::array{constants_.uvToTileXX * uv[0] + constants_.uvToTileXY * uv[1],
+                      constants_.uvToTileYX * uv[0] + constants_.uvToTileYY * uv[1]};
+  };
+  TileFootprint tile{toTile(at.uv), toTile(at.dx), toTile(at.dy)};
+  tile.position[0] += constants_.offsetX;
+  tile.position[1] += constants_.offsetY;
+  Value value = evaluate(map, tile, mixAt(at.uv));
+  if (holdsSlopes_[map]) { // lichenSlopesToUv
+    const float length = std::hypot(constants_.uvToTileXX, constants_.uvToTileXY);
+    const float cosine = constants_.uvToTileXX / length, sine = constants_.uvToTileXY / length;
+    value = {cosine * value[0] + sine * value[1], cosine * value[1] - sine * value[0], value[2],
+             value[3]};
+  }
+  return value;
+}
+
+} // namespace lichen

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Tiling behind the interfaces of all methods.
+#include "tiling_analysis.h"
+
+#include <lichen/tiling_evaluate.h>
+
+#include <cassert>
+
+namespace lichen {
+namespace {
+
+class Evaluator final : public NoiseEvaluator {
+public:
+  Evaluator(TilingEvaluator evaluator, const Noise& noise, const shader::LichenNoise& constants,
+            BlendOperator blend)
+      : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)), blend_(blend) {}
+
+  [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
+                               const MixPlace&) const override {
+    return evaluator_.evaluate(map, constants(), at, blend_);
+  }
+  [[nodiscard]] Value evaluate(std::size_t map, const TriplanarFootprint& at,
+                               const MixPlace&) const override {
+    return evaluator_.evaluate(map, constants(), at);
+  }
+  [[nodiscard]] Value evaluate(std::size_t, const SurfaceFootprint&,
+                               const MixPlace&) const override {
+    assert(!"tiling does not fit the mapping surface, and create() refuses it");
+    return {};
+  }
+
+private:
+  TilingEvaluator evaluator_;
+  BlendOperator blend_;
+};
+
+} // namespace
+
+Result<std::unique_ptr<const NoiseEvaluator>>
+TilingAnalysis::evaluator(const Bundle& bundle, const MaterialNoise& material,
+                          const Placement& placement, const EvaluationOptions& options) const {
+  Result<TilingEvaluator> created =
+      TilingEvaluator::create(bundle, material.noise, options.tiling.quality);
+  if (!created)
+    return created.error();
+  return std::unique_ptr<const NoiseEvaluator>(std::make_unique<Evaluator>(
+      std::move(created).value(), bundle.noises[material.noise],
+      shaderNoise(bundle, material, placement), options.tiling.blend));
+}
+
+} // namespace lichen

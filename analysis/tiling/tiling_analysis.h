@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Tiling and blending [HN18] among the methods of the analysis.
+#pragma once
+
+#include "methods/method_analysis.h"
+
+namespace lichen {
+
+class TilingAnalysis final : public MethodAnalysis {
+public:
+  [[nodiscard]] Result<std::unique_ptr<const NoiseEvaluator>>
+  evaluator(const Bundle& bundle, const MaterialNoise& material, const Placement& placement,
+            const EvaluationOptions& options) const override;
+};
+
+} // namespace lichen

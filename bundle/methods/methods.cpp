@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The methods of the format, in the order of Method.
+#include "texton/texton_format.h"
+#include "tiling/tiling_format.h"
+
+#include <algorithm>
+
+namespace lichen {
+
+std::span<const MethodFormat* const> methodFormats() {
+  static const TilingFormat kTiling;
+  static const TextonFormat kTexton;
+  static const std::array<const MethodFormat*, 2> kFormats{&kTiling, &kTexton};
+  static_assert(kFormats.size() == std::variant_size_v<MethodMap>);
+  return kFormats;
+}
+
+const MethodFormat& formatOf(Method method) { return *methodFormats()[std::size_t(method)]; }
+
+std::span<const Method> allMethods() {
+  static constexpr std::array kMethods{Method::tiling, Method::texton};
+  static_assert(kMethods.size() == std::variant_size_v<MethodMap>);
+  return kMethods;
+}
+
+std::string_view nameOf(Method value) { return formatOf(value).name(); }
+
+std::optional<Method> methodFrom(std::string_view name) {
+  for (const Method method : allMethods())
+    if (nameOf(method) == name)
+      return method;
+  return std::nullopt;
+}
+
+int revisionOf(Method method) { return formatOf(method).revision(); }
+
+bool mappingFits(Method method, Mapping mapping) { return formatOf(method).fits(mapping); }
+
+bool isMix(const Noise& noise) { return formatOf(noise).isMix(noise); }
+
+std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
+                                          const NoiseMap& map) {
+  return formatOf(noise).exemplarSize(bundle, noise, map);
+}
+
+} // namespace lichen

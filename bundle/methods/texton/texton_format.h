@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Texton noise [GLM17] in the format.
+#pragma once
+
+#include "methods/method_format.h"
+
+namespace lichen {
+
+class TextonFormat final : public MethodFormat {
+public:
+  [[nodiscard]] std::string_view name() const override { return "texton"; }
+  [[nodiscard]] int revision() const override { return 1; }
+  [[nodiscard]] bool fits(Mapping mapping) const override;
+  [[nodiscard]] std::span<const std::string_view> tableMembers() const override;
+  [[nodiscard]] MethodNoise readNoise(ObjectReader& reader, FindingList& findings) const override;
+  [[nodiscard]] MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                                  const Tables& tables, FindingList& findings) const override;
+  [[nodiscard]] bool isMix(const Noise& noise) const override;
+  void writeNoise(const Noise& noise, JsonTree& json) const override;
+  void writeMap(const NoiseMap& map, JsonTree& json) const override;
+  [[nodiscard]] std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
+                                                          const NoiseMap& map) const override;
+  [[nodiscard]] std::array<std::uint32_t, 2> tileSize(const Bundle& bundle,
+                                                      const Noise& noise) const override;
+  [[nodiscard]] Lattice cells(const Noise& noise, const MaterialNoise& material,
+                              const Placement& placement) const override;
+  [[nodiscard]] LatticeOrigin cellOf(const Lattice& cells, std::int64_t tileX,
+                                     std::int64_t tileY) const override;
+  [[nodiscard]] bool hasSkewedRows() const override { return false; }
+  void setSurface(const Noise& noise, const MaterialNoise& material, const Placement& placement,
+                  shader::LichenNoise& constants) const override;
+  void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+              shader::LichenMap& constants) const override;
+  void setNoise(const Bundle& bundle, const MaterialNoise& material, const Placement& placement,
+                shader::LichenNoise& constants) const override;
+};
+
+/// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
+/// Time: 70 ns for each channel of a texel. Memory: 60 bytes a texel (docs/benchmarks.md).
+void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
+                       const TextonMap& texton, const Table& image);
+
+} // namespace lichen

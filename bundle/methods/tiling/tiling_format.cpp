@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Where tiling fits, how large its exemplar was, and its members as JSON.
+#include "tiling_format.h"
+
+#include <algorithm>
+
+namespace lichen {
+
+bool TilingFormat::fits(Mapping mapping) const {
+  return mapping == Mapping::uv || mapping == Mapping::triplanar;
+}
+
+std::span<const std::string_view> TilingFormat::tableMembers() const {
+  static constexpr std::array<std::string_view, 2> kMembers{"gaussian", "inverseTable"};
+  return kMembers;
+}
+
+MethodNoise TilingFormat::readNoise(ObjectReader&, FindingList&) const { return TilingNoise(); }
+
+void TilingFormat::writeNoise(const Noise&, JsonTree&) const {}
+
+void TilingFormat::writeMap(const NoiseMap& map, JsonTree& json) const {
+  const auto& tiling = map.as<TilingMap>();
+  json["gaussian"] = tiling.gaussian;
+  if (tiling.inverseTable) {
+    json["inverseTable"] = *tiling.inverseTable;
+    json["levels"] = tiling.levels;
+    if (!tiling.tableOffset.empty()) {
+      json["tableBasis"] = tiling.tableBasis;
+      json["tableOffset"] = tiling.tableOffset;
+    }
+  }
+  json["mipLoss"] = tiling.mipLoss;
+}
+
+std::array<std::uint32_t, 2> TilingFormat::exemplarSize(const Bundle& bundle, const Noise&,
+                                                        const NoiseMap& map) const {
+  const Table& gaussian = bundle.tables[map.as<TilingMap>().gaussian];
+  return {gaussian.width, gaussian.height};
+}
+
+std::array<std::uint32_t, 2> TilingFormat::tileSize(const Bundle& bundle,
+                                                    const Noise& noise) const {
+  std::array<std::uint32_t, 2> size{1, 1};
+  for (const NoiseMap& map : noise.maps) {
+    const auto [width, height] = exemplarSize(bundle, noise, map);
+    size = {std::max(size[0], width), std::max(size[1], height)};
+  }
+  return size;
+}
+
+TableKind tableKindOf(const TilingMap& map) {
+  if (!map.inverseTable)
+    return TableKind::none;
+  return map.tableOffset.empty() ? TableKind::joint : TableKind::separable;
+}
+
+std::string_view nameOf(TableKind kind) {
+  constexpr std::array<std::string_view, 3> kNames = {"joint", "separable", "none"};
+  return kNames[std::size_t(kind)];
+}
+
+} // namespace lichen
