@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Sourced by the scripts that make contact sheets: what they need, and where they work.
+# Sourced by the scripts that make contact sheets: checks their needs and makes a work folder.
 
-# begin_sheet USAGE LEAST MOST ARGUMENT...: ends the script unless it has LEAST to MOST arguments,
-# ImageMagick and a release build. Sets bin, the folder of the programs (LICHEN_BIN for another),
-# and work, a folder that is removed in the end.
+# begin_sheet USAGE LEAST MOST ARGUMENT...: exits unless there are LEAST to MOST arguments,
+# ImageMagick and a release build. Sets bin, the folder of the programs (LICHEN_BIN overrides it),
+# and work, a folder that is removed at exit.
 begin_sheet() {
   local usage=$1 least=$2 most=$3 name program
   name=$(basename "$0" .sh)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheets: plain repetition (upper row) and noise (lower row) at three distances.
+# Makes a contact sheet per exemplar: repetition (upper row) and noise (lower row) at three distances.
 #   samples/gallery.sh OUTPUT_FOLDER EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -20,7 +20,7 @@ for exemplar in "$@"; do
   "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name "$name" --preview none
   panels=()
   for texels in $distances; do
-    # Light is averaged, not its code: -colorspace RGB around the resize.
+    # -colorspace RGB: averages light, not sRGB codes.
     convert "$exemplar" -colorspace RGB -filter Box -resize "${texels}x${texels}!" -colorspace sRGB \
       "$work/tile.png"
     convert -size "${panel}x${panel}" "tile:$work/tile.png" "$work/repeated-$texels.png"

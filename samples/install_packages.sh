@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Sourced by quickstart.sh and tests/run.sh: how they install Debian packages, and how they speak.
+# Sourced by quickstart.sh and tests/run.sh: installs Debian packages, prints steps and failures.
 
-# What building needs. Catch2 is only a header, so the tests can join the same build later.
+# Needed to build. Catch2 is only a header; with it the same build folder can add the tests later.
 build_packages=(
   cmake ninja-build g++ pkg-config
   catch2 glslang-tools libcli11-dev libeigen3-dev libexif-dev libfftw3-dev libfmt-dev libglfw3-dev
@@ -17,10 +17,10 @@ die() {
   exit 1
 }
 
-# install_packages PACKAGE...: those of them that are missing, as root or through sudo.
+# install_packages PACKAGE...: installs those that are missing, as root or with sudo.
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    echo "Not a Debian system; taking for granted what these Debian packages hold: $*"
+    echo "Not a Debian system. Lichen needs the content of these Debian packages; install it yourself: $*"
     return
   fi
   local package missing=()
@@ -35,8 +35,8 @@ install_packages() {
   local as_root=()
   if [[ $(id -u) -ne 0 ]]; then
     command -v sudo >/dev/null ||
-      die "packages are missing, and neither root nor sudo is at hand to install them" \
-          "As root: apt-get update && apt-get install ${missing[*]}"
+      die "packages are missing, and this user is not root and has no sudo" \
+          "Run as root: apt-get update && apt-get install ${missing[*]}"
     as_root=(sudo)
   fi
   echo "Installing Debian packages: ${missing[*]}"
@@ -44,10 +44,10 @@ install_packages() {
     'apt-get -q -o Acquire::Retries=3 update &&
      apt-get -q -o Acquire::Retries=3 install -y --no-install-recommends "$@"' sh "${missing[@]}" ||
     die "apt-get failed" \
-        "Its own message is above. Lichen needs the packages of Debian 12 and a network to get them."
+        "Read its message above. Lichen needs the packages of Debian 12 and a network to get them."
 }
 
-# install_node: node and npm, wherever they come from; Debian's npm does not go with another node.
+# install_node: installs node and npm unless npm is there; Debian's npm does not work with another node.
 install_node() {
   if ! command -v npm >/dev/null; then
     install_packages ca-certificates nodejs npm

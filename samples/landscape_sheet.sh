@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A landscape of a million triangles from the feet to the horizon: one exemplar on the ground, the
-# other on the rocks and, blended, on their edges, all triplanar. Prints the time of a frame and the memory of the program.
+# Renders a landscape of a million triangles, all triplanar: one exemplar on the ground, the other on
+# the rocks and, blended, on their edges. Prints the frame time and the program's memory.
 #   samples/landscape_sheet.sh OUTPUT.jpg GROUND.png ROCK.png
 # Needs a release build, a Vulkan device, ImageMagick and GNU time (Debian packages imagemagick, time).
 set -euo pipefail

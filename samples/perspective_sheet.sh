@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet: noises on a floor that recedes to the horizon; each a row, unfiltered (one point a
-# pixel), filtered, and supersampled (64 points a pixel). The floor lies askew to x, y and z.
+# Makes a contact sheet of noises on a floor that recedes to the horizon, one per row: unfiltered (one
+# point per pixel), filtered, and supersampled (64 points per pixel). The floor is oblique to x, y and z.
 #   samples/perspective_sheet.sh OUTPUT.jpg EXEMPLAR.png[:METHOD[:MAPPING]]...
-# METHOD is tiling or texton (texton), MAPPING uv or triplanar (uv).
+# METHOD: tiling or texton (default). MAPPING: uv (default) or triplanar.
 # Needs a release build, a Vulkan device and ImageMagick (Debian package imagemagick).
 set -euo pipefail
 source "$(dirname "$0")/begin_sheet.sh"
@@ -11,12 +11,12 @@ begin_sheet 'OUTPUT.jpg EXEMPLAR.png[:METHOD[:MAPPING]]...' 2 99 "$@"
 
 width=480
 height=300
-points=8 # a pixel, along each axis
+points=8 # per pixel, along each axis
 
 output=$1
 shift
 
-# A floor of 80 x 80 with one exemplar a unit, seen from 0.35 above it, a little below the horizon.
+# A floor of 80 x 80 units, one exemplar per unit; the camera is 0.35 above it and looks slightly down.
 positions='\x00\x00\x20\xc2\x00\x00\x00\x00\x00\x00\x80\x3f'  # -40 0 1
 positions+='\x00\x00\x20\x42\x00\x00\x00\x00\x00\x00\x80\x3f' # 40 0 1
 positions+='\x00\x00\x20\xc2\x00\x00\x00\x00\x00\x00\x9e\xc2' # -40 0 -79
@@ -56,7 +56,7 @@ for row in "$@"; do
   "${shot[@]}" --size "${width}x${height}" -o "$work/$name-filtered.png"
   "${shot[@]}" --size "$((width * points))x$((height * points))" -o "$work/$name-fine.png"
   convert "$work/$name-fine.png" -sample "${width}x${height}!" "$work/$name-unfiltered.png"
-  # Light is averaged, not its code.
+  # -colorspace RGB: averages light, not sRGB codes.
   convert "$work/$name-fine.png" -colorspace RGB -scale "${width}x${height}!" -colorspace sRGB \
     "$work/$name-supersampled.png"
   for kind in unfiltered filtered supersampled; do

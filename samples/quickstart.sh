@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # samples/quickstart.sh [PHOTOGRAPH]
-# From a bare Debian 12 to pictures of a material that never repeats: installs the packages that are
-# missing, builds, bakes PHOTOGRAPH (or an example of our own making) and renders it.
+# Takes a bare Debian 12 to pictures of a material that never repeats: installs missing packages,
+# builds, bakes PHOTOGRAPH (default: a generated example) and renders it.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -15,7 +15,7 @@ case ${1:-} in
     echo "usage: $0 [PHOTOGRAPH]    a PNG, JPEG or EXR image of a material"
     exit ;;
   *)
-    [[ -f $1 ]] || die "$1: no such file" "Name a PNG, JPEG or EXR image, or nothing for an example."
+    [[ -f $1 ]] || die "$1: no such file" "Give a PNG, JPEG or EXR image, or no argument for an example."
     photograph=$(realpath "$1") ;;
 esac
 
@@ -25,7 +25,7 @@ install_packages "${build_packages[@]}"
 step 'Build (minutes the first time)'
 cd "$root"
 { cmake --preset release && cmake --build --preset release --target lichen lichen-exemplars lichen-render; } ||
-  die 'the build failed' 'The reason is above. If build/ came from elsewhere, remove it and try again.'
+  die 'the build failed' 'Read the reason above. If build/ comes from another checkout, remove it and try again.'
 export PATH=$root/build/release/bin:$PATH
 mkdir -p "$out"
 
@@ -48,6 +48,6 @@ cat <<END
 exemplar: $photograph
 pictures: $out/${name}_scene.png
           $out/${name}_flat.png
-scene:    $out/$name.glb (any glTF viewer shows it, with the texture repeated)
-More:     README.md, docs/cli.md
+scene:    $out/$name.glb (other glTF viewers show it with a repeating texture)
+Next:     README.md, docs/baking.md
 END

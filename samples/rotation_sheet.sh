@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet of turned tiles, two rows: tiles not turned, turned in 2 steps, in 4 and freely.
-# Above, an exemplar's colours, two tiles wide; below, a sheet of its bumps lit from the upper left,
-# which must be lit from there in every tile.
+# Makes a contact sheet of tile rotation; columns: none, 2 steps, 4 steps, free. Upper row: the
+# exemplar's colours, two tiles wide. Lower row: generated bumps lit from the upper left; they must
+# look lit from there in every tile.
 #   samples/rotation_sheet.sh OUTPUT.jpg EXEMPLAR.png
 # Needs a release build, ImageMagick (Debian package imagemagick) and Python.
 set -euo pipefail
@@ -13,7 +13,7 @@ panel=384
 output=$1
 mkdir "$work/bumps"
 
-# Bumps that a half turn does not bring onto themselves: rounds with a notch on their right.
+# Bumps that change under a half turn: round, with a notch on the right.
 python3 - >"$work/bumps.ppm" <<'PYTHON'
 import math
 import random
@@ -57,8 +57,8 @@ done
 for steps in none 2 4 free; do
   "$bin/lichen" synth "$work/bumps.glb" --map normal -o "$work/normal-$steps.png" --size "$panel" \
     --texels-per-tile $((panel / 2)) --tile-rotation "$steps" --quiet
-  # Lambert's law with the light from the upper left, (-1, 1, 1) in the frame of the normals; in the
-  # first step times 0.6, so that nothing is clipped.
+  # Lambert's law, light from the upper left: (-1, 1, 1) in tangent space. The matrix scales by 0.6
+  # so that nothing clips.
   convert "$work/normal-$steps.png" \
     -color-matrix '-0.693 0.693 0.693  -0.693 0.693 0.693  -0.693 0.693 0.693' \
     -evaluate subtract 34.6% -evaluate multiply 1.4 "$work/lit-$steps.png"

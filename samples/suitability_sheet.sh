@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet of what suits and what does not, one picture a column: the exemplar, its noise, and
-# its noise with --flatten auto.
+# Makes a contact sheet of exemplars that suit and that do not, one per column: the exemplar, its
+# noise, and its noise with --flatten auto.
 #   samples/suitability_sheet.sh OUTPUT.jpg
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail

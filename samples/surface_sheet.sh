@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A sheet of textons on a scanned shape without texture coordinates, a row for each exemplar, from
+# Makes a sheet of textons on a scanned shape without texture coordinates, one exemplar per row, from
 # the front and from behind.
 #   samples/surface_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet of the kinds of inverse table, one exemplar a row: the exemplar, and the noise with
-# a joint table, a separable one, and none where the exemplar spans all three dimensions of colour.
-# The last two rows are the first exemplar in grey, and in two colours.
+# Makes a contact sheet of the kinds of inverse table, one exemplar per row: the exemplar, and the
+# noise with a joint table, a separable table, and none (blank where the colours span fewer than
+# three dimensions). The last two rows are the first exemplar in grey and in two colours.
 #   samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -17,7 +17,7 @@ shift
 convert "$1" -colorspace Gray "PNG24:$work/grey.png"
 convert "$1" -colorspace Gray -threshold 45% -colorspace sRGB -type TrueColor +level-colors "#40342a","#c8b48a" "PNG24:$work/two.png"
 
-noise() { # exemplar, panel, options of bake
+noise() { # EXEMPLAR PANEL [OPTION OF BAKE...]
   "$bin/lichen" bake "$1" -o "$work/noise.glb" --name noise --preview none --quiet "${@:3}" &&
     "$bin/lichen" synth "$work/noise.glb" -o "$2" --size "${panel}x${panel}" --quiet
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet of the quality levels of tiling, two rows for each exemplar. The upper one, half of
-# a tile enlarged twice: three taps, three with a blend sharpness of 4, two, and one. The lower one
-# from afar, a pixel a sixteenth of a tile and enlarged: the same, with one tap from that size on.
+# Makes a contact sheet of the quality levels of tiling, two rows per exemplar; columns: three taps,
+# three taps with blend sharpness 4, two taps, one tap. Upper row: half a tile, enlarged. Lower row: a
+# far view, 1/16 tile per pixel, enlarged; there one tap starts at that pixel size.
 #   samples/taps_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -10,8 +10,8 @@ source "$(dirname "$0")/begin_sheet.sh"
 begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 
 panel=256
-far=64 # pixels of a far view, each shown as panel / far
-farPixels=16 # a tile
+far=64 # pixels a side of a far view, each enlarged to panel / far
+farPixels=16 # pixels per tile in a far view
 
 output=$1
 shift
@@ -19,7 +19,7 @@ panels=()
 for exemplar in "$@"; do
   name=$(basename "${exemplar%.*}")
   "$bin/lichen" bake "$exemplar" -o "$work/$name.glb" --name noise --preview none --quiet
-  view() { # panel, options of synth
+  view() { # PANEL [OPTION OF SYNTH...]
     "$bin/lichen" synth "$work/$name.glb" -o "$@" --quiet
     mogrify -filter point -resize "${panel}x${panel}" "$1"
     panels+=("$1")

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A row for each exemplar: the photograph repeated, its Gaussian version by random phases, and the
-# texton noise, as the report of a bake shows them.
+# Makes a contact sheet, one exemplar per row: the photograph repeated, its Gaussian version (random
+# phases), and the texton noise, as the bake's report shows them.
 #   samples/texton_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
 source "$(dirname "$0")/begin_sheet.sh"
 begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 
-panel=320 # pixels of a picture's side that are shown
+panel=320 # pixels a side
 
 output=$1
 shift
@@ -21,7 +21,7 @@ for exemplar in "$@"; do
   for picture in exemplar gaussian result; do
     grep -o "\"$picture\":{\"png\":\"data:image/png;base64,[^\"]*" "$work/$name.html" | head -n 1 |
       sed 's/.*base64,//' | base64 -d >"$work/whole.png"
-    # Of the exemplar, which may be smaller, as much repetition as the noise shows.
+    # Repeats an exemplar that is smaller than the panel.
     convert -size "${panel}x${panel}" "tile:$work/whole.png" "$work/$name-$picture.png"
     panels+=("$work/$name-$picture.png")
   done

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Contact sheet: three ways of putting a material on a ball, an exemplar a row: one plane alone, which
-# smears on the sides; the noises of three planes averaged, which is what triplanar mapping means
-# elsewhere, and fades between the planes; and Lichen's, which keeps the histogram.
+# Makes a contact sheet of three mappings of a ball, one exemplar per row: one plane, which smears on
+# the sides; three planes averaged, the usual triplanar mapping, which loses contrast between the
+# planes; and Lichen's blend, which keeps the histogram.
 #   samples/triplanar_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build, a Vulkan device, Python 3 and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -12,13 +12,13 @@ command -v python3 >/dev/null || { echo "triplanar_sheet: install Python: apt-ge
 
 panel=420
 rings=64
-tile=0.8     # metres, of a ball of radius 1
+tile=0.8     # metres; the ball's radius is 1
 sharpness=4
 
 output=$1
 shift
 
-# A ball, and the same ball with the normal of one plane everywhere, which shows that plane alone.
+# A ball, and the same ball with one plane's normal at every vertex, which shows only that plane.
 python3 - "$work" "$rings" <<'BALL'
 import base64, json, math, struct, sys
 folder, rings = sys.argv[1], int(sys.argv[2])
@@ -36,7 +36,7 @@ for name, normal in (("ball", None), ("x", (1, 0, 0)), ("y", (0, 1, 0)), ("z", (
     data += b"".join(struct.pack("<3f", *(normal or p)) for p in points)
     data += struct.pack(f"<{len(indices)}H", *indices)
     size = 12 * len(points)
-    # From a little above and aside; the ball stands as it is, since planes are the world's.
+    # The camera looks from above and aside. The ball is not rotated: the planes are in world space.
     yaw, pitch, distance = math.radians(40), math.radians(-25), 4.4
     away = (math.sin(yaw) * math.cos(pitch), -math.sin(pitch), math.cos(yaw) * math.cos(pitch))
     cy, sy, cp, sp = (f(a / 2) for a in (yaw, pitch) for f in (math.cos, math.sin))
@@ -61,7 +61,7 @@ for name, normal in (("ball", None), ("x", (1, 0, 0)), ("y", (0, 1, 0)), ("z", (
         open(f"{folder}/{name}.gltf", "w"))
 BALL
 
-# shot BALL VIEW OUT: light, not its code.
+# shot BALL VIEW OUT: renders linear light.
 shot() {
   "$bin/lichen-render" "$work/$1-scene.glb" --debug-view "$2" --size "${panel}x${panel}" --frames 4 \
     -o "$work/$3.exr" --quiet
@@ -76,7 +76,7 @@ for exemplar in "$@"; do
     shot "$ball" base-color "$ball"
   done
   shot ball planes squares
-  # Averaged: weights, not their squares, that sum to 1. No step exceeds 1, where pictures end.
+  # An average needs weights, not their squares, that sum to 1. No step exceeds 1, where images clip.
   convert "$work/squares.exr" -evaluate Pow 0.5 "$work/weights.exr"
   convert "$work/weights.exr" -separate -evaluate-sequence Mean "$work/mean.exr"
   blended=()
