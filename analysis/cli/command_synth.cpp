@@ -175,13 +175,13 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
                                          {"variance", BlendOperator::variancePreserving},
                                          {"linear", BlendOperator::linear}};
-  addValue(verb, "--blend", synthesis.blend, oneOf(operators), "histogram",
+  addValue(verb, "--blend", synthesis.evaluation.tiling.blend, oneOf(operators), "histogram",
            "histogram is the method; the others show what it mends")
       .group(groupOf(Method::tiling));
-  addValue(verb, "--taps", synthesis.tilingQuality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}),
+  addValue(verb, "--taps", synthesis.evaluation.tiling.quality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}),
            "3", "How many tiles are fetched at most, as a host of the shaders may choose")
       .group(groupOf(Method::tiling));
-  addValue(verb, "--one-tap", synthesis.tilingQuality.oneTapTiles, number(kOneTapTilesRange), "0",
+  addValue(verb, "--one-tap", synthesis.evaluation.tiling.quality.oneTapTiles, number(kOneTapTilesRange), "0",
            "Pixels of so many tiles a side and larger take one; 0: none")
       .group(groupOf(Method::tiling));
   addValue(verb, "--impacts", arguments->impacts, optional(number(kImpactsRange)), "",

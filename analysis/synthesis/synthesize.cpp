@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bundle and options -> image, pixel by pixel through the CPU twin of the noise's method.
+// Bundle and options -> image, pixel by pixel through the noise's evaluator.
 #include "progress_part.h"
 
 #include <lichen/image_io.h>
 #include <lichen/synthesize.h>
-#include <lichen/texton_evaluate.h>
 
 #include <tbb/parallel_for.h>
 
@@ -12,7 +11,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <functional>
 
 namespace lichen {
 namespace {
@@ -92,33 +90,6 @@ double startOf(double origin, double periodTiles, bool periodic) {
   return start < 0.0 ? start + periodTiles : start;
 }
 
-/// The decoded value of a map at a footprint and, of a mix, a place in it.
-using PointEvaluation = std::function<std::array<float, 4>(const TileFootprint&, const MixPlace&)>;
-
-Result<PointEvaluation> tilingEvaluation(const Bundle& bundle, const SynthesisOptions& options,
-                                         const shader::LichenNoise& parameters, std::size_t map) {
-  Result<TilingEvaluator> created =
-      TilingEvaluator::create(bundle, options.material.noise, options.tilingQuality);
-  if (!created)
-    return created.error();
-  return PointEvaluation([evaluator = std::move(created).value(), parameters, map,
-                          blend = options.blend](const TileFootprint& at, const MixPlace&) {
-    return evaluator.evaluate(map, parameters, at, blend);
-  });
-}
-
-Result<PointEvaluation> textonEvaluation(const Bundle& bundle, const SynthesisOptions& options,
-                                         const shader::LichenNoise& parameters,
-                                         const shader::LichenTexton& texton, std::size_t map) {
-  Result<TextonEvaluator> created = TextonEvaluator::create(bundle, options.material.noise);
-  if (!created)
-    return created.error();
-  return PointEvaluation([evaluator = std::move(created).value(), parameters, texton,
-                          map](const TileFootprint& at, const MixPlace& mix) {
-    return evaluator.evaluate(map, parameters, texton, at, mix);
-  });
-}
-
 /// The material of a plane whose coordinates are tiles.
 MaterialNoise onTiles(MaterialNoise material) {
   material.mapping = Mapping::uv;
@@ -144,14 +115,10 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
       startOf(options.origin[0], placement.periodTilesX, options.tileable),
       startOf(options.origin[1], placement.periodTilesY, options.tileable)};
   const MaterialNoise material = onTiles(options.material);
-  const shader::LichenNoise parameters = shaderNoise(bundle, material, placement);
-  const Result<PointEvaluation> evaluation =
-      bundle.noises[options.material.noise].method() == Method::texton
-          ? textonEvaluation(bundle, options, parameters, shaderTexton(bundle, material, placement),
-                             map)
-          : tilingEvaluation(bundle, options, parameters, map);
-  if (!evaluation)
-    return evaluation.error();
+  const Result<std::unique_ptr<const NoiseEvaluator>> evaluator =
+      NoiseEvaluator::create(bundle, material, placement, options.evaluation);
+  if (!evaluator)
+    return evaluator.error();
 
   LinearImage image(options.width, options.height,
                     int(bundle.noises[options.material.noise].maps[map].channels.size()));
@@ -168,7 +135,7 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
           (double(x) * options.stride + 0.5) / (double(options.width) * options.stride);
       mix.weight = float(options.mix[0] + mixRise * along);
       at.position[0] = float(start[0] + (double(x) * options.stride + 0.5) / pixelsPerTile[0]);
-      const std::array<float, 4> value = evaluation.value()(at, mix);
+      const std::array<float, 4> value = evaluator.value()->evaluate(map, at, mix);
       std::copy_n(value.begin(), image.channels, image.pixel(x, y));
     }
   };

@@ -6,7 +6,7 @@
 #include <lichen/image.h>
 #include <lichen/progress.h>
 #include <lichen/result.h>
-#include <lichen/tiling_evaluate.h>
+#include <lichen/noise_evaluator.h>
 
 #include <array>
 #include <optional>
@@ -35,8 +35,7 @@ struct SynthesisOptions {
   /// footprint stays that of one of its pixels. >= 1; 1 for a tileable image.
   int stride = 1;
   bool tileable = false; ///< opposite borders continue each other; at least half a tile
-  BlendOperator blend = BlendOperator::histogramPreserving; ///< of tiling
-  TilingQuality tilingQuality;
+  EvaluationOptions evaluation;
   /// Of a mix, the weight at the left and the right border, linear between; in kMixWeightRange,
   /// the same where the image is tileable.
   std::array<double, 2> mix{0.0, 0.0};

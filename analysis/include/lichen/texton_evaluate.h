@@ -4,6 +4,7 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/mix_place.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/surface_footprint.h>
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace lichen {
-
-/// Between which textons of a mix a point lies; ignored where there is one.
-struct MixPlace {
-  float weight = 0.0f;             ///< 0 is the first, 1 the last; clamped
-  std::array<float, 2> gradient{}; ///< its derivative, per tile
-};
 
 /// Decoded textons of one noise of a bundle. Immutable: any number of threads may evaluate it.
 class TextonEvaluator {

@@ -17,13 +17,6 @@
 
 namespace lichen {
 
-/// How the three taps are blended. The first is the method; the others serve comparison.
-enum class BlendOperator {
-  histogramPreserving, ///< [HN18] eq. 18
-  variancePreserving,  ///< eq. 8 on the decoded values: no inverse table after the blend
-  linear,              ///< eq. 3 on the decoded values
-};
-
 /// Decoded tables of one noise of a bundle. Immutable: any number of threads may evaluate it.
 class TilingEvaluator {
 public:
