@@ -30,16 +30,16 @@ std::string base64(std::span<const std::byte> bytes) {
 }
 
 template <class AnyImage>
-Result<std::string> dataUri(const AnyImage& image) {
+Result<JsonTree> encoded(const AnyImage& image) {
   const Result<std::vector<std::byte>> png = encodePng(image, 8);
   if (!png)
     return png.error();
-  return "data:image/png;base64," + base64(png.value());
+  return JsonTree{{"png", "data:image/png;base64," + base64(png.value())}};
 }
 
 } // namespace
 
-Result<std::string> pngDataUri(const SrgbImage& image) { return dataUri(image); }
-Result<std::string> pngDataUri(const LinearImage& data) { return dataUri(data); }
+Result<JsonTree> pictureJson(const SrgbImage& image) { return encoded(image); }
+Result<JsonTree> pictureJson(const LinearImage& data) { return encoded(data); }
 
 } // namespace lichen

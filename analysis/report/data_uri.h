@@ -3,14 +3,13 @@
 #pragma once
 
 #include <lichen/image.h>
+#include <lichen/json_tree.h>
 #include <lichen/result.h>
-
-#include <string>
 
 namespace lichen {
 
-/// An image as an 8-bit PNG in a data URI. Errors as encodePng().
-[[nodiscard]] Result<std::string> pngDataUri(const SrgbImage& image);
-[[nodiscard]] Result<std::string> pngDataUri(const LinearImage& data);
+/// {"png": the image as an 8-bit PNG in a data URI}. Errors as encodePng().
+[[nodiscard]] Result<JsonTree> pictureJson(const SrgbImage& image);
+[[nodiscard]] Result<JsonTree> pictureJson(const LinearImage& data);
 
 } // namespace lichen

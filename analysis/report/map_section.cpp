@@ -2,7 +2,7 @@
 // Map of a bundle and its exemplar -> the JSON of its section of the report.
 #include "map_section.h"
 
-#include "data_uri.h"
+#include "method_report.h"
 
 #include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
@@ -18,15 +18,6 @@ namespace lichen {
 namespace {
 
 constexpr int kShownExemplars = 2; // of the result, a side
-
-/// {"png": data URI}, or the encoder's refusal.
-template <class AnyImage>
-Result<JsonTree> picture(const AnyImage& image) {
-  Result<std::string> uri = pngDataUri(image);
-  if (!uri)
-    return uri.error();
-  return JsonTree{{"png", std::move(uri).value()}};
-}
 
 /// The mean of the block of pixels under each pixel of a smaller image.
 SrgbImage reduced(const SrgbImage& image, int width, int height) {
@@ -96,88 +87,6 @@ JsonTree listOf(const std::vector<Judgement>& judgements) {
   return list;
 }
 
-/// The finest level of the Gaussian image with no more pixels than a square of `side`.
-Result<JsonTree> gaussianPicture(const Table& table, int side) {
-  const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
-    return std::max(1u, extent >> level);
-  };
-  std::uint32_t level = 0;
-  while (level + 1 < table.mipLevels &&
-         double(shift(table.width, level)) * shift(table.height, level) > double(side) * side)
-    ++level;
-  const std::vector<float> texels = decodeLevel(table, level);
-  const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth is unused
-  LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
-  return picture(twoAsRedGreen(std::move(image)));
-}
-
-/// The coefficients of a texton, of a mix the first: grey is 0, the range that of the largest.
-Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto stored = std::size_t(channelCount(table.format));
-  float largest = std::numeric_limits<float>::min();
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    if (i % stored < channels)
-      largest = std::max(largest, std::abs(texels[i]));
-  LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (std::size_t c = 0; c < channels; ++c)
-        image.pixel(x, y)[c] =
-            0.5f +
-            0.5f * texels[(std::size_t(y) * table.width + std::size_t(x)) * stored + c] / largest;
-  return picture(twoAsRedGreen(std::move(image)));
-}
-
-/// All slabs of a separable table, one below the other: a row for each axis, with what its values
-/// give where the others are at their mean.
-LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t channels) {
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t axes = map.tableBasis.size() / channels;
-  LinearImage image(int(table.width), int(table.height * axes), int(channels));
-  for (std::size_t slab = 0; slab < table.height; ++slab)
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      for (std::size_t x = 0; x < table.width; ++x)
-        for (std::size_t c = 0; c < channels; ++c)
-          image.pixel(int(x), int(slab * axes + axis))[c] =
-              std::max(0.0f, float(map.tableOffset[c] +
-                                   map.tableBasis[c * axes + axis] *
-                                       double(texels[(slab * table.width + x) * stored + axis])));
-  return image;
-}
-
-/// All slabs of a joint table: one below the other, their slices side by side.
-LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t layers = std::max(table.depth, 1u), width = table.width;
-  const std::size_t rows = table.height;
-  LinearImage image(int(width * slices), int(rows * (layers / slices)), int(channels));
-  for (std::size_t z = 0; z < layers; ++z)
-    for (std::size_t y = 0; y < rows; ++y)
-      for (std::size_t x = 0; x < width; ++x)
-        std::copy_n(&texels[((z * rows + y) * width + x) * stored], std::min(channels, stored),
-                    image.pixel(int(z % slices * width + x), int(z / slices * rows + y)));
-  return image;
-}
-
-Result<JsonTree> tablePicture(const Table& table, const NoiseMap& map, const MapLook& look) {
-  const auto& tiling = map.as<TilingMap>();
-  const std::size_t channels = map.channels.size();
-  const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
-  Result<JsonTree> shown = picture(look.picture(tableKindOf(tiling) == TableKind::joint
-                                                    ? slicesPicture(table, channels, slices)
-                                                    : axesPicture(table, tiling, channels)));
-  if (!shown)
-    return shown.error();
-  return JsonTree{
-      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
-}
-
 std::string summaryOf(const MapExemplar& exemplar) {
   std::string text;
   for (const MapChannel channel : exemplar.channels)
@@ -227,12 +136,12 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, const Material
     return result.error();
   Result<JsonTree> original = JsonTree();
   if (const std::optional<MapExemplar>& before = shown.origin.original; before)
-    original = picture(reduced(comparison.look.picture(*before), width, height));
+    original = pictureJson(reduced(comparison.look.picture(*before), width, height));
   Result<JsonTree> gaussian = JsonTree();
   if (const std::optional<SrgbImage>& texture = comparison.gaussian; texture)
-    gaussian = picture(reduced(*texture, 2 * width, 2 * height));
-  Result<JsonTree> exemplar = picture(reduced(comparison.exemplar, width, height));
-  Result<JsonTree> shownResult = picture(comparison.look.picture(result.value()));
+    gaussian = pictureJson(reduced(*texture, 2 * width, 2 * height));
+  Result<JsonTree> exemplar = pictureJson(reduced(comparison.exemplar, width, height));
+  Result<JsonTree> shownResult = pictureJson(comparison.look.picture(result.value()));
   for (const Result<JsonTree>* made : {&original, &exemplar, &gaussian, &shownResult})
     if (!*made)
       return made->error();
@@ -265,25 +174,17 @@ Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material
           addPictures(section, bundle, material, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
-  const auto* tiling = std::get_if<TilingMap>(&map.data);
-  Result<JsonTree> image = tiling != nullptr
-                               ? gaussianPicture(bundle.tables[tiling->gaussian], exemplarSide)
-                               : textonPicture(bundle.tables[map.as<TextonMap>().image],
-                                               noise.as<TextonShape>(), map.channels.size());
+  const MethodReport& method = reportOf(noise.method());
+  Result<JsonTree> image = method.image(bundle, noise, map, exemplarSide);
   if (!image)
     return image.error();
+  Result<JsonTree> table = method.table(bundle, map, comparison.value().look);
+  if (!table)
+    return table.error();
   section["image"] = std::move(image).value();
-  section["method"] = nameOf(noise.method());
+  section["table"] = std::move(table).value();
   section["kernels"] =
       comparison.value().kernels ? jsonOf(*comparison.value().kernels) : JsonTree();
-  section["table"] = JsonTree();
-  if (tiling != nullptr && tiling->inverseTable) {
-    Result<JsonTree> table =
-        tablePicture(bundle.tables[*tiling->inverseTable], map, comparison.value().look);
-    if (!table)
-      return table.error();
-    section["table"] = std::move(table).value();
-  }
   return section;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Bundle and exemplar -> pictures of both and the measures between them.
 #include "exemplar/resample.h"
+#include "method_report.h"
 
 #include <lichen/noise_comparison.h>
-#include <lichen/synthesize.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lichen {
 namespace {
@@ -14,34 +13,6 @@ namespace {
 constexpr int kResultExemplars = 4; // a side
 /// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
 constexpr int kLargestSide = 4096;
-
-/// Of the exemplar, in texels.
-struct Extents {
-  int width = 0;
-  int height = 0;
-};
-
-/// The exemplars that the lattice is looked for in. Of large ones not every texel is evaluated;
-/// those that are keep their footprint, since a coarser one would show another noise, whose
-/// averaged texels are less Gaussian: its contrast follows the lattice three times as much.
-SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
-  const int width = kLatticeExemplars * exemplar.width;
-  const int height = kLatticeExemplars * exemplar.height;
-  options.stride = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
-  options.width = std::max(1, width / options.stride);
-  options.height = std::max(1, height / options.stride);
-  return options;
-}
-
-LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar) {
-  const double stride = options.stride;
-  const double firstTexel = 0.5 - 0.5 * stride; // a view's pixels have their centres in the middle
-  return {{},
-          stride / exemplar.width,
-          stride / exemplar.height,
-          firstTexel / exemplar.width,
-          firstTexel / exemplar.height};
-}
 
 /// The noise's map that the exemplar is of.
 Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
@@ -61,129 +32,36 @@ Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
   return &map;
 }
 
-/// How far the noise shows the lattice of its tiles.
-Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wide,
-                               const Extents& exemplar, const MapLook& look) {
-  const Result<LinearImage> result = synthesize(bundle, wide);
-  if (!result)
-    return result.error();
-  return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
-}
-
-Measure flatnessMeasure(const KernelComparison& kernels) {
-  return {"flatness",
-          "",
-          "how unlike the magnitudes of the texton's texels are; a tenth of the impacts it takes",
-          kernels.texton.flatness,
-          kFlatnessTarget,
-          {}};
-}
-
-Measure modelErrorMeasure(const KernelComparison& kernels) {
-  return {"model_error",
-          "",
-          "transport distance to the exemplar's Gaussian texture, as a share of its deviation",
-          kernels.texton.modelError,
-          {},
-          {}};
-}
-
-/// The step of textons at a weight.
-std::size_t stepAt(const Noise& noise, double weight) {
-  return std::size_t(std::lround(weight * double(noise.as<TextonShape>().steps - 1)));
-}
-
-/// A map as it is at a step of a mix.
-NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
-  NoiseMap here = map;
-  if (step > 0) {
-    const TextonStep& later = map.as<TextonMap>().laterSteps[step - 1];
-    here.mean = later.mean;
-    here.covariance = later.covariance;
-  }
-  return here;
-}
-
-/// Measures of a texton's result, for which the exemplar's Gaussian texture counts.
-Result<void> judgeAsGaussian(const Bundle& bundle, const SynthesisOptions& options,
-                             const NoiseMap& map, const MapExemplar& exemplar, bool isEnlarged,
-                             NoiseComparison& comparison) {
-  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
-  const Result<MapExemplar> gaussian =
-      gaussianVersion(mapAt(map, step), exemplar, options.material.seed);
-  if (!gaussian)
-    return gaussian.error();
-  comparison.gaussian = comparison.look.picture(gaussian.value());
-  const Result<KernelComparison> kernels =
-      compareTexton(bundle, options.material.noise, exemplar, step);
-  if (!kernels)
-    return kernels.error();
-  comparison.kernels = kernels.value();
-  Result<std::vector<Measure>> measures =
-      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
-  if (isEnlarged)
-    for (Measure& measure : comparison.measures)
-      if (measure.name == kGaussianSpectrumDistanceName && measure.value) {
-        measure.target.reset();
-        measure.remark = "no target: the map was enlarged to the size of the largest, and has "
-                         "nothing to compare in the finest waves";
-      }
-  comparison.measures.push_back(modelErrorMeasure(kernels.value()));
-  comparison.measures.push_back(flatnessMeasure(kernels.value()));
-  return {};
-}
-
 Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const MapExemplar& given,
                                 const MaterialNoise& material, const Progress& progress) {
   const Noise& noise = bundle.noises[material.noise];
-  const auto [width, height] = exemplarSize(bundle, noise, map);
-  const Extents baked{int(width), int(height)};
-  // Textons of smaller maps of a set are of the size of the largest.
+  const MethodReport& method = reportOf(noise.method());
+  const auto [bakedWidth, bakedHeight] = exemplarSize(bundle, noise, map);
+  const int width = int(bakedWidth), height = int(bakedHeight);
   std::optional<MapExemplar> enlarged;
-  if (noise.method() == Method::texton &&
-      (given.width != baked.width || given.height != baked.height))
-    enlarged = exemplar::resampled(given, baked.width, baked.height, false);
+  if (method.enlargesMaps() && (given.width != width || given.height != height))
+    enlarged = exemplar::resampled(given, width, height, false);
   const MapExemplar& exemplar = enlarged ? *enlarged : given;
-  const bool hasLattice = noise.method() == Method::tiling;
   SynthesisOptions options;
   options.material = material;
   options.map = map.target;
   if (material.mix.source == MixSource::constant)
     options.mix = {material.mix.weight, material.mix.weight};
-  options.width = std::min(kResultExemplars * baked.width, kLargestSide);
-  options.height = std::min(kResultExemplars * baked.height, kLargestSide);
-  SynthesisOptions wide = latticeOptions(options, baked);
-  // The result's progress and the lattice's are by the pixels of each.
-  const double resultPixels = double(options.width) * options.height;
-  const double widePixels = hasLattice ? double(wide.width) * wide.height : 0.0;
-  const double share = resultPixels / (resultPixels + widePixels);
+  options.width = std::min(kResultExemplars * width, kLargestSide);
+  options.height = std::min(kResultExemplars * height, kLargestSide);
+  const double pixels = double(options.width) * options.height;
+  const double share = pixels / (pixels + method.judgedPixels(width, height));
   options.progress = partOf(progress, 0.0, share);
-  wide.progress = partOf(progress, share, 1.0);
-
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
   const MapLook look(exemplar, map.encoding);
   NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}, {},
                              {}};
-  if (noise.method() == Method::texton) {
-    if (Result<void> judged =
-            judgeAsGaussian(bundle, options, map, exemplar, enlarged.has_value(), comparison);
-        !judged)
-      return judged.error();
-    return comparison;
-  }
-  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
-  Result<Measure> lattice = latticeMeasure(bundle, wide, baked, look);
-  if (!lattice)
-    return lattice.error();
-  comparison.measures.push_back(std::move(lattice).value());
+  const ComparedResult compared{
+      bundle, map, exemplar, enlarged.has_value(), options, partOf(progress, share, 1.0)};
+  if (Result<void> judged = method.judge(compared, comparison); !judged)
+    return judged.error();
   return comparison;
 }
 

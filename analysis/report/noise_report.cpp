@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A bake's record -> the bytes of its page.
 #include "map_section.h"
+#include "method_report.h"
 #include "report_page.h"
 
 #include <lichen/escaped.h>
@@ -13,19 +14,14 @@
 namespace lichen {
 namespace {
 
-/// Pixels of a map's pictures per pixel of its exemplar's: itself, what it was before it was
-/// flattened, a result of two by two, and the Gaussian image or, of textons, a Gaussian texture as
-/// large as the result.
-constexpr double kTilingPixels = 7.0;
-constexpr double kTextonPixels = 10.0;
 /// In all, of at most 4 bytes each in base64: a page below 14 MiB, and about half that for
 /// photographs, which compress.
 constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
 int exemplarSide(std::size_t maps, Method method) {
-  const double ofExemplar = method == Method::texton ? kTextonPixels : kTilingPixels;
-  const double pixels = kMostPixels / (ofExemplar * double(std::max<std::size_t>(maps, 1)));
+  const double perPixel = reportOf(method).picturePixels();
+  const double pixels = kMostPixels / (perPixel * double(std::max<std::size_t>(maps, 1)));
   return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
 }
 

@@ -380,9 +380,9 @@ async function addMap(map) {
     canvas.setAttribute('aria-label', `${map.target}: ${canvas.dataset.pane}`);
   const image = find('.image img');
   image.src = map.image.png;
-  image.alt = map.method === 'texton' ? 'The texton' : 'The Gaussianized exemplar';
-  for (const method of ['tiling', 'texton'])
-    find('.image .' + method).hidden = method !== map.method;
+  image.alt = map.image.title;
+  find('.image .title').textContent = map.image.title + '.';
+  find('.image .text').textContent = map.image.text;
   document.getElementById('maps').append(fragment);
   if (map.table)
     await showTable(find('.table'), map.table);

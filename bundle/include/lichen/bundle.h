@@ -9,6 +9,7 @@
 #include <lichen/tiling_map.h>
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -90,14 +91,16 @@ struct NoiseMap {
   std::vector<double> covariance; ///< n x n, row-major, symmetric
   MethodMap data;
 
-  /// The data of the map's own method.
+  /// The data of the map's own method. (std::get would bring an exception's type into libraries.)
   template <class Data>
   [[nodiscard]] const Data& as() const {
-    return std::get<Data>(data);
+    assert(std::holds_alternative<Data>(data));
+    return *std::get_if<Data>(&data);
   }
   template <class Data>
   [[nodiscard]] Data& as() {
-    return std::get<Data>(data);
+    assert(std::holds_alternative<Data>(data));
+    return *std::get_if<Data>(&data);
   }
 
   [[nodiscard]] bool operator==(const NoiseMap&) const = default;
@@ -120,11 +123,13 @@ struct Noise {
   /// The data of the noise's own method.
   template <class Data>
   [[nodiscard]] const Data& as() const {
-    return std::get<Data>(data);
+    assert(std::holds_alternative<Data>(data));
+    return *std::get_if<Data>(&data);
   }
   template <class Data>
   [[nodiscard]] Data& as() {
-    return std::get<Data>(data);
+    assert(std::holds_alternative<Data>(data));
+    return *std::get_if<Data>(&data);
   }
 
   [[nodiscard]] bool operator==(const Noise&) const = default;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The methods that comparison and report know, in the order of Method.
+#include "texton_report.h"
+#include "tiling_report.h"
+
+#include <array>
+
+namespace lichen {
+
+const MethodReport& reportOf(Method method) {
+  static const TilingReport kTiling;
+  static const TextonReport kTexton;
+  static const std::array<const MethodReport*, 2> kReports{&kTiling, &kTexton};
+  static_assert(kReports.size() == std::variant_size_v<MethodMap>);
+  return *kReports[std::size_t(method)];
+}
+
+} // namespace lichen

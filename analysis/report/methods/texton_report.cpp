@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which such a
+// noise tends to, and a picture of the texton.
+#include "texton_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lichen {
+namespace {
+
+Measure flatnessMeasure(const KernelComparison& kernels) {
+  return {"flatness",
+          "",
+          "how unlike the magnitudes of the texton's texels are; a tenth of the impacts it takes",
+          kernels.texton.flatness,
+          kFlatnessTarget,
+          {}};
+}
+
+Measure modelErrorMeasure(const KernelComparison& kernels) {
+  return {"model_error",
+          "",
+          "transport distance to the exemplar's Gaussian texture, as a share of its deviation",
+          kernels.texton.modelError,
+          {},
+          {}};
+}
+
+/// The step of textons at a weight.
+std::size_t stepAt(const Noise& noise, double weight) {
+  return std::size_t(std::lround(weight * double(noise.as<TextonShape>().steps - 1)));
+}
+
+/// A map as it is at a step of a mix.
+NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
+  NoiseMap here = map;
+  if (step > 0) {
+    const TextonStep& later = map.as<TextonMap>().laterSteps[step - 1];
+    here.mean = later.mean;
+    here.covariance = later.covariance;
+  }
+  return here;
+}
+
+/// The coefficients of a texton, of a mix the first: grey is 0, the range that of the largest.
+Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  float largest = std::numeric_limits<float>::min();
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    if (i % stored < channels)
+      largest = std::max(largest, std::abs(texels[i]));
+  LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < channels; ++c)
+        image.pixel(x, y)[c] =
+            0.5f +
+            0.5f * texels[(std::size_t(y) * table.width + std::size_t(x)) * stored + c] / largest;
+  return pictureJson(twoAsRedGreen(std::move(image)));
+}
+
+} // namespace
+
+double TextonReport::judgedPixels(int, int) const { return 0.0; }
+
+Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+  const Bundle& bundle = result.bundle;
+  const SynthesisOptions& options = result.options;
+  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
+  const Result<MapExemplar> gaussian =
+      gaussianVersion(mapAt(result.map, step), result.exemplar, options.material.seed);
+  if (!gaussian)
+    return gaussian.error();
+  comparison.gaussian = comparison.look.picture(gaussian.value());
+  const Result<KernelComparison> kernels =
+      compareTexton(bundle, options.material.noise, result.exemplar, step);
+  if (!kernels)
+    return kernels.error();
+  comparison.kernels = kernels.value();
+  Result<std::vector<Measure>> measures =
+      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result);
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  if (result.isEnlarged)
+    for (Measure& measure : comparison.measures)
+      if (measure.name == kGaussianSpectrumDistanceName && measure.value) {
+        measure.target.reset();
+        measure.remark = "no target: the map was enlarged to the size of the largest, and has "
+                         "nothing to compare in the finest waves";
+      }
+  comparison.measures.push_back(modelErrorMeasure(kernels.value()));
+  comparison.measures.push_back(flatnessMeasure(kernels.value()));
+  return {};
+}
+
+/// Those of tiling, but in place of the Gaussian image a Gaussian texture as large as the result.
+double TextonReport::picturePixels() const { return 10.0; }
+
+Result<JsonTree> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                                     int) const {
+  Result<JsonTree> shown = textonPicture(bundle.tables[map.as<TextonMap>().image],
+                                         noise.as<TextonShape>(), map.channels.size());
+  if (!shown)
+    return shown;
+  shown.value()["title"] = "Texton";
+  shown.value()["text"] =
+      "The image that is added up at random places with random signs, enlarged; "
+      "grey is zero.";
+  return shown;
+}
+
+Result<JsonTree> TextonReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {
+  return JsonTree();
+}
+
+} // namespace lichen

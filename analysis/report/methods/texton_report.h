@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// How results of texton noise [GLM17] are judged, and what the page shows of its data.
+#pragma once
+
+#include "method_report.h"
+
+namespace lichen {
+
+class TextonReport final : public MethodReport {
+public:
+  [[nodiscard]] bool enlargesMaps() const override { return true; }
+  [[nodiscard]] double judgedPixels(int exemplarWidth, int exemplarHeight) const override;
+  [[nodiscard]] Result<void> judge(const ComparedResult& result,
+                                   NoiseComparison& comparison) const override;
+  [[nodiscard]] double picturePixels() const override;
+  [[nodiscard]] Result<JsonTree> image(const Bundle& bundle, const Noise& noise,
+                                       const NoiseMap& map, int side) const override;
+  [[nodiscard]] Result<JsonTree> table(const Bundle& bundle, const NoiseMap& map,
+                                       const MapLook& look) const override;
+};
+
+} // namespace lichen

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// A tiling noise and its exemplar -> measures, and pictures of the Gaussian image and the table.
+#include "tiling_report.h"
+
+#include <algorithm>
+
+namespace lichen {
+namespace {
+
+/// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
+constexpr int kLargestSide = 4096;
+
+/// Of the exemplar, in texels.
+struct Extents {
+  int width = 0;
+  int height = 0;
+};
+
+/// The exemplars that the lattice is looked for in. Of large ones not every texel is evaluated;
+/// those that are keep their footprint, since a coarser one would show another noise, whose
+/// averaged texels are less Gaussian: its contrast follows the lattice three times as much.
+SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
+  const int width = kLatticeExemplars * exemplar.width;
+  const int height = kLatticeExemplars * exemplar.height;
+  options.stride = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
+  options.width = std::max(1, width / options.stride);
+  options.height = std::max(1, height / options.stride);
+  return options;
+}
+
+LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar) {
+  const double stride = options.stride;
+  const double firstTexel = 0.5 - 0.5 * stride; // a view's pixels have their centres in the middle
+  return {{},
+          stride / exemplar.width,
+          stride / exemplar.height,
+          firstTexel / exemplar.width,
+          firstTexel / exemplar.height};
+}
+
+/// How far the noise shows the lattice of its tiles.
+Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wide,
+                               const Extents& exemplar, const MapLook& look) {
+  const Result<LinearImage> result = synthesize(bundle, wide);
+  if (!result)
+    return result.error();
+  return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
+}
+
+/// The finest level of the Gaussian image with no more pixels than a square of `side`.
+Result<JsonTree> gaussianPicture(const Table& table, int side) {
+  const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
+    return std::max(1u, extent >> level);
+  };
+  std::uint32_t level = 0;
+  while (level + 1 < table.mipLevels &&
+         double(shift(table.width, level)) * shift(table.height, level) > double(side) * side)
+    ++level;
+  const std::vector<float> texels = decodeLevel(table, level);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth is unused
+  LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
+  return pictureJson(twoAsRedGreen(std::move(image)));
+}
+
+/// All slabs of a separable table, one below the other: a row for each axis, with what its values
+/// give where the others are at their mean.
+LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t channels) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t axes = map.tableBasis.size() / channels;
+  LinearImage image(int(table.width), int(table.height * axes), int(channels));
+  for (std::size_t slab = 0; slab < table.height; ++slab)
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      for (std::size_t x = 0; x < table.width; ++x)
+        for (std::size_t c = 0; c < channels; ++c)
+          image.pixel(int(x), int(slab * axes + axis))[c] =
+              std::max(0.0f, float(map.tableOffset[c] +
+                                   map.tableBasis[c * axes + axis] *
+                                       double(texels[(slab * table.width + x) * stored + axis])));
+  return image;
+}
+
+/// All slabs of a joint table: one below the other, their slices side by side.
+LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto stored = std::size_t(channelCount(table.format));
+  const std::size_t layers = std::max(table.depth, 1u), width = table.width;
+  const std::size_t rows = table.height;
+  LinearImage image(int(width * slices), int(rows * (layers / slices)), int(channels));
+  for (std::size_t z = 0; z < layers; ++z)
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t x = 0; x < width; ++x)
+        std::copy_n(&texels[((z * rows + y) * width + x) * stored], std::min(channels, stored),
+                    image.pixel(int(z % slices * width + x), int(z / slices * rows + y)));
+  return image;
+}
+
+} // namespace
+
+double TilingReport::judgedPixels(int exemplarWidth, int exemplarHeight) const {
+  const SynthesisOptions wide = latticeOptions({}, {exemplarWidth, exemplarHeight});
+  return double(wide.width) * double(wide.height);
+}
+
+Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  const Noise& noise = result.bundle.noises[result.options.material.noise];
+  const auto [width, height] = exemplarSize(result.bundle, noise, result.map);
+  const Extents baked{int(width), int(height)};
+  SynthesisOptions wide = latticeOptions(result.options, baked);
+  wide.progress = result.progress;
+  Result<Measure> lattice = latticeMeasure(result.bundle, wide, baked, comparison.look);
+  if (!lattice)
+    return lattice.error();
+  comparison.measures.push_back(std::move(lattice).value());
+  return {};
+}
+
+/// The exemplar, the exemplar before it was flattened, a result of two by two, the Gaussian image.
+double TilingReport::picturePixels() const { return 7.0; }
+
+Result<JsonTree> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,
+                                     int side) const {
+  Result<JsonTree> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
+  if (!shown)
+    return shown;
+  shown.value()["title"] = "Gaussianized exemplar";
+  shown.value()["text"] =
+      "The exemplar with its values replaced by Gaussian ones, which blend without "
+      "changing their distribution.";
+  return shown;
+}
+
+Result<JsonTree> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
+                                     const MapLook& look) const {
+  const auto& tiling = map.as<TilingMap>();
+  if (!tiling.inverseTable)
+    return JsonTree();
+  const Table& table = bundle.tables[*tiling.inverseTable];
+  const std::size_t channels = map.channels.size();
+  const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
+  Result<JsonTree> shown = pictureJson(look.picture(tableKindOf(tiling) == TableKind::joint
+                                                        ? slicesPicture(table, channels, slices)
+                                                        : axesPicture(table, tiling, channels)));
+  if (!shown)
+    return shown;
+  return JsonTree{
+      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
+}
+
+} // namespace lichen
