@@ -6,12 +6,9 @@
 #include "command.h"
 
 #include <lichen/bundle.h>
-#include <lichen/precision_loss.h>
-#include <lichen/texton.h>
-#include <lichen/tiling.h>
 
-#include <optional>
-#include <span>
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -21,17 +18,11 @@ namespace lichen::cli {
 struct BakeOutcome {
   std::string output;
   const Bundle& bundle; ///< of one noise
-  bool exemplarWasPeriodic = true;
-  std::optional<PrecisionLoss> precisionLoss; ///< of the first map of a tiling noise, with --json
   std::vector<std::string> notes;
   std::vector<MapRisk> risks;
-  std::vector<MapTransportBound> transportBounds;
-  std::optional<TextonQuality> texton;
+  const nlohmann::ordered_json& ofMethod; ///< members that the method adds
   double seconds = 0.0;
 };
-
-/// A line for each map whose transport is certified, with the worst of its bounds.
-[[nodiscard]] std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds);
 
 /// One line, or with --json one object, on standard output.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);

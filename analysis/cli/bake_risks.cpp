@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lichen::cli {
 
@@ -80,18 +79,9 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
   return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
 }
 
-namespace {
-
-/// Pixels of `first` for one of `map`, along the longer side of `map`.
-double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
-  return map.width >= map.height ? double(first.width) / map.width
-                                 : double(first.height) / map.height;
-}
-
-/// The risks of each map by `assess`, told its progress.
-template <class Assess>
-Result<std::vector<std::vector<Risk>>>
-assessEach(std::span<const MapExemplar> maps, const SharedOptions& options, const Assess& assess) {
+Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
+                                                  const SharedOptions& options,
+                                                  const AssessMap& assess) {
   ProgressLine line("assess", options);
   std::vector<std::vector<Risk>> risks;
   for (const MapExemplar& map : maps) {
@@ -103,32 +93,6 @@ assessEach(std::span<const MapExemplar> maps, const SharedOptions& options, cons
     risks.push_back(std::move(assessed).value());
   }
   return risks;
-}
-
-} // namespace
-
-Result<std::vector<std::vector<Risk>>> assessMaps(std::span<const MapExemplar> maps, bool periodic,
-                                                  const SharedOptions& options) {
-  return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
-    return assessSuitability(map, periodic, progress, firstPixelsOf(map, maps.front()));
-  });
-}
-
-Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemplar> maps,
-                                                        int support, const SharedOptions& options,
-                                                        int widthTexels) {
-  int width = 0, height = 0; // at which all maps are fitted together
-  for (const MapExemplar& map : maps) {
-    width = std::max(width, map.width);
-    height = std::max(height, map.height);
-  }
-  if (widthTexels > 0) {
-    height = int(std::lround(double(height) * double(widthTexels) / double(width)));
-    width = widthTexels;
-  }
-  return assessEach(maps, options, [=](const MapExemplar& map, const Progress& progress) {
-    return assessTextonSuitability(map, support, progress, width, height);
-  });
 }
 
 std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,15 +40,12 @@ struct Flattened {
                                               const SharedOptions& options,
                                               std::vector<std::string>& notes);
 
-/// The risks of each map, in their order.
-[[nodiscard]] Result<std::vector<std::vector<Risk>>>
-assessMaps(std::span<const MapExemplar> maps, bool periodic, const SharedOptions& options);
-
-/// Likewise, of a texton of this support, of noise that has `widthTexels` over the width of the
-/// maps; 0: as many as the widest of them has pixels.
-[[nodiscard]] Result<std::vector<std::vector<Risk>>>
-assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& options,
-                 int widthTexels = 0);
+using AssessMap =
+    std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;
+/// The risks of each map by `assess`, in their order, with a progress line.
+[[nodiscard]] Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
+                                                                const SharedOptions& options,
+                                                                const AssessMap& assess);
 
 /// A risk and the map that runs it most.
 struct MapRisk {

@@ -7,6 +7,7 @@
 #include "apply_mix.h"
 #include "apply_textures.h"
 #include "command.h"
+#include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
 
@@ -37,9 +38,9 @@ struct Arguments {
   std::optional<double> rotationDegrees;
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
-  std::optional<double> sharpness;
   std::optional<double> planeSharpness;
-  std::optional<std::uint32_t> tileRotation;
+  std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
+  const CLI::App* verb = nullptr;
   std::optional<Vector3> grain;
   bool setsFactors = false;
   MixOptions mix;
@@ -81,9 +82,9 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
     use.rotation = *arguments.rotationDegrees * kRadiansPerDegree;
   use.seed = arguments.seed.value_or(use.seed);
   use.contrast = arguments.contrast.value_or(use.contrast);
-  use.blendSharpness = arguments.sharpness.value_or(use.blendSharpness);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
-  use.tileRotation = arguments.tileRotation.value_or(use.tileRotation);
+  EvaluationOptions none; // a material has none
+  arguments.methods[std::size_t(bundle.noises[noise].method())]->replace(use, none);
   return use;
 }
 
@@ -91,18 +92,20 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method(), mapping))
     return {};
-  std::vector<std::string> accepted;
+  std::vector<std::string> accepted, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingFits(noise.method(), each))
       accepted.emplace_back(nameOf(each));
-  return Error{ErrorKind::usage,
-               fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
-                           "{} is accepted{}",
-                           nameOf(mapping), noise.name, nameOf(noise.method()),
-                           alternatives(accepted),
-                           mappingFits(Method::texton, mapping)
-                               ? ", or a noise that is baked with --method texton"
-                               : "")};
+  for (const Method each : allMethods())
+    if (mappingFits(each, mapping))
+      methods.push_back("--method " + std::string(nameOf(each)));
+  return Error{
+      ErrorKind::usage,
+      fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
+                  "{} is accepted{}",
+                  nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(accepted),
+                  methods.empty() ? std::string()
+                                  : ", or a noise that is baked with " + alternatives(methods))};
 }
 
 /// Whether the mapping has what the options set: places in space, and planes.
@@ -120,14 +123,14 @@ Result<void> checkMappingOptions(const Arguments& arguments) {
   return {};
 }
 
-/// Whether the noise's method has what the options set: tiles.
+/// Whether the options are those of the noise's method.
 Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) {
-  if (noise.method() == Method::tiling || !(arguments.sharpness || arguments.tileRotation))
+  const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, noise.method());
+  if (!foreign)
     return {};
   return Error{ErrorKind::usage,
-               fmt::format("{}: noise '{}' is of the method {}, which has no tiles; a noise of the "
-                           "method tiling is accepted with it",
-                           arguments.sharpness ? "--sharpness" : "--tile-rotation", noise.name,
+               fmt::format("{}: an option of the method {}; noise '{}' is of the method {}",
+                           foreign->name, nameOf(foreign->method), noise.name,
                            nameOf(noise.method()))};
 }
 
@@ -210,12 +213,8 @@ std::vector<std::string> notesOnLook(const Arguments& arguments, const GltfScene
   std::vector<std::string> notes = notesOnFactors(scene, materials, noise, arguments.setsFactors);
   for (std::string& text : notesOnTextures(scene, materials, noise))
     notes.push_back(std::move(text));
-  constexpr std::uint32_t kManySteps = 16; // of a turn; rarely meant
-  const std::uint32_t steps = arguments.tileRotation.value_or(0);
-  if (steps > kManySteps && steps < kMostTileRotation)
-    notes.push_back(fmt::format("--tile-rotation {}: a number of steps of a turn, not an angle; 2 "
-                                "or 4 keep the finest detail, free is any angle",
-                                steps));
+  for (std::string& text : arguments.methods[std::size_t(noise.method())]->notes())
+    notes.push_back(std::move(text));
   return notes;
 }
 
@@ -314,14 +313,9 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
            "Another seed, another pattern [default: the bundle's]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
            "Scale of the variation [default: the bundle's]");
-  addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
-           "Of tiling: the exponent of the blend weights [default: the bundle's]");
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
            "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
-  addValue(verb, "--tile-rotation", arguments->tileRotation, optional(tileRotation()), "",
-           "Of tiling: into how many directions tiles are turned at random, each by itself; "
-           "--rotation turns all as one [default: the bundle's]");
   addFrameOptions(verb, arguments->grain);
   addValue(
       verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
@@ -330,6 +324,9 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);
+  for (const Method method : allMethods())
+    arguments->methods.push_back(commandOf(method).addApplyOptions(verb));
+  arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }
 

@@ -5,15 +5,13 @@
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
-#include "method_options.h"
+#include "methods/method_command.h"
 #include "noise_name.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
-#include "texton_notes.h"
 
 #include <lichen/bundle_writer.h>
-#include <lichen/precision_loss.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -34,11 +32,25 @@ struct Arguments {
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
-  MethodOptions method;
+  Method method{};
+  int bits = 0;                                            ///< of the tables' channels
+  std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
+
+  [[nodiscard]] const BakeOptions& chosen() const { return *methods[std::size_t(method)]; }
 };
+
+/// Refuses options of another method than the one that was chosen.
+Result<void> checkMethodOptions(const Arguments& arguments) {
+  const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
+  if (!foreign)
+    return {};
+  return Error{ErrorKind::usage,
+               fmt::format("{}: belongs to --method {}; with {} it is not accepted", foreign->name,
+                           nameOf(foreign->method), nameOf(arguments.method))};
+}
 
 /// What is said of a bake beside its report; in JSON a part of that.
 class Notes {
@@ -77,9 +89,7 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
   MaterialSet& set = read.value().set;
   std::vector<MapExemplar>& maps = set.maps;
   Result<std::vector<std::vector<Risk>>> assessed =
-      arguments.method.method == Method::texton
-          ? assessTextonMaps(maps, arguments.method.texton.support, arguments.shared)
-          : assessMaps(maps, bordersFit(maps, set.periodic), arguments.shared);
+      arguments.chosen().assess(maps, set.periodic, arguments.shared);
   if (!assessed)
     return assessed.error();
   std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
@@ -96,31 +106,25 @@ Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
                 std::move(read).value().origins};
 }
 
-Result<MethodBake> bake(const Arguments& arguments, const Judged& exemplar, Notes& notes,
-                        ProgressLine& progress) {
-  Result<MethodBake> baked = bakeBy(arguments.method, exemplar.name, exemplar.maps,
-                                    exemplar.borders, progress.asProgress());
+Result<MethodBake> bakeNoise(const Arguments& arguments, const Judged& exemplar, Notes& notes,
+                             ProgressLine& progress) {
+  Result<MethodBake> baked = arguments.chosen().bake(
+      {exemplar.name, exemplar.maps, exemplar.borders, arguments.bits, progress.asProgress()});
   if (!baked)
     return baked;
-  for (std::string& line : certificateNotes(baked.value().transportBounds))
-    notes.add(std::move(line));
-  if (const std::optional<TextonQuality>& quality = baked.value().texton) {
-    const TextonShape& shape = baked.value().noise.as<TextonShape>();
-    if (std::optional<std::string> line = supportNote(arguments.method.texton.support, shape))
-      notes.add(std::move(*line));
-    notes.add(qualityNote(*quality, shape, arguments.method.material.impacts));
-  }
-  if (!baked.value().exemplarWasPeriodic && arguments.exemplar.set.periodic == Periodic::detect)
+  for (const std::string& line : baked.value().notes)
+    notes.add(line);
+  if (baked.value().bordersWereBlended && arguments.exemplar.set.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; they were blended");
   return baked;
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake bake) {
+Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake& bake) {
   BundleFile file;
   file.shape = arguments.preview;
   file.generator = "lichen " LICHEN_VERSION;
   bake.noise.tileSizeMetres = arguments.tileMetres;
-  MaterialNoise material = arguments.method.material;
+  MaterialNoise material = bake.material;
   material.seed = arguments.seed;
   file.bundle.tables = std::move(bake.tables);
   file.bundle.materialNames = {bake.noise.name};
@@ -136,7 +140,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake bake) {
 
 Result<int> run(Arguments& arguments) {
   StepTimes times;
-  if (Result<void> checked = checkMethodOptions(*arguments.verb, arguments.method); !checked)
+  if (Result<void> checked = checkMethodOptions(arguments); !checked)
     return checked.error();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
@@ -152,23 +156,20 @@ Result<int> run(Arguments& arguments) {
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
-  Result<MethodBake> baked = bake(arguments, exemplar.value(), notes, progress);
+  Result<MethodBake> baked = bakeNoise(arguments, exemplar.value(), notes, progress);
   if (!baked)
     return baked.error();
   times.end("Baking the noise");
-  const bool periodic = baked.value().exemplarWasPeriodic;
-  const std::vector<MapTransportBound> bounds = std::move(baked.value().transportBounds);
-  const std::optional<TextonQuality> texton = std::move(baked.value().texton);
-  const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
+  MethodBake& bake = baked.value();
+  const Result<BundleFile> file = makeBundleFile(arguments, bake);
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;
-  std::optional<PrecisionLoss> loss;
-  if (arguments.shared.json && bundle.noises.front().method() == Method::tiling) {
-    const Result<PrecisionLoss> measured = precisionLoss(bundle, 0, 0, maps.front(), periodic);
+  if (arguments.shared.json) {
+    const Result<nlohmann::ordered_json> measured = arguments.chosen().measure(bundle, maps, bake);
     if (!measured)
       return measured.error();
-    loss = measured.value();
+    bake.json.update(measured.value());
   }
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
@@ -182,7 +183,7 @@ Result<int> run(Arguments& arguments) {
                               maps,
                               exemplar.value().assessed,
                               exemplar.value().origins,
-                              periodic,
+                              bake.facts,
                               notes.lines(),
                               times.steps()};
   if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
@@ -190,8 +191,8 @@ Result<int> run(Arguments& arguments) {
     return written.error();
   if (!arguments.report.empty())
     times.end("Report");
-  reportBake(arguments.shared, {arguments.output, bundle, periodic, loss, notes.lines(),
-                                exemplar.value().risks, bounds, texton, times.sum()});
+  reportBake(arguments.shared, {arguments.output, bundle, notes.lines(), exemplar.value().risks,
+                                bake.json, times.sum()});
   return kDone;
 }
 
@@ -212,7 +213,14 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addPreviewShape(verb, arguments->preview);
   addText(verb, "--report", arguments->report, "OUT.html",
           "A page with pictures, measures and charts of the noise");
-  addMethodOptions(verb, arguments->method);
+  Choices<Method> methods;
+  for (const Method method : allMethods())
+    methods.emplace_back(nameOf(method), method);
+  addValue(verb, "--method", arguments->method, oneOf(methods), "tiling", "The noise method");
+  addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
+           "Bits per channel of the tables; a texton's are floats of twice as many");
+  for (const Method method : allMethods())
+    arguments->methods.push_back(commandOf(method).addBakeOptions(verb));
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }

@@ -102,25 +102,25 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   return std::vector{MapMeasures{exemplar.target, std::move(measures).value(), {}}};
 }
 
-/// A note where an exemplar has not the size of what the noise's map was baked of. Textons know
-/// that of the largest map.
+/// A note where an exemplar does not have the size of what the noise's map was baked from, which
+/// for some methods is that of the largest map.
 void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) {
   for (const MapExemplar& map : exemplar.set.maps) {
     const std::optional<std::size_t> place = findMap(noise, map.target);
     if (!place)
       continue; // compareNoise() refuses it
-    const bool isTexton = noise.method() == Method::texton;
-    const int hasWidth = isTexton ? exemplar.width : map.width;
-    const int hasHeight = isTexton ? exemplar.height : map.height;
+    const bool isEnlarged = enlargesMaps(noise.method());
+    const int hasWidth = isEnlarged ? exemplar.width : map.width;
+    const int hasHeight = isEnlarged ? exemplar.height : map.height;
     const auto [width, height] = exemplarSize(bundle, noise, noise.maps[*place]);
     if (int(width) == hasWidth && int(height) == hasHeight)
       continue;
     exemplar.set.notes.push_back(
         fmt::format("{}the exemplar is {} x {}, but was {} x {} when it was baked; give the --crop "
                     "and --size of the bake",
-                    isTexton ? "" : std::string(nameOf(map.target)) + ": ", hasWidth, hasHeight,
+                    isEnlarged ? "" : std::string(nameOf(map.target)) + ": ", hasWidth, hasHeight,
                     width, height));
-    if (isTexton)
+    if (isEnlarged)
       return;
   }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lichen inspect: what a bundle holds and what it costs.
 #include "command.h"
+#include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
+#include "table_words.h"
 
 #include <lichen/bundle.h>
 #include <lichen/files.h>
@@ -12,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -29,37 +30,6 @@ struct Arguments {
   std::string bundle;
 };
 
-struct FormatName {
-  const char* name;
-  int bits; ///< per channel
-};
-
-FormatName formatName(TexelFormat format) {
-  switch (format) {
-  case TexelFormat::r8Unorm:
-    return {"R8", 8};
-  case TexelFormat::rg8Unorm:
-    return {"RG8", 8};
-  case TexelFormat::rgba8Unorm:
-    return {"RGBA8", 8};
-  case TexelFormat::rgba8Srgb:
-    return {"RGBA8 sRGB", 8};
-  case TexelFormat::r16Sfloat:
-    return {"R16F", 16};
-  case TexelFormat::rg16Sfloat:
-    return {"RG16F", 16};
-  case TexelFormat::rgba16Sfloat:
-    return {"RGBA16F", 16};
-  case TexelFormat::r32Sfloat:
-    return {"R32F", 32};
-  case TexelFormat::rgba32Sfloat:
-    break;
-  }
-  return {"RGBA32F", 32};
-}
-
-bool isVolume(const Table& table) { return table.depth > 0; }
-
 /// The parameters of the noise's first material, or the format's defaults.
 MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
   for (const std::optional<MaterialNoise>& use : bundle.materials)
@@ -68,42 +38,16 @@ MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
   return {};
 }
 
-/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
-/// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
-/// table is filtered by the one fetch, of which a separable table takes one an axis.
-int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
-  constexpr int kTaps = 3;
-  switch (tableKindOf(map)) {
-  case TableKind::none:
-    return kTaps;
-  case TableKind::separable:
-    return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
-  case TableKind::joint:
-    break;
-  }
-  return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
-}
-
-/// About those of shaders_glsl/noise/texton.glsl: an impact in each cell that a support of
-/// sqrt(impacts) cells a side overlaps, and four fetches of a cubic spline.
-int fetchesOfTexton(const TextonShape& shape, double impacts) {
-  constexpr int kCubicFetches = 4;
-  const double cells = std::sqrt(impacts) + 1.0;
-  return int(std::lround(cells * cells)) * (shape.order == 3 ? kCubicFetches : 1);
-}
+const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise.method()); }
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   const Noise& described = bundle.noises[noise];
-  return described.method() == Method::texton
-             ? fetchesOfTexton(described.as<TextonShape>(), useOf(bundle, noise).impacts)
-             : fetchesOfTiling(map.as<TilingMap>(), bundle.tables);
+  return commandOf(described).fetches(bundle, described, map, useOf(bundle, noise));
 }
 
-/// Per channel of the image that the shader fetches.
-int bitsOf(const Bundle& bundle, const NoiseMap& map) {
-  const auto* tiling = std::get_if<TilingMap>(&map.data);
-  const std::size_t image = tiling != nullptr ? tiling->gaussian : map.as<TextonMap>().image;
-  return formatName(bundle.tables[image].format).bits;
+/// Per channel of the image that the shader fetches from.
+int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
+  return formatName(commandOf(bundle.noises[noise]).imageOf(bundle, map).format).bits;
 }
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
@@ -180,44 +124,22 @@ Json describe(const MaterialNoise& use, std::size_t index, const std::string& na
           {"mix", describe(use.mix)}};
 }
 
-Json describe(const TextonShape& shape) {
-  return {{"coefficients", {shape.coefficientsX, shape.coefficientsY}},
-          {"order", shape.order},
-          {"support", {shape.coefficientsX + shape.order, shape.coefficientsY + shape.order}},
-          {"mipLevels", shape.mipLevels},
-          {"steps", shape.steps}};
-}
-
-Json describe(const std::vector<TextonStep>& steps) {
-  Json json = Json::array();
-  for (const TextonStep& step : steps)
-    json.push_back({{"mean", step.mean}, {"covariance", step.covariance}});
-  return json;
-}
-
 Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   Json channels = Json::array();
   for (const MapChannel channel : map.channels)
     channels.push_back(nameOf(channel));
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
-  const auto* tiling = std::get_if<TilingMap>(&map.data);
-  const auto* texton = std::get_if<TextonMap>(&map.data);
-  return {{"target", nameOf(map.target)},
-          {"channels", channels},
-          {"encoding", nameOf(map.encoding)},
-          {"width", width},
-          {"height", height},
-          {"bits", bitsOf(bundle, map)},
-          {"mean", map.mean},
-          {"covariance", map.covariance},
-          {"gaussian", tiling != nullptr ? Json(tiling->gaussian) : Json()},
-          {"texton", texton != nullptr ? Json(texton->image) : Json()},
-          {"inverseTable",
-           tiling != nullptr && tiling->inverseTable ? Json(*tiling->inverseTable) : Json()},
-          {"table", nameOf(tiling != nullptr ? tableKindOf(*tiling) : TableKind::none)},
-          {"levels", tiling != nullptr ? tiling->levels.size() : 0},
-          {"laterSteps", texton != nullptr ? describe(texton->laterSteps) : Json::array()},
-          {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
+  Json json{{"target", nameOf(map.target)},
+            {"channels", channels},
+            {"encoding", nameOf(map.encoding)},
+            {"width", width},
+            {"height", height},
+            {"bits", bitsOf(bundle, noise, map)},
+            {"mean", map.mean},
+            {"covariance", map.covariance},
+            {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
+  commandOf(bundle.noises[noise]).describe(bundle, map, json);
+  return json;
 }
 
 Json describe(const Bundle& bundle, std::size_t index) {
@@ -236,8 +158,7 @@ Json describe(const Bundle& bundle, std::size_t index) {
             {"fetchesPerPixel", fetchesPerPixel(bundle, index)},
             {"maps", maps},
             {"materials", materials}};
-  if (const auto* shape = std::get_if<TextonShape>(&noise.data))
-    json["texton"] = describe(*shape);
+  commandOf(noise).describe(noise, json);
   return json;
 }
 
@@ -268,10 +189,6 @@ std::string size(std::size_t bytes) {
   constexpr double kKibi = 1024.0;
   const double kib = double(bytes) / kKibi;
   return kib < kKibi ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / kKibi);
-}
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// "mix along (0, 0) to (0, 1)".
@@ -318,33 +235,6 @@ std::string parametersOf(const MaterialNoise& use) {
   return text;
 }
 
-/// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
-std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
-  const TableKind kind = tableKindOf(map);
-  if (kind == TableKind::none)
-    return "no inverse table";
-  const Table& table = tables[*map.inverseTable];
-  const std::size_t levels = map.levels.size();
-  std::string cells = std::to_string(table.width);
-  if (kind == TableKind::separable)
-    cells = fmt::format("{} x {}", map.tableBasis.size() / map.tableOffset.size(), cells);
-  else if (isVolume(table))
-    cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
-  else if (table.height > levels)
-    cells += fmt::format(" x {}", table.height / levels);
-  return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
-                     counted(levels, "level"));
-}
-
-/// "mean 0.310, 0.360; deviation 0.140, 0.130".
-std::string statisticsOf(const std::vector<double>& mean, const std::vector<double>& covariance) {
-  std::vector<double> deviations;
-  for (std::size_t c = 0; c < mean.size(); ++c)
-    deviations.push_back(std::sqrt(std::max(0.0, covariance[c * (mean.size() + 1)])));
-  return fmt::format("mean {:.3f}; deviation {:.3f}", fmt::join(mean, ", "),
-                     fmt::join(deviations, ", "));
-}
-
 void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise,
             const NoiseMap& map) {
   std::vector<std::string_view> channels;
@@ -352,40 +242,24 @@ void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise
     channels.push_back(nameOf(channel));
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared,
-      fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
-                  bitsOf(bundle, map), nameOf(map.encoding), fetchesPerPixel(bundle, noise, map)));
+  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
+                          bitsOf(bundle, noise, map), nameOf(map.encoding),
+                          fetchesPerPixel(bundle, noise, map)));
   say(shared, "    " + statisticsOf(map.mean, map.covariance));
-  if (const auto* texton = std::get_if<TextonMap>(&map.data)) {
-    if (!texton->laterSteps.empty())
-      say(shared, "    at the last step " + statisticsOf(texton->laterSteps.back().mean,
-                                                         texton->laterSteps.back().covariance));
-    return say(shared, fmt::format("    texton: table {}", texton->image));
-  }
-  const auto& tiling = map.as<TilingMap>();
-  say(shared, fmt::format("    Gaussian image: table {}", tiling.gaussian));
-  say(shared, "    " + inverseTableOf(tiling, bundle.tables));
-}
-
-/// "textons of 64 x 64 texels, order 1, 30 impacts a point, stratified".
-std::string textonsOf(const TextonShape& shape, const MaterialNoise& use) {
-  std::string text =
-      fmt::format("textons of {} x {} texels, order {}, {:g} impacts a point, {}",
-                  shape.coefficientsX + shape.order, shape.coefficientsY + shape.order, shape.order,
-                  use.impacts, nameOf(use.pointProcess));
-  return text + (shape.steps > 1 ? fmt::format("; {} steps", shape.steps) : "");
+  for (const std::string& line : commandOf(bundle.noises[noise]).linesOf(bundle, map))
+    say(shared, "    " + line);
 }
 
 void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
   const Noise& noise = bundle.noises[index];
-  const auto* shape = std::get_if<TextonShape>(&noise.data);
   say(shared, "");
   say(shared, "noise " + noise.name);
-  say(shared, fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches a pixel and plane",
-                          nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
-                          shape != nullptr ? "about " : "", fetchesPerPixel(bundle, index)));
-  if (shape != nullptr)
-    say(shared, "  " + textonsOf(*shape, useOf(bundle, index)));
+  say(shared,
+      fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches a pixel and plane",
+                  nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
+                  commandOf(noise).fetchesVary() ? "about " : "", fetchesPerPixel(bundle, index)));
+  for (const std::string& line : commandOf(noise).linesOf(noise, useOf(bundle, index)))
+    say(shared, "  " + line);
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, bundle, index, map);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)

@@ -3,12 +3,11 @@
 #include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
-#include "method_options.h"
+#include "methods/texton_command.h"
 #include "noise_name.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
-#include "texton_notes.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/texton_mix.h>

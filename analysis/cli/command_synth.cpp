@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lichen synth: an image of a noise, from the bundle alone.
 #include "command.h"
-#include "method_group.h"
+#include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
@@ -32,11 +32,8 @@ struct Arguments {
   // In place of the material's.
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
-  std::optional<double> sharpness;
-  std::optional<std::uint32_t> tileRotation;
-  std::optional<double> impacts;
-  std::optional<PointProcess> points;
   std::optional<std::array<double, 2>> mix;
+  std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
   SynthesisOptions synthesis;
   const CLI::App* verb = nullptr;
 };
@@ -79,10 +76,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   MaterialNoise& material = synthesis.material;
   material.seed = arguments.seed.value_or(material.seed);
   material.contrast = arguments.contrast.value_or(material.contrast);
-  material.blendSharpness = arguments.sharpness.value_or(material.blendSharpness);
-  material.tileRotation = arguments.tileRotation.value_or(material.tileRotation);
-  material.impacts = arguments.impacts.value_or(material.impacts);
-  material.pointProcess = arguments.points.value_or(material.pointProcess);
+  arguments.methods[std::size_t(chosen.method())]->replace(material, synthesis.evaluation);
   if (arguments.mix && !isMix(chosen))
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
@@ -166,30 +160,8 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
            "0,1; of a tileable image 0.5]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
            "Scale of the variation [default: the material's]");
-  addValue(verb, "--sharpness", arguments->sharpness, optional(number(kBlendSharpnessRange)), "",
-           "Exponent of the blend weights [default: the material's]")
-      .group(groupOf(Method::tiling));
-  addValue(verb, "--tile-rotation", arguments->tileRotation, optional(tileRotation()), "",
-           "Into how many directions tiles are turned at random [default: the material's]")
-      .group(groupOf(Method::tiling));
-  const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
-                                         {"variance", BlendOperator::variancePreserving},
-                                         {"linear", BlendOperator::linear}};
-  addValue(verb, "--blend", synthesis.evaluation.tiling.blend, oneOf(operators), "histogram",
-           "histogram is the method; the others show what it mends")
-      .group(groupOf(Method::tiling));
-  addValue(verb, "--taps", synthesis.evaluation.tiling.quality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}),
-           "3", "How many tiles are fetched at most, as a host of the shaders may choose")
-      .group(groupOf(Method::tiling));
-  addValue(verb, "--one-tap", synthesis.evaluation.tiling.quality.oneTapTiles, number(kOneTapTilesRange), "0",
-           "Pixels of so many tiles a side and larger take one; 0: none")
-      .group(groupOf(Method::tiling));
-  addValue(verb, "--impacts", arguments->impacts, optional(number(kImpactsRange)), "",
-           "How many impacts reach a point, in the mean [default: the material's]")
-      .group(groupOf(Method::texton));
-  addValue(verb, "--points", arguments->points, optional(pointProcess()), "",
-           "One impact in each cell of a grid, or a Poisson process [default: the material's]")
-      .group(groupOf(Method::texton));
+  for (const Method method : allMethods())
+    arguments->methods.push_back(commandOf(method).addSynthOptions(verb));
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }

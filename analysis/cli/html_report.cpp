@@ -23,11 +23,7 @@ std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bak
        fmt::format("{}, revision {}", nameOf(noise.method()), revisionOf(noise.method()))},
       {"Seed", std::to_string(material.seed)},
       {"Width", fmt::format("{:g} m", noise.tileSizeMetres)}};
-  if (noise.method() == Method::texton)
-    facts.emplace_back("Impacts", fmt::format("{:g} to a point, {}", material.impacts,
-                                              nameOf(material.pointProcess)));
-  else
-    facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "taken to fit together" : "blended");
+  facts.insert(facts.end(), bake.facts.begin(), bake.facts.end());
   facts.emplace_back("Tables", fmt::format("{:.0f} KiB on the GPU",
                                            double(texelBytes(bake.bundle)) / kBytesPerKib));
   facts.emplace_back("Version", "lichen " LICHEN_VERSION);

@@ -36,9 +36,9 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< of one noise and one material
   std::span<const MapExemplar> exemplars;
-  std::span<const std::vector<Risk>> risks; ///< of each exemplar
-  std::span<const ExemplarOrigin> origins;  ///< the same
-  bool exemplarWasPeriodic = true;
+  std::span<const std::vector<Risk>> risks;                   ///< of each exemplar
+  std::span<const ExemplarOrigin> origins;                    ///< the same
+  std::span<const std::pair<std::string, std::string>> facts; ///< of the method
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> timings; ///< of StepTimes
 };

@@ -78,4 +78,6 @@ Result<NoiseComparison> compareNoise(const Bundle& bundle, const MaterialNoise& 
                       });
 }
 
+bool enlargesMaps(Method method) { return reportOf(method).enlargesMaps(); }
+
 } // namespace lichen

@@ -37,4 +37,7 @@ struct NoiseComparison {
                                                    const MapExemplar& exemplar,
                                                    const Progress& progress = {});
 
+/// Whether a bake by this method enlarges all maps of a set to the size of the largest.
+[[nodiscard]] bool enlargesMaps(Method method);
+
 } // namespace lichen

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Textons on the command line, of which mixes consist too.
+#pragma once
+
+#include "method_command.h"
+
+#include <lichen/texton.h>
+#include <lichen/texton_mix.h>
+
+namespace lichen::cli {
+
+class TextonCommand final : public MethodCommand {
+public:
+  [[nodiscard]] std::string heading() const override { return "Texton"; }
+  [[nodiscard]] std::unique_ptr<const BakeOptions> addBakeOptions(CLI::App& verb) const override;
+  [[nodiscard]] std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const override;
+  [[nodiscard]] std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const override;
+  void describe(const Noise& noise, nlohmann::ordered_json& json) const override;
+  [[nodiscard]] std::vector<std::string> linesOf(const Noise& noise,
+                                                 const MaterialNoise& use) const override;
+  void describe(const Bundle& bundle, const NoiseMap& map,
+                nlohmann::ordered_json& json) const override;
+  [[nodiscard]] std::vector<std::string> linesOf(const Bundle& bundle,
+                                                 const NoiseMap& map) const override;
+  [[nodiscard]] int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                            const MaterialNoise& use) const override;
+  [[nodiscard]] bool fetchesVary() const override { return true; }
+  [[nodiscard]] const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const override;
+};
+
+/// The options of a texton that `bake` and `mix` share, but for --precision.
+void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material);
+
+/// The risks of each map for a texton of this support. The noise has `widthTexels` over the width
+/// of the maps; 0 means as many as the widest of them has pixels.
+[[nodiscard]] Result<std::vector<std::vector<Risk>>>
+assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& shared,
+                 int widthTexels = 0);
+
+/// That the exemplar is smaller than the support that was asked for.
+[[nodiscard]] std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape);
+
+/// How near the textons of a mix are to their Gaussian textures, and to each other.
+[[nodiscard]] std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shape);
+
+} // namespace lichen::cli

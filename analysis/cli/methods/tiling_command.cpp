@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// Tiling: its options, what a bake says of it, and what a bundle holds of it.
+#include "tiling_command.h"
+
+#include "../table_words.h"
+
+#include <lichen/precision_loss.h>
+#include <lichen/tiling.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lichen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHeading = "Tiling";
+
+// ---- bake
+// ----------------------------------------------------------------------------------------
+
+/// Pixels of `first` for one of `map`, along the longer side of `map`.
+double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
+  return map.width >= map.height ? double(first.width) / map.width
+                                 : double(first.height) / map.height;
+}
+
+Json asJson(const PrecisionLoss& loss) {
+  Json json{
+      {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
+  if (loss.roundTrip)
+    json["roundTrip"] = *loss.roundTrip;
+  return json;
+}
+
+/// The worst of each map's bounds: with borders that are blended it has two.
+std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
+  std::vector<MapTransportBound> worst;
+  for (const MapTransportBound& bound : bounds)
+    if (worst.empty() || worst.back().map != bound.map)
+      worst.push_back(bound);
+    else if (bound.excess() > worst.back().excess())
+      worst.back() = bound;
+  return worst;
+}
+
+/// Whether the map's values were moved before they were matched.
+bool isMoved(MapTarget map, std::span<const MapTransportBound> bounds) {
+  return std::any_of(bounds.begin(), bounds.end(), [map](const MapTransportBound& bound) {
+    return bound.map == map && bound.costOfUnmoved;
+  });
+}
+
+Json asJson(std::span<const MapTransportBound> bounds) {
+  Json json = Json::array();
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    json.push_back({{"map", nameOf(bound.map)},
+                    {"excess", bound.excess()},
+                    {"moved", isMoved(bound.map, bounds)},
+                    {"byConstruction", bound.isSorted}});
+  return json;
+}
+
+/// A line for each map whose transport is certified, with the worst of its bounds.
+std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds) {
+  std::vector<std::string> notes;
+  for (const MapTransportBound& bound : worstBounds(bounds))
+    notes.push_back(
+        bound.isSorted
+            ? fmt::format(
+                  "the values of {} have one dimension and are sorted, which is the optimum",
+                  nameOf(bound.map))
+            : fmt::format(
+                  "the values of {}{} are matched within {:.3f} % of the optimum, certified",
+                  nameOf(bound.map),
+                  isMoved(bound.map, bounds) ? ", moved to go with the other maps," : "",
+                  100.0 * bound.excess()));
+  return notes;
+}
+
+class Bake final : public BakeOptions {
+public:
+  TilingOptions options;
+
+  [[nodiscard]] Result<std::vector<std::vector<Risk>>>
+  assess(std::span<const MapExemplar> maps, Periodic borders,
+         const SharedOptions& shared) const override {
+    const bool periodic = bordersFit(maps, borders);
+    return assessEach(maps, shared, [=](const MapExemplar& map, const Progress& progress) {
+      return assessSuitability(map, periodic, progress, firstPixelsOf(map, maps.front()));
+    });
+  }
+
+  [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
+    TilingOptions tiling = options;
+    tiling.bits = input.bits;
+    tiling.periodic = input.borders;
+    tiling.progress = input.progress;
+    Result<TilingBake> baked = bakeTiling(input.name, input.maps, tiling);
+    if (!baked)
+      return baked.error();
+    TilingBake& bake = baked.value();
+    MethodBake result;
+    result.bordersWereBlended = !bake.exemplarWasPeriodic;
+    result.notes = certificateNotes(bake.transportBounds);
+    const auto& first = bake.noise.maps.front().as<TilingMap>();
+    constexpr int kMostDimensions = 3; // a fourth channel is unused
+    result.json["dimensions"] =
+        std::min(kMostDimensions, channelCount(bake.tables[first.gaussian].format));
+    result.json["periodic"] = bake.exemplarWasPeriodic;
+    result.json["table"] = nameOf(tableKindOf(first));
+    result.json["transport"] = asJson(bake.transportBounds);
+    result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
+    result.noise = std::move(bake.noise);
+    result.tables = std::move(bake.tables);
+    return result;
+  }
+
+  [[nodiscard]] Result<Json> measure(const Bundle& bundle, std::span<const MapExemplar> maps,
+                                     const MethodBake& bake) const override {
+    const Result<PrecisionLoss> loss =
+        precisionLoss(bundle, 0, 0, maps.front(), !bake.bordersWereBlended);
+    if (!loss)
+      return loss.error();
+    return Json{{"precisionLoss", asJson(loss.value())}};
+  }
+};
+
+// ---- a noise in use
+// ------------------------------------------------------------------------------
+
+class Use final : public UseOptions {
+public:
+  std::optional<double> sharpness;
+  std::optional<std::uint32_t> tileRotation;
+  TilingEvaluation evaluation;
+
+  void replace(MaterialNoise& material, EvaluationOptions& chosen) const override {
+    material.blendSharpness = sharpness.value_or(material.blendSharpness);
+    material.tileRotation = tileRotation.value_or(material.tileRotation);
+    chosen.tiling = evaluation;
+  }
+
+  [[nodiscard]] std::vector<std::string> notes() const override {
+    constexpr std::uint32_t kManySteps = 16; // of a turn; rarely meant
+    const std::uint32_t steps = tileRotation.value_or(0);
+    if (steps <= kManySteps || steps >= kMostTileRotation)
+      return {};
+    return {
+        fmt::format("--tile-rotation {}: a number of steps of a turn, not an angle; 2 or 4 keep "
+                    "the finest detail, free is any angle",
+                    steps)};
+  }
+};
+
+std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
+  auto options = std::make_unique<Use>();
+  addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
+           "Exponent of the blend weights [default: the material's]")
+      .group(kHeading);
+  addValue(verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
+           "Into how many directions tiles are turned at random, each by itself [default: the "
+           "material's]")
+      .group(kHeading);
+  return options;
+}
+
+// ---- inspect
+// -------------------------------------------------------------------------------------
+
+bool isVolume(const Table& table) { return table.depth > 0; }
+
+/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
+/// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
+/// table is filtered by the one fetch, of which a separable table takes one an axis.
+int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
+  constexpr int kTaps = 3;
+  switch (tableKindOf(map)) {
+  case TableKind::none:
+    return kTaps;
+  case TableKind::separable:
+    return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
+  case TableKind::joint:
+    break;
+  }
+  return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
+}
+
+/// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
+std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
+  const TableKind kind = tableKindOf(map);
+  if (kind == TableKind::none)
+    return "no inverse table";
+  const Table& table = tables[*map.inverseTable];
+  const std::size_t levels = map.levels.size();
+  std::string cells = std::to_string(table.width);
+  if (kind == TableKind::separable)
+    cells = fmt::format("{} x {}", map.tableBasis.size() / map.tableOffset.size(), cells);
+  else if (isVolume(table))
+    cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
+  else if (table.height > levels)
+    cells += fmt::format(" x {}", table.height / levels);
+  return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
+                     counted(levels, "level"));
+}
+
+} // namespace
+
+std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb) const {
+  auto options = std::make_unique<Bake>();
+  TilingOptions& tiling = options->options;
+  const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
+                                         {"default", TransportEffort::standard},
+                                         {"exact", TransportEffort::exact}};
+  addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
+           "How near to optimal colours are matched")
+      .group(kHeading);
+  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
+                                  {"separable", LookupTable::separable}};
+  addValue(verb, "--lut", tiling.lut, oneOf(luts), "joint",
+           "One table of all colours, or a small one for each axis of colour")
+      .group(kHeading);
+  const Choices<GaussianOnly> gaussian{
+      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
+  addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
+           "Whether the exemplar's values are Gaussian, and need no table")
+      .group(kHeading);
+  return options;
+}
+
+std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb) const {
+  std::unique_ptr<Use> options = addUseOptions(verb);
+  const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
+                                         {"variance", BlendOperator::variancePreserving},
+                                         {"linear", BlendOperator::linear}};
+  addValue(verb, "--blend", options->evaluation.blend, oneOf(operators), "histogram",
+           "histogram is the method; the others show what it mends")
+      .group(kHeading);
+  addValue(verb, "--taps", options->evaluation.quality.taps,
+           oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3",
+           "How many tiles are fetched at most, as a host of the shaders may choose")
+      .group(kHeading);
+  addValue(verb, "--one-tap", options->evaluation.quality.oneTapTiles, number(kOneTapTilesRange),
+           "0", "Pixels of so many tiles a side and larger take one; 0: none")
+      .group(kHeading);
+  return options;
+}
+
+std::unique_ptr<const UseOptions> TilingCommand::addApplyOptions(CLI::App& verb) const {
+  return addUseOptions(verb);
+}
+
+void TilingCommand::describe(const Noise&, Json&) const {}
+
+std::vector<std::string> TilingCommand::linesOf(const Noise&, const MaterialNoise&) const {
+  return {};
+}
+
+void TilingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {
+  const auto& tiling = map.as<TilingMap>();
+  json["gaussian"] = tiling.gaussian;
+  json["inverseTable"] = tiling.inverseTable ? Json(*tiling.inverseTable) : Json();
+  json["table"] = nameOf(tableKindOf(tiling));
+  json["levels"] = tiling.levels.size();
+}
+
+std::vector<std::string> TilingCommand::linesOf(const Bundle& bundle, const NoiseMap& map) const {
+  const auto& tiling = map.as<TilingMap>();
+  return {fmt::format("Gaussian image: table {}", tiling.gaussian),
+          inverseTableOf(tiling, bundle.tables)};
+}
+
+int TilingCommand::fetches(const Bundle& bundle, const Noise&, const NoiseMap& map,
+                           const MaterialNoise&) const {
+  return fetchesOfTiling(map.as<TilingMap>(), bundle.tables);
+}
+
+const Table& TilingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {
+  return bundle.tables[map.as<TilingMap>().gaussian];
+}
+
+} // namespace lichen::cli

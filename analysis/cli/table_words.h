@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Words for tables and statistics, as `inspect` shows them.
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <string>
+#include <vector>
+
+namespace lichen::cli {
+
+struct FormatName {
+  const char* name;
+  int bits; ///< per channel
+};
+[[nodiscard]] FormatName formatName(TexelFormat format);
+
+/// "1 level", "2 levels".
+[[nodiscard]] std::string counted(std::size_t count, const char* noun);
+
+/// "mean 0.310, 0.360; deviation 0.140, 0.130".
+[[nodiscard]] std::string statisticsOf(const std::vector<double>& mean,
+                                       const std::vector<double>& covariance);
+
+} // namespace lichen::cli
