@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // fuzz_image_replay CASES SEED: runs mutations of valid files of every kind through the fuzzer's
-// entry point; deterministic. fuzz_image_replay corpus FOLDER: writes the unmutated files as a
-// corpus for libFuzzer.
+// entry point; deterministic.
+// fuzz_image_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer.
 #include "image_samples.h"
 
 #include <algorithm>
