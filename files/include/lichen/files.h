@@ -26,8 +26,9 @@ namespace lichen {
 /// Errors: environment if the folder does not exist or is not writable; resources if the disk is
 /// full or memory does not suffice. On any error the old file is unchanged and no temporary file
 /// remains.
-/// If the process is killed, no temporary file remains on file systems with unnamed files (ext4,
-/// XFS, Btrfs, tmpfs); on others, such as NFS and FAT, a file PATH.part-* may remain.
+/// If the process is killed, a file PATH.part-* may remain. On file systems with unnamed files
+/// (ext4, XFS, Btrfs, tmpfs; not NFS, FAT) that is only possible in the moment between naming the
+/// temporary file and renaming it.
 /// Thread-safe. If several calls write the same path, one of them wins as a whole.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
