@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every function of the C interface does at its boundary: read and write structs of older and
-// newer headers, keep exceptions in.
+// The boundary of the C interface: reads and writes structs of older and newer headers, and
+// contains exceptions.
 #pragma once
 
 #include "diagnostic.h"
@@ -15,39 +15,44 @@
 
 namespace lichen::plugin {
 
-/// Of a sampler; more than any device has.
+/// Maximum of a sampler's anisotropy; above the limit of every device.
 inline constexpr double kMostAnisotropy = 64.0;
 
-/// The bytes of type, size and next, with which every struct starts.
+/// Size of the members type, size and next that every struct starts with.
 inline constexpr std::size_t kHeaderBytes = offsetof(LichenBundleProperties, noiseCount);
 
-/// Copies a host's struct of any size: what it lacks is zero, what we do not know must be zero.
+/// Copies a host's struct of any size. Members missing from an older struct become zero; members of
+/// a newer struct that this library does not know must be zero.
 template <class Struct>
-LichenResult readStruct(const Struct* given, LichenStructureType type, Struct& known,
+LichenResult readStruct(const Struct* source, LichenStructureType type, Struct& copy,
                         LichenDiagnostic* diagnostic) {
-  if (given == nullptr || given->type != type || given->size < kHeaderBytes) {
-    say(diagnostic, "a struct is NULL or lacks its type (%d expected) or size: use LICHEN_INIT",
+  if (source == nullptr || source->type != type || source->size < kHeaderBytes) {
+    writeDiagnostic(
+        diagnostic,
+        "a struct is NULL or has an invalid type (expected %d) or size; use LICHEN_INIT",
         int(type));
     return LICHEN_ERROR_USAGE;
   }
-  const unsigned char* bytes = reinterpret_cast<const unsigned char*>(given);
+  const unsigned char* bytes = reinterpret_cast<const unsigned char*>(source);
   bool unknown =
-      given->size > sizeof(Struct) && std::any_of(bytes + sizeof(Struct), bytes + given->size,
-                                                  [](unsigned char byte) { return byte != 0; });
-  known = Struct{};
-  std::memcpy(&known, given, std::min<std::size_t>(given->size, sizeof(Struct)));
-  if constexpr (requires { known.reserved; })
-    unknown = unknown || known.reserved != 0;
-  if (!unknown && known.next == nullptr)
+      source->size > sizeof(Struct) && std::any_of(bytes + sizeof(Struct), bytes + source->size,
+                                                   [](unsigned char byte) { return byte != 0; });
+  copy = Struct{};
+  std::memcpy(&copy, source, std::min<std::size_t>(source->size, sizeof(Struct)));
+  if constexpr (requires { copy.reserved; })
+    unknown = unknown || copy.reserved != 0;
+  if (!unknown && copy.next == nullptr)
     return LICHEN_SUCCESS;
-  say(diagnostic,
-      "a struct of type %d holds what library version 0x%08x does not know: next must be NULL, "
-      "reserved and members of newer headers 0",
+  writeDiagnostic(
+      diagnostic,
+      "a struct of type %d has members that library version 0x%08x does not know; next must be "
+      "NULL, and reserved and members of newer headers must be 0",
       int(type), LICHEN_HEADER_VERSION);
   return LICHEN_ERROR_VERSION;
 }
 
-/// Fills a host's struct as far as it and the library's go, keeping its type, size and next.
+/// Writes the members that both the host's struct and the library's have; keeps type, size and
+/// next.
 template <class Struct>
 LichenResult writeStruct(const Struct& values, LichenStructureType type, Struct* target) {
   if (target == nullptr || target->type != type || target->size < kHeaderBytes)
@@ -64,30 +69,31 @@ inline LichenResult checkHeaderVersion(std::uint32_t version, LichenDiagnostic* 
   constexpr int kMinorBits = 16;
   if (version >> kMinorBits == LICHEN_HEADER_VERSION >> kMinorBits)
     return LICHEN_SUCCESS;
-  say(diagnostic,
-      "headerVersion 0x%08x does not fit library version 0x%08x: set it to LICHEN_HEADER_VERSION, "
-      "and use a header of the library's major version, the high 16 bits",
+  writeDiagnostic(
+      diagnostic,
+      "headerVersion 0x%08x does not match library version 0x%08x; set it to "
+      "LICHEN_HEADER_VERSION and use a header with the same major version (high 16 bits)",
       version, LICHEN_HEADER_VERSION);
   return LICHEN_ERROR_VERSION;
 }
 
-/// Runs `body`; what is thrown inside becomes a result. For functions that can fail: those that
-/// release or destroy, and the queries that allocate nothing, have nothing inside that throws.
+/// Runs `body` and converts exceptions into results. Functions that release or destroy, and queries
+/// that allocate nothing, cannot throw and do not need it.
 template <class Body>
 LichenResult guarded(LichenDiagnostic* diagnostic, Body&& body) noexcept {
   try {
     return body();
   } catch (const std::bad_alloc&) {
-    say(diagnostic, "out of host memory");
+    writeDiagnostic(diagnostic, "out of host memory");
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
-  } catch (const std::length_error&) { // of a container: more than can be addressed
-    say(diagnostic, "out of host memory");
+  } catch (const std::length_error&) { // from a container that would exceed the address space
+    writeDiagnostic(diagnostic, "out of host memory");
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
   } catch (const std::exception& error) {
-    say(diagnostic, "internal error: %s", error.what());
+    writeDiagnostic(diagnostic, "internal error: %s", error.what());
     return LICHEN_ERROR_INTERNAL;
   } catch (...) {
-    say(diagnostic, "internal error");
+    writeDiagnostic(diagnostic, "internal error");
     return LICHEN_ERROR_INTERNAL;
   }
 }

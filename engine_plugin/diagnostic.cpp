@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A formatted message as one line of UTF-8; see diagnostic.h.
+// Formats a message as one line of UTF-8; see diagnostic.h.
 #include "diagnostic.h"
 
 #include <lichen/escaped.h>
@@ -13,19 +13,19 @@
 
 namespace lichen::plugin {
 
-void say(LichenDiagnostic* diagnostic, const char* format, ...) noexcept {
+void writeDiagnostic(LichenDiagnostic* diagnostic, const char* format, ...) noexcept {
   constexpr std::size_t kTextOffset = offsetof(LichenDiagnostic, text);
   if (diagnostic == nullptr || diagnostic->type != LICHEN_STRUCTURE_DIAGNOSTIC ||
       diagnostic->size <= kTextOffset || diagnostic->next != nullptr)
     return;
-  // As long as the text may be: escapes make it longer, never shorter, so that a character cut here
-  // does not fit there either.
+  // Same size as the diagnostic's text. Escaping only lengthens a message, so a character cut off
+  // here would not fit there either.
   char message[sizeof diagnostic->text] = "";
   std::va_list arguments;
   va_start(arguments, format);
   const int written = std::vsnprintf(message, sizeof message, format, arguments);
   va_end(arguments);
-  if (written < 0) // what stands in the buffer is then not specified
+  if (written < 0) // the buffer's content is then unspecified
     message[0] = '\0';
 
   const std::size_t capacity =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plan layer: bundle bytes -> images, copies, samplers, bindings. Pure CPU; format and sampler
-// numbers are Vulkan's, stated here so that no Vulkan header is needed.
+// The plan layer: bundle bytes -> images, copies, samplers, bindings. Pure CPU code. Uses Vulkan's
+// numbers of formats and samplers without including a Vulkan header.
 #include "plan.h"
 
 #include "abi.h"
@@ -18,7 +18,7 @@ using namespace lichen::plugin;
 
 namespace {
 
-/// The numbers of VkFormat.
+/// Returns VkFormat numbers.
 std::uint32_t vkFormatOf(TexelFormat format) {
   switch (format) {
   case TexelFormat::r8Unorm:
@@ -113,9 +113,9 @@ LichenTableKind tableKindNumber(TableKind kind) {
   return LICHEN_TABLE_JOINT;
 }
 
-/// The smallest 3-D image, for the table's binding of maps that have none: the shader names it and
-/// does not fetch it. (A depth of 1 would be a 2-D image.)
-Table unusedTable() {
+/// A placeholder for the table binding of maps without a table: the shader declares the binding but
+/// never reads it. (A depth of 1 would make it a 2-D image.)
+Table placeholderTable() {
   return {"unused", TexelFormat::r8Unorm, 1, 1, 2, 1, std::vector<std::byte>(2)};
 }
 
@@ -126,10 +126,11 @@ std::size_t imageOf(const NoiseMap& map) {
   return map.as<TextonMap>().image;
 }
 
-/// The table of each map's binding: its inverse table, that of its mix, or one that is not read.
+/// Finds the table for each map's binding: its inverse table, the table of its mix, or a
+/// placeholder.
 void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
-  std::optional<std::uint32_t> unused;
-  const auto added = [&](Table table) {
+  std::optional<std::uint32_t> placeholder;
+  const auto append = [&](Table table) {
     bundle.tables.push_back(std::move(table));
     return std::uint32_t(bundle.tables.size() - 1);
   };
@@ -141,10 +142,10 @@ void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tab
       if (tiling != nullptr && tiling->inverseTable) {
         tables.back().push_back(std::uint32_t(*tiling->inverseTable));
       } else if (texton != nullptr && !texton->laterSteps.empty()) {
-        tables.back().push_back(added(mixTable(map)));
+        tables.back().push_back(append(mixTable(map)));
       } else {
-        unused = unused ? unused : added(unusedTable());
-        tables.back().push_back(*unused);
+        placeholder = placeholder ? placeholder : append(placeholderTable());
+        tables.back().push_back(*placeholder);
       }
     }
   }
@@ -165,7 +166,7 @@ LichenMixSource mixSourceOf(MixSource source) {
 }
 
 void planNoise(LichenBundle_T& plan, const Noise& noise) {
-  assert(noise.maps.size() <= LICHEN_MAX_MAPS); // one a target: parseBundle() refuses more
+  assert(noise.maps.size() <= LICHEN_MAX_MAPS); // one per target; parseBundle() rejects more
   std::vector<shader::LichenMap> maps;
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
@@ -176,7 +177,7 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
     const std::size_t index = *tiling->inverseTable;
     const Table& table = plan.bundle.tables[index];
     const auto levels = std::uint32_t(tiling->levels.size());
-    if (table.depth == 0) // 1 and 2 channels: the levels one above the other
+    if (table.depth == 0) // 1 and 2 channels: levels are stacked vertically
       plan.extents[index] = {table.width, table.height / levels, levels, 3};
   }
   plan.maps.push_back(std::move(maps));
@@ -202,9 +203,10 @@ LichenResult resultOf(ErrorKind kind) {
 LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diagnostic) {
   if (version == 0 || version == LICHEN_INTERFACE_VERSION)
     return LICHEN_SUCCESS;
-  say(diagnostic,
-      "shaders of interface version %u: this library fills the uniform block of version %d; "
-      "compile them with the shaders_glsl/ that came with it",
+  writeDiagnostic(
+      diagnostic,
+      "the shaders have interface version %u, this library has %d; compile them with the "
+      "shaders_glsl/ of this library",
       version, LICHEN_INTERFACE_VERSION);
   return LICHEN_ERROR_VERSION;
 }
@@ -213,11 +215,11 @@ LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diag
 
 std::uint32_t lichenGetVersion() { return LICHEN_HEADER_VERSION; }
 
-LichenResult lichenParseBundle(const LichenParseInfo* given, LichenBundle* bundle,
+LichenResult lichenParseBundle(const LichenParseInfo* hostInfo, LichenBundle* bundle,
                                LichenDiagnostic* diagnostic) {
   return guarded(diagnostic, [&] {
     LichenParseInfo info{};
-    LichenResult result = readStruct(given, LICHEN_STRUCTURE_PARSE_INFO, info, diagnostic);
+    LichenResult result = readStruct(hostInfo, LICHEN_STRUCTURE_PARSE_INFO, info, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkHeaderVersion(info.headerVersion, diagnostic);
     if (result == LICHEN_SUCCESS)
@@ -225,13 +227,13 @@ LichenResult lichenParseBundle(const LichenParseInfo* given, LichenBundle* bundl
     if (result != LICHEN_SUCCESS)
       return result;
     if (bundle == nullptr || info.bytes == nullptr) {
-      say(diagnostic, "bundle and bytes must not be NULL");
+      writeDiagnostic(diagnostic, "bundle and bytes must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
     Result<Bundle> parsed = parseBundle({static_cast<const std::byte*>(info.bytes), info.byteCount},
                                         info.name != nullptr ? info.name : "bundle");
     if (!parsed) {
-      say(diagnostic, "%s", parsed.error().message.c_str());
+      writeDiagnostic(diagnostic, "%s", parsed.error().message.c_str());
       return resultOf(parsed.error().kind);
     }
     auto plan = std::make_unique<LichenBundle_T>();
@@ -359,7 +361,7 @@ LichenResult lichenGetCopy(LichenBundle bundle, std::uint32_t image, std::uint32
 }
 
 LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerProperties* properties) {
-  // The numbers of VkFilter, VkSamplerMipmapMode and VkSamplerAddressMode.
+  // Numbers of VkFilter, VkSamplerMipmapMode and VkSamplerAddressMode.
   constexpr std::uint32_t kLinear = 1, kNearestMip = 0, kLinearMip = 1, kRepeat = 0, kClamp = 2;
   LichenSamplerProperties values{};
   values.vkFilter = kLinear;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A parsed bundle, as the plan functions and the Vulkan layer see it.
+// A parsed bundle, as used by the plan functions and the Vulkan layer.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -11,16 +11,19 @@
 
 struct LichenBundle_T {
   lichen::Bundle bundle;
-  /// Of table i as an image: tables hold 2-D inverse tables, which are 3-D images on the device.
+  /// Extent of table i as an image. Tables store 2-D inverse tables as 2-D data; on the device they
+  /// are 3-D images.
   struct Extent {
     std::uint32_t width = 1, height = 1, depth = 1;
     std::uint32_t dimensionality = 2;
   };
   std::vector<Extent> extents;
-  /// maps[n][k]: the constants of map k of noise n.
+  /// maps[n][k]: the shader constants of map k of noise n.
   std::vector<std::vector<lichen::shader::LichenMap>> maps;
-  /// tables[n][k]: the image of that map's inverse table, or one that is not read.
+  /// tables[n][k]: the image index of that map's inverse table, or of a placeholder that is never
+  /// read.
   std::vector<std::vector<std::uint32_t>> tables;
-  /// For each material the revision of its noise, at least 1, where that is ignored; else 0.
+  /// Per material: the revision of its noise, at least 1, if its method or revision is unknown,
+  /// else 0.
   std::vector<std::uint32_t> unknownRevisions;
 };

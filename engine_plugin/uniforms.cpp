@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The uniform block of a material: its parameters and the host's overrides -> LichenUniforms.
+// Material parameters and the host's overrides -> LichenUniforms, the uniform block.
 #include "abi.h"
 #include "plan.h"
 
@@ -20,59 +20,63 @@ constexpr std::uint32_t kKnownOverrides =
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
-  // Written so that NaN is outside.
+  // This form also rejects NaN.
   if (value >= range.least && value <= range.most)
     return LICHEN_SUCCESS;
-  say(diagnostic, "%s %.9g is outside [%.9g, %.9g]", name, value, range.least, range.most);
+  writeDiagnostic(diagnostic, "%s %.9g is out of range; expected %.9g to %.9g", name, value,
+                  range.least, range.most);
   return LICHEN_ERROR_USAGE;
 }
 
-LichenResult readPointProcess(LichenPointProcess given, PointProcess& process,
+LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
                               LichenDiagnostic* diagnostic) {
-  if (given != LICHEN_POINT_PROCESS_STRATIFIED && given != LICHEN_POINT_PROCESS_POISSON) {
-    say(diagnostic, "pointProcess %d: 0, stratified, and 1, Poisson, are accepted", int(given));
+  if (value != LICHEN_POINT_PROCESS_STRATIFIED && value != LICHEN_POINT_PROCESS_POISSON) {
+    writeDiagnostic(diagnostic,
+                    "pointProcess %d is invalid; expected 0 (stratified) or 1 (Poisson)",
+                    int(value));
     return LICHEN_ERROR_USAGE;
   }
   process =
-      given == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
+      value == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
   return LICHEN_SUCCESS;
 }
 
-LichenResult readMapping(LichenMapping given, const Noise& noise, Mapping& mapping,
+LichenResult readMapping(LichenMapping value, const Noise& noise, Mapping& mapping,
                          LichenDiagnostic* diagnostic) {
-  for (const auto& [code, known] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
-                                    {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
-                                    {LICHEN_MAPPING_SURFACE, Mapping::surface}})
-    if (given == code && mappingFits(noise.method(), known)) {
-      mapping = known;
+  for (const auto& [code, candidate] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
+                                        {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
+                                        {LICHEN_MAPPING_SURFACE, Mapping::surface}})
+    if (value == code && mappingFits(noise.method(), candidate)) {
+      mapping = candidate;
       return LICHEN_SUCCESS;
     }
-  say(diagnostic,
-      "mapping %d: 0, uv, and 1, triplanar, are accepted, and of texton noise 2, surface; this "
-      "noise is of the method %s",
-      int(given), nameOf(noise.method()).data());
+  writeDiagnostic(
+      diagnostic,
+      "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar) or, for "
+      "texton noise, 2 (surface)",
+      int(value), nameOf(noise.method()).data());
   return LICHEN_ERROR_USAGE;
 }
 
-/// The material's parameters with the host's in their place.
+/// The material's parameters, replaced by the host's overrides.
 LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo& info,
                             MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
   if (info.overrides & ~kKnownOverrides) {
-    say(diagnostic, "overrides 0x%x: only LichenOverride bits, 0x%x, are accepted", info.overrides,
-        kKnownOverrides);
+    writeDiagnostic(diagnostic, "overrides 0x%x has unknown bits; the LichenOverride bits are 0x%x",
+                    info.overrides, kKnownOverrides);
     return LICHEN_ERROR_USAGE;
   }
   const auto& materials = plan.bundle.materials;
   if (info.overrides & LICHEN_OVERRIDE_NOISE) {
     if (info.noise >= plan.bundle.noises.size()) {
-      say(diagnostic, "noise %u is not in the bundle, which has %zu", info.noise,
-          plan.bundle.noises.size());
+      writeDiagnostic(diagnostic, "noise %u does not exist; the bundle has %zu noises", info.noise,
+                      plan.bundle.noises.size());
       return LICHEN_ERROR_USAGE;
     }
     parameters.noise = info.noise;
   } else if (info.material >= materials.size() || !materials[info.material]) {
-    say(diagnostic, "material %u has no noise; the bundle has %zu materials", info.material,
-        materials.size());
+    writeDiagnostic(diagnostic, "material %u has no noise; the bundle has %zu materials",
+                    info.material, materials.size());
     return LICHEN_ERROR_USAGE;
   } else {
     parameters = *materials[info.material];
@@ -106,11 +110,14 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
 
 LichenResult checkPeriod(const MaterialNoise& parameters, const LichenUniformInfo& info,
                          LichenDiagnostic* diagnostic) {
-  constexpr NumberRange kPeriodRange{1.0, 65536.0}; // tiles; keeps columns far below 2^24
+  // tiles; keeps columns far below 2^24, where floats skip integers
+  constexpr NumberRange kPeriodRange{1.0, 65536.0};
   if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
     return LICHEN_SUCCESS;
   if (parameters.mapping != Mapping::uv) {
-    say(diagnostic, "periodTiles %.9g: noise of the mapping %s does not repeat; 0 is accepted",
+    writeDiagnostic(
+        diagnostic,
+        "periodTiles %.9g is not supported for %s mapping, which cannot repeat; set it to 0",
         info.periodTiles[info.periodTiles[0] == 0.0 ? 1 : 0], nameOf(parameters.mapping).data());
     return LICHEN_ERROR_USAGE;
   }
@@ -120,7 +127,8 @@ LichenResult checkPeriod(const MaterialNoise& parameters, const LichenUniformInf
         result != LICHEN_SUCCESS)
       return result;
     if (info.tileOrigin[axis] != 0 && period != std::floor(period)) {
-      say(diagnostic, "periodTiles %.9g must be a whole number when tileOrigin is not 0", period);
+      writeDiagnostic(diagnostic,
+                      "periodTiles %.9g must be a whole number when tileOrigin is not 0", period);
       return LICHEN_ERROR_USAGE;
     }
   }
@@ -158,17 +166,17 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenUnifor
 
 } // namespace
 
-LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* given,
+LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* hostInfo,
                                 void* destination, LichenDiagnostic* diagnostic) {
   static_assert(sizeof(shader::LichenUniforms) == LICHEN_UNIFORM_BYTES);
   return guarded(diagnostic, [&] {
     if (bundle == nullptr || destination == nullptr) {
-      say(diagnostic, "bundle and destination must not be NULL");
+      writeDiagnostic(diagnostic, "bundle and destination must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
     LichenUniformInfo info{};
     MaterialNoise parameters;
-    LichenResult result = readStruct(given, LICHEN_STRUCTURE_UNIFORM_INFO, info, diagnostic);
+    LichenResult result = readStruct(hostInfo, LICHEN_STRUCTURE_UNIFORM_INFO, info, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = findParameters(*bundle, info, parameters, diagnostic);
     if (result == LICHEN_SUCCESS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bundle's images, views and set layouts on the host's device, and their upload.
+// Creates a bundle's images, views and set layouts on the host's device, and uploads the images.
 #include "abi.h"
 #include "vulkan_objects.h"
 
@@ -9,7 +9,7 @@ using namespace lichen::plugin;
 
 namespace {
 
-/// A multiple of every texel size and of what buffer copies ask for.
+/// Bytes; a multiple of every texel size and of the alignment that buffer copies require.
 constexpr VkDeviceSize kCopyAlignment = 16;
 
 VkDeviceSize alignedUp(VkDeviceSize value, VkDeviceSize alignment) {
@@ -49,7 +49,7 @@ LichenResult checkFormat(const LichenVulkanContext_T& context,
   const VkImageCreateInfo info = imageInfo(properties);
   VkFormatProperties format{};
   context.functions.getPhysicalDeviceFormatProperties(context.physicalDevice, info.format, &format);
-  // Not TRANSFER_DST, which Vulkan 1.0 does not report: the usage below asks for it.
+  // Without TRANSFER_DST, which Vulkan 1.0 does not report; the usage below includes it.
   constexpr VkFormatFeatureFlags kNeeded =
       VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
   VkImageFormatProperties most{};
@@ -57,18 +57,19 @@ LichenResult checkFormat(const LichenVulkanContext_T& context,
       context.physicalDevice, info.format, info.imageType, info.tiling, info.usage, info.flags,
       &most);
   if (result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
-    return vulkanFailure("asking for a format's properties", result, diagnostic);
+    return vulkanFailure("querying a format's properties", result, diagnostic);
   if (result == VK_SUCCESS && (format.optimalTilingFeatures & kNeeded) == kNeeded &&
       info.extent.width <= most.maxExtent.width && info.extent.height <= most.maxExtent.height &&
       info.extent.depth <= most.maxExtent.depth && info.mipLevels <= most.maxMipLevels)
     return LICHEN_SUCCESS;
-  say(diagnostic,
-      "table \"%s\": the device cannot filter an image of VkFormat %u and %u x %u x %u texels",
+  writeDiagnostic(
+      diagnostic,
+      "table \"%s\": the device cannot filter an image with VkFormat %u and %u x %u x %u texels",
       properties.name, properties.vkFormat, properties.width, properties.height, properties.depth);
   return LICHEN_ERROR_UNSUPPORTED;
 }
 
-/// Gives an image its place behind the others of the last batch, or in a new one.
+/// Assigns an image an offset after the other images of the last batch, or starts a new batch.
 void placeImage(LichenVulkanAssets_T& assets, LichenVulkanAssets_T::Image& image,
                 const VkMemoryRequirements& own) {
   const auto fits = [&](const LichenVulkanAssets_T::Batch& batch) {
@@ -81,7 +82,7 @@ void placeImage(LichenVulkanAssets_T& assets, LichenVulkanAssets_T::Image& image
   image.offset = alignedUp(all.size, own.alignment);
   all.size = image.offset + own.size;
   all.alignment = std::max(all.alignment, own.alignment);
-  all.memoryTypeBits &= own.memoryTypeBits; // the same for all, by the specification
+  all.memoryTypeBits &= own.memoryTypeBits; // equal for all images, according to the specification
 }
 
 LichenResult createImages(LichenVulkanAssets_T& assets, LichenBundle bundle,
@@ -154,7 +155,7 @@ void planBarriers(LichenVulkanAssets_T& assets) {
   }
 }
 
-/// Where each level lies in its batch's staging buffer.
+/// Assigns each mip level an offset in its batch's staging buffer.
 void planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
   for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
     VkDeviceSize& size = assets.batches[assets.images[i].batch].stagingBytes;
@@ -271,21 +272,21 @@ LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle 
     LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
     if (context == nullptr || assets == nullptr ||
         lichenGetBundleProperties(bundle, &properties) != LICHEN_SUCCESS) {
-      say(diagnostic, "context, bundle and assets must not be NULL");
+      writeDiagnostic(diagnostic, "context, bundle and assets must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
-    auto made = std::make_unique<LichenVulkanAssets_T>(context);
-    made->images.resize(properties.imageCount);
-    made->noises.resize(properties.noiseCount);
-    LichenResult result = createImages(*made, bundle, diagnostic);
+    auto created = std::make_unique<LichenVulkanAssets_T>(context);
+    created->images.resize(properties.imageCount);
+    created->noises.resize(properties.noiseCount);
+    LichenResult result = createImages(*created, bundle, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = createViews(*made, bundle, diagnostic);
+      result = createViews(*created, bundle, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = createUpload(*made, bundle, diagnostic);
+      result = createUpload(*created, bundle, diagnostic);
     for (std::uint32_t i = 0; i < properties.noiseCount && result == LICHEN_SUCCESS; ++i)
-      result = createNoise(*made, bundle, i, diagnostic);
+      result = createNoise(*created, bundle, i, diagnostic);
     if (result == LICHEN_SUCCESS)
-      *assets = made.release();
+      *assets = created.release();
     return result;
   });
 }
@@ -332,7 +333,7 @@ LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer
   if (assets->images.empty())
     return LICHEN_SUCCESS;
   if (!assets->hasStaging)
-    return LICHEN_ERROR_USAGE; // released
+    return LICHEN_ERROR_USAGE; // staging is released
   const LichenVulkanFunctions& f = assets->context->functions;
   const auto count = std::uint32_t(assets->images.size());
   f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
@@ -342,7 +343,7 @@ LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer
     f.cmdCopyBufferToImage(commandBuffer, assets->batches[image.batch].staging, image.handle,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
                            image.copies.data());
-  // All commands: whichever stages the host's shaders run in.
+  // ALL_COMMANDS, because the host's shaders may run in any stage.
   f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
                        VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, count,
                        assets->barriers.toSample.data());
@@ -363,12 +364,15 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
   return guarded(diagnostic, [&] {
     if (assets == nullptr || noise >= assets->noises.size() || pool == VK_NULL_HANDLE ||
         uniforms == nullptr || set == nullptr) {
-      say(diagnostic, "assets, pool, uniforms and set must not be NULL, noise must be in range");
+      writeDiagnostic(
+          diagnostic,
+          "assets, pool, uniforms and set must not be NULL, and noise must be in range");
       return LICHEN_ERROR_USAGE;
     }
     if (uniforms->buffer == VK_NULL_HANDLE || uniforms->range < LICHEN_UNIFORM_BYTES) {
-      say(diagnostic, "uniforms: a buffer and a range of at least %d bytes, not %llu, are needed",
-          LICHEN_UNIFORM_BYTES, static_cast<unsigned long long>(uniforms->range));
+      writeDiagnostic(diagnostic,
+                      "uniforms needs a buffer and a range of at least %d bytes; its range is %llu",
+                      LICHEN_UNIFORM_BYTES, static_cast<unsigned long long>(uniforms->range));
       return LICHEN_ERROR_USAGE;
     }
     const LichenVulkanContext_T& context = *assets->context;
@@ -379,14 +383,14 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
     info.descriptorPool = pool;
     info.descriptorSetCount = 1;
     info.pSetLayouts = &source.layout;
-    VkDescriptorSet made = VK_NULL_HANDLE;
+    VkDescriptorSet created = VK_NULL_HANDLE;
     if (const VkResult result =
-            context.functions.allocateDescriptorSets(context.device, &info, &made);
+            context.functions.allocateDescriptorSets(context.device, &info, &created);
         result != VK_SUCCESS)
       return vulkanFailure("allocating a descriptor set", result, diagnostic);
     for (std::uint32_t i = 0; i < writes.size(); ++i) {
       writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = made;
+      writes[i].dstSet = created;
       writes[i].dstBinding = context.firstBinding + i; // consecutive: LICHEN_BINDING_*
       writes[i].descriptorCount = 1;
       writes[i].descriptorType =
@@ -396,7 +400,7 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
     }
     context.functions.updateDescriptorSets(context.device, std::uint32_t(writes.size()),
                                            writes.data(), 0, nullptr);
-    *set = made;
+    *set = created;
     return LICHEN_SUCCESS;
   });
 }

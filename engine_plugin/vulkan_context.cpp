@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made once per device: the functions and the samplers.
+// Creates what is needed once per device: function pointers and samplers.
 #include "abi.h"
 #include "vulkan_objects.h"
 
@@ -16,7 +16,7 @@ void load(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance, co
   function = reinterpret_cast<Function>(getInstanceProcAddr(instance, name));
 }
 
-/// Every function by the loader, which answers with entry points that serve any device.
+/// Gets every function from the loader, whose entry points serve any device.
 LichenVulkanFunctions loadFunctions(PFN_vkGetInstanceProcAddr get, VkInstance instance) {
   LichenVulkanFunctions f{};
   load(get, instance, "vkGetPhysicalDeviceMemoryProperties", f.getPhysicalDeviceMemoryProperties);
@@ -70,30 +70,31 @@ LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& 
   }
   if (allPresent(functions))
     return LICHEN_SUCCESS;
-  say(diagnostic, "Vulkan functions are missing: give all of LichenVulkanFunctions, or "
-                  "getInstanceProcAddr and instance");
+  writeDiagnostic(diagnostic, "Vulkan functions are missing; set all of LichenVulkanFunctions, or "
+                              "getInstanceProcAddr and instance");
   return LICHEN_ERROR_USAGE;
 }
 
 LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnostic) {
   constexpr std::uint32_t kMostBindings = 1 + 2 * LICHEN_MAX_MAPS;
   if (info.device == VK_NULL_HANDLE || info.physicalDevice == VK_NULL_HANDLE) {
-    say(diagnostic, "physicalDevice and device must not be VK_NULL_HANDLE");
+    writeDiagnostic(diagnostic, "physicalDevice and device must not be VK_NULL_HANDLE");
     return LICHEN_ERROR_USAGE;
   }
   if (info.flags & ~std::uint32_t(LICHEN_VULKAN_DYNAMIC_UNIFORMS)) {
-    say(diagnostic, "flags 0x%x: only LichenVulkanFlags bits, 0x%x, are accepted", info.flags,
-        unsigned(LICHEN_VULKAN_DYNAMIC_UNIFORMS));
+    writeDiagnostic(diagnostic, "flags 0x%x has unknown bits; the LichenVulkanFlags bits are 0x%x",
+                    info.flags, unsigned(LICHEN_VULKAN_DYNAMIC_UNIFORMS));
     return LICHEN_ERROR_USAGE;
   }
   if (!(info.maxAnisotropy >= 0.0f && double(info.maxAnisotropy) <= kMostAnisotropy)) {
-    say(diagnostic, "maxAnisotropy %g is outside [0, %g]", double(info.maxAnisotropy),
-        kMostAnisotropy);
+    writeDiagnostic(diagnostic, "maxAnisotropy %g is out of range; expected 0 to %g",
+                    double(info.maxAnisotropy), kMostAnisotropy);
     return LICHEN_ERROR_USAGE;
   }
   if (info.firstBinding > UINT32_MAX - kMostBindings) {
-    say(diagnostic, "firstBinding %u leaves no numbers for the %u bindings after it",
-        info.firstBinding, kMostBindings);
+    writeDiagnostic(diagnostic,
+                    "firstBinding %u is too large; the noise needs %u consecutive binding numbers",
+                    info.firstBinding, kMostBindings);
     return LICHEN_ERROR_USAGE;
   }
   return LICHEN_SUCCESS;
@@ -108,7 +109,7 @@ LichenResult findAllocator(const LichenVulkanInfo& info, LichenVulkanContext_T& 
                                          context.allocator, diagnostic);
   if (result != LICHEN_SUCCESS || (context.allocator.allocate && context.allocator.release))
     return result;
-  say(diagnostic, "deviceAllocator needs both allocate and release");
+  writeDiagnostic(diagnostic, "deviceAllocator needs both allocate and release");
   return LICHEN_ERROR_USAGE;
 }
 
@@ -138,70 +139,71 @@ namespace lichen::plugin {
 LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* diagnostic) {
   switch (result) {
   case VK_ERROR_OUT_OF_HOST_MEMORY:
-    say(diagnostic, "%s: out of host memory", what);
+    writeDiagnostic(diagnostic, "%s: out of host memory", what);
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
-  case VK_ERROR_MEMORY_MAP_FAILED: // no address range is free
-    say(diagnostic, "%s: it cannot be mapped into host memory", what);
+  case VK_ERROR_MEMORY_MAP_FAILED: // no free address range
+    writeDiagnostic(diagnostic, "%s: cannot map it into host memory", what);
     return LICHEN_ERROR_OUT_OF_HOST_MEMORY;
   case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-    say(diagnostic, "%s: out of device memory", what);
+    writeDiagnostic(diagnostic, "%s: out of device memory", what);
     return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
   case VK_ERROR_OUT_OF_POOL_MEMORY:
   case VK_ERROR_FRAGMENTED_POOL:
-    say(diagnostic,
-        "%s: the descriptor pool is too small; lichenGetNoiseProperties tells what a "
-        "set takes",
-        what);
+    writeDiagnostic(diagnostic,
+                    "%s: the descriptor pool is too small; lichenGetNoiseProperties returns what a "
+                    "set needs",
+                    what);
     return LICHEN_ERROR_OUT_OF_POOL_MEMORY;
   default:
-    say(diagnostic, "%s: VkResult %d", what, int(result));
+    writeDiagnostic(diagnostic, "%s: VkResult %d", what, int(result));
     return LICHEN_ERROR_DEVICE;
   }
 }
 
 } // namespace lichen::plugin
 
-LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* given, LichenVulkanContext* context,
-                                       LichenDiagnostic* diagnostic) {
+LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
+                                       LichenVulkanContext* context, LichenDiagnostic* diagnostic) {
   return guarded(diagnostic, [&] {
     if (context == nullptr) {
-      say(diagnostic, "context must not be NULL");
+      writeDiagnostic(diagnostic, "context must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
     LichenVulkanInfo info{};
-    auto made = std::make_unique<LichenVulkanContext_T>();
-    LichenResult result = readStruct(given, LICHEN_STRUCTURE_VULKAN_INFO, info, diagnostic);
+    auto newContext = std::make_unique<LichenVulkanContext_T>();
+    LichenResult result = readStruct(hostInfo, LICHEN_STRUCTURE_VULKAN_INFO, info, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkHeaderVersion(info.headerVersion, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkInfo(info, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = findFunctions(info, made->functions, diagnostic);
+      result = findFunctions(info, newContext->functions, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = findAllocator(info, *made, diagnostic);
+      result = findAllocator(info, *newContext, diagnostic);
     if (result != LICHEN_SUCCESS)
       return result;
-    made->physicalDevice = info.physicalDevice;
-    made->device = info.device;
+    newContext->physicalDevice = info.physicalDevice;
+    newContext->device = info.device;
     if (info.allocationCallbacks != nullptr) {
-      made->ownCallbacks = *info.allocationCallbacks;
-      made->callbacks = &made->ownCallbacks;
+      newContext->ownCallbacks = *info.allocationCallbacks;
+      newContext->callbacks = &newContext->ownCallbacks;
     }
-    made->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice, &made->memory);
-    made->uniformType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
-                            ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
-                            : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    made->firstBinding = info.firstBinding;
-    made->stages =
+    newContext->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice,
+                                                            &newContext->memory);
+    newContext->uniformType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
+                                  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
+                                  : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    newContext->firstBinding = info.firstBinding;
+    newContext->stages =
         info.stages != 0 ? info.stages : VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-    VkResult created = createSampler(*made, LICHEN_SAMPLER_IMAGE, info.maxAnisotropy);
+    VkResult created = createSampler(*newContext, LICHEN_SAMPLER_IMAGE, info.maxAnisotropy);
     if (created == VK_SUCCESS)
-      created = createSampler(*made, LICHEN_SAMPLER_TABLE, info.maxAnisotropy);
+      created = createSampler(*newContext, LICHEN_SAMPLER_TABLE, info.maxAnisotropy);
     if (created != VK_SUCCESS) {
-      lichenVulkanDestroyContext(made.release());
+      lichenVulkanDestroyContext(newContext.release());
       return vulkanFailure("creating a sampler", created, diagnostic);
     }
-    *context = made.release();
+    *context = newContext.release();
     return LICHEN_SUCCESS;
   });
 }

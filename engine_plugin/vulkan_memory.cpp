@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Device memory, from the host's allocator or in blocks of the plugin's own.
+// Allocates device memory from the host's allocator, or in blocks of the plugin's own.
 #include "abi.h"
 #include "vulkan_objects.h"
 
 namespace lichen::plugin {
 namespace {
 
-/// Drivers allow few allocations.
+/// Bytes; large, because drivers limit the number of allocations.
 constexpr VkDeviceSize kLeastBlockBytes = VkDeviceSize(1) << 20;
 
-/// What an ordinary memory type may have. Others cost speed (AMD's device-coherent ones), need a
-/// feature (protected) or cannot be written by copies (lazily allocated).
+/// The properties that an ordinary memory type may have. Others are slow (AMD's device-coherent
+/// memory), need a feature (protected) or cannot be the target of copies (lazily allocated).
 constexpr VkMemoryPropertyFlags kOrdinaryMemory =
     VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
     VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
@@ -25,7 +25,7 @@ const char* nameOf(MemoryUse use) {
   return use == MemoryUse::images ? "memory for the images" : "memory for the staging buffer";
 }
 
-/// One allocation, of staging mapped; nothing is left of one that fails.
+/// Allocates one block, and maps it for staging. On failure, nothing stays allocated.
 VkResult allocateBlock(const LichenVulkanContext_T& context, const VkMemoryAllocateInfo& info,
                        MemoryUse use, LichenDeviceMemory& block) {
   const LichenVulkanFunctions& f = context.functions;
@@ -45,7 +45,7 @@ LichenResult allocateOwn(const LichenVulkanContext_T& context,
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
-  VkResult firstFailure = VK_SUCCESS; // of the best type: drivers put that first
+  VkResult firstFailure = VK_SUCCESS; // of the best type, which drivers list first
   for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
     const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
     if ((requirements.memoryTypeBits & (1u << type)) == 0 || (has & needed) != needed ||
@@ -61,13 +61,14 @@ LichenResult allocateOwn(const LichenVulkanContext_T& context,
     }
     if (firstFailure == VK_SUCCESS)
       firstFailure = result;
-    // The next type may have room in its heap, or be mapped where this one cannot.
+    // Try the next type: its heap may have room, or it may be mappable.
   }
   if (firstFailure != VK_SUCCESS)
     return vulkanFailure(nameOf(use), firstFailure, diagnostic);
-  say(diagnostic,
-      "%s: the device has no ordinary type of memory with VkMemoryPropertyFlags 0x%x among those "
-      "that fit, 0x%x",
+  writeDiagnostic(
+      diagnostic,
+      "%s: the device has no ordinary memory type with VkMemoryPropertyFlags 0x%x among the "
+      "suitable types 0x%x",
       nameOf(use), needed, requirements.memoryTypeBits);
   return LICHEN_ERROR_UNSUPPORTED;
 }
@@ -81,15 +82,17 @@ LichenResult allocateByHost(const LichenVulkanContext_T& context,
   request.requirements = requirements;
   request.properties = propertiesOf(use);
   request.optimalTiling = use == MemoryUse::images ? VK_TRUE : VK_FALSE;
-  LichenDeviceMemory given;
-  LICHEN_INIT(given, LICHEN_STRUCTURE_DEVICE_MEMORY);
-  const VkResult result = context.allocator.allocate(context.allocator.userData, &request, &given);
+  LichenDeviceMemory allocated;
+  LICHEN_INIT(allocated, LICHEN_STRUCTURE_DEVICE_MEMORY);
+  const VkResult result =
+      context.allocator.allocate(context.allocator.userData, &request, &allocated);
   if (result != VK_SUCCESS)
     return vulkanFailure(nameOf(use), result, diagnostic);
-  memory = given;
-  if (use == MemoryUse::images || given.mapped != nullptr)
+  memory = allocated;
+  if (use == MemoryUse::images || allocated.mapped != nullptr)
     return LICHEN_SUCCESS;
-  say(diagnostic, "deviceAllocator gave HOST_VISIBLE memory without `mapped`");
+  writeDiagnostic(diagnostic,
+                  "deviceAllocator returned HOST_VISIBLE memory without setting `mapped`");
   return LICHEN_ERROR_USAGE;
 }
 
@@ -113,7 +116,7 @@ void releaseMemory(const LichenVulkanContext_T& context,
     return context.functions.freeMemory(context.device, released.memory, context.callbacks);
   try {
     context.allocator.release(context.allocator.userData, &released);
-  } catch (...) { // it may not throw, and there is nobody to be told if it does
+  } catch (...) { // it must not throw, and there is no way to report it
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the Vulkan layer's contexts and assets hold.
+// The contexts and assets of the Vulkan layer.
 #pragma once
 
 #include <lichen/lichen_vulkan.h>
@@ -16,13 +16,13 @@ struct LichenVulkanContext_T {
   const VkAllocationCallbacks* callbacks; // points to `ownCallbacks`, or NULL
   VkAllocationCallbacks ownCallbacks;
   bool hostAllocates;
-  LichenDeviceAllocator allocator; // the host's, where hostAllocates
+  LichenDeviceAllocator allocator; // the host's allocator if hostAllocates
   VkPhysicalDeviceMemoryProperties memory;
   VkDescriptorType uniformType;
   std::uint32_t firstBinding;
   VkShaderStageFlags stages;
-  std::array<VkSampler, 2> samplers; // by LichenSamplerUse
-  LichenVulkanAssets retired;        // first of a list
+  std::array<VkSampler, 2> samplers; // indexed by LichenSamplerUse
+  LichenVulkanAssets retired;        // head of a linked list
 };
 
 struct LichenVulkanAssets_T {
@@ -31,10 +31,10 @@ struct LichenVulkanAssets_T {
     VkImageView view = VK_NULL_HANDLE;
     std::uint32_t mipLevels = 0;
     std::size_t batch = 0;
-    VkDeviceSize offset = 0;               // in the batch's memory
-    std::vector<VkBufferImageCopy> copies; // from the batch's staging buffer
+    VkDeviceSize offset = 0;               // offset in the batch's memory
+    std::vector<VkBufferImageCopy> copies; // copies from the batch's staging buffer
   };
-  /// Images that share their memory, and the buffer that they are copied from.
+  /// Images that share one allocation, and the staging buffer for their copies.
   struct Batch {
     VkMemoryRequirements requirements{0, 1, ~0u};
     std::optional<LichenDeviceMemory> imageMemory;
@@ -42,7 +42,7 @@ struct LichenVulkanAssets_T {
     VkBuffer staging = VK_NULL_HANDLE;
     std::optional<LichenDeviceMemory> stagingMemory;
   };
-  /// Before and after the copies; one of each for an image.
+  /// Barriers before and after the copies, one of each per image.
   struct Barriers {
     std::vector<VkImageMemoryBarrier> toWrite, toSample;
   };
@@ -61,18 +61,18 @@ struct LichenVulkanAssets_T {
   std::vector<Noise> noises;
   Barriers barriers;
   std::vector<Batch> batches;
-  bool hasStaging = false; // until its release
+  bool hasStaging = false; // true until lichenVulkanReleaseStaging()
   LichenVulkanAssets nextRetired = nullptr;
-  std::uint64_t lastFrame = 0; // of those retired
+  std::uint64_t lastFrame = 0; // of retired assets
 };
 
 namespace lichen::plugin {
 
-/// The result code of a failed Vulkan call, and its diagnostic.
+/// Returns the result code for a failed Vulkan call, and writes its diagnostic.
 LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* diagnostic);
 
-/// Calls a vkCreate function or vkAllocateMemory. What a failed call leaves in the handle is
-/// undefined, and must not be destroyed.
+/// Calls a vkCreate function or vkAllocateMemory. On failure Vulkan leaves the handle undefined, so
+/// this sets it to null: destructors may then destroy it safely.
 template <class Function, class Info, class Handle>
 VkResult create(const LichenVulkanContext_T& context, Function function, const Info& info,
                 Handle& handle) {
@@ -82,15 +82,16 @@ VkResult create(const LichenVulkanContext_T& context, Function function, const I
   return result;
 }
 
-/// The kinds of memory that the plugin asks for.
+/// The kinds of memory that the plugin allocates.
 enum class MemoryUse { staging, images };
 
-/// The most that one allocation should have, where more than one thing is in it: what every device
-/// of Vulkan 1.1 allocates (maxMemoryAllocationSize) and of 1.3 takes for a buffer (maxBufferSize).
+/// Maximum size of an allocation that holds several images. Every Vulkan 1.1 device can allocate
+/// this much (maxMemoryAllocationSize), and every Vulkan 1.3 device supports buffers of this size
+/// (maxBufferSize).
 inline constexpr VkDeviceSize kMostBlockBytes = VkDeviceSize(1) << 30;
 
-/// Memory from the host's allocator, or a block of the plugin's own; of staging, mapped. `memory`
-/// is to be released where it has a value, whatever the result.
+/// Allocates from the host's allocator, or a block of the plugin's own; maps staging memory. If
+/// `memory` has a value, the caller must release it, whatever the result.
 LichenResult allocateMemory(const LichenVulkanContext_T& context,
                             const VkMemoryRequirements& requirements, MemoryUse use,
                             std::optional<LichenDeviceMemory>& memory,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out over POSIX calls, which report the reason of a failure.
+// Whole files through POSIX calls, which report why a call failed.
 #include <lichen/files.h>
 
 #include <cerrno>
@@ -13,7 +13,7 @@
 namespace lichen {
 namespace {
 
-// Linux transfers at most 0x7ffff000 bytes a call; a round limit below it keeps the loop simple.
+// Linux transfers at most 0x7ffff000 bytes per call.
 constexpr std::size_t kMaxTransfer = std::size_t(1) << 30;
 
 class Descriptor {
@@ -26,7 +26,8 @@ public:
       ::close(value_);
   }
   [[nodiscard]] int get() const { return value_; }
-  /// Closes now and returns what close() said: a full disk may be reported only here.
+  /// Closes now and returns the result of close(), which may be the first call to report a full
+  /// disk.
   [[nodiscard]] int close() {
     const int result = ::close(value_);
     value_ = -1;
@@ -58,29 +59,29 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// A new file without a name, which vanishes with the process however that ends; -1 where the
-/// system has none, as on NFS and FAT.
-int openNameless([[maybe_unused]] const std::filesystem::path& folder) {
+/// Creates an unnamed file, which disappears when the process ends in any way. Returns -1 if the
+/// file system does not support it, such as NFS and FAT.
+int openUnnamed([[maybe_unused]] const std::filesystem::path& folder) {
 #ifdef O_TMPFILE
-  if (::access("/proc/self/fd", X_OK) == 0) // needed to name it later
+  if (::access("/proc/self/fd", X_OK) == 0) // giveName() needs it
     return ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
 #endif
   return -1;
 }
 
-/// Names a nameless file. No call names it over another file, so a name of its own comes first.
+/// Gives an unnamed file a name. linkat() cannot replace an existing file, so the name must be new.
 bool giveName(int descriptor, const std::filesystem::path& name) {
   const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
   return ::linkat(AT_FDCWD, link.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
-/// Calls `make` with names beside `path` until one is free, and sets `name` to what it made; 0, or
-/// the errno of the failure. The names are random, for processes in other PID namespaces or on
-/// other machines may write to the same folder.
+/// Calls `make` with names next to `path` until it succeeds, and stores that name in `name`.
+/// Returns 0 or the errno of the failure. Names are random, because processes in other PID
+/// namespaces or on other machines may write to the same folder.
 template <class Make>
 int makeTemporary(const std::filesystem::path& path, std::filesystem::path& name,
                   const Make& make) {
-  constexpr int kMostNames = 16; // of 2^64; if all are taken, something else is wrong
+  constexpr int kMostNames = 16; // of 2^64; a collision means that something else is wrong
   int code = EEXIST;
   for (int attempt = 0; attempt < kMostNames && code == EEXIST; ++attempt) {
     std::uint64_t bits = 0;
@@ -99,7 +100,7 @@ Error unreadable(const std::filesystem::path& path, int code) {
   return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(code)};
 }
 
-/// `size` bytes of an open file, fewer if another process shortens it meanwhile.
+/// Reads `size` bytes of an open file, or fewer if another process shortens it meanwhile.
 Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t size,
                                          const std::filesystem::path& path) {
   std::vector<std::byte> bytes;
@@ -112,71 +113,73 @@ Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t siz
   }
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t got =
+    const ssize_t received =
         ::read(file.get(), bytes.data() + done, std::min(size - done, kMaxTransfer));
-    if (got < 0 && errno == EINTR)
+    if (received < 0 && errno == EINTR)
       continue;
-    if (got < 0)
+    if (received < 0)
       return unreadable(path, errno);
-    if (got == 0)
+    if (received == 0)
       break;
-    done += std::size_t(got);
+    done += std::size_t(received);
   }
   bytes.resize(done);
   return bytes;
 }
 
-/// The message where not even a name or a message fits into memory.
+/// The message for when even a name or a message does not fit into memory.
 auto exhausted(const std::filesystem::path& path) {
   return [&path] { return path.string() + ": not enough memory"; };
 }
 
-/// Reads as many bytes as `wanted` makes of the file's size, unless it refuses that.
-template <class Wanted>
+/// Opens a file and reads as many bytes as `sizeToRead` returns for the file's size, unless it
+/// returns an error.
+template <class SizeToRead>
 Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
-                                           const Wanted& wanted) {
-  // Without O_NONBLOCK, opening a named pipe waits for its writer.
+                                           const SizeToRead& sizeToRead) {
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
     return unreadable(path, errno);
   if (!S_ISREG(status.st_mode))
     return Error{ErrorKind::badInput,
-                 path.string() + (S_ISDIR(status.st_mode) ? ": is a folder; a file is accepted"
-                                                          : ": not a regular file")};
-  const Result<std::size_t> size = wanted(std::size_t(status.st_size));
+                 path.string() + (S_ISDIR(status.st_mode) ? ": is a folder; expected a file"
+                                                          : ": is not a regular file")};
+  const Result<std::size_t> size = sizeToRead(std::size_t(status.st_size));
   if (!size)
     return size.error();
   return readBytes(file, size.value(), path);
 }
 
 Error wrongSize(const std::filesystem::path& path, std::size_t size, const char* bound,
-                std::size_t accepted) {
-  return Error{ErrorKind::badInput, path.string() + ": " + std::to_string(size) + " bytes; at " +
-                                        bound + " " + std::to_string(accepted) + " are accepted"};
+                std::size_t expected) {
+  return Error{ErrorKind::badInput, path.string() + ": has " + std::to_string(size) +
+                                        " bytes; expected at " + bound + " " +
+                                        std::to_string(expected)};
 }
 
-/// As replaceFile(), but throws std::bad_alloc, with nothing left behind either.
+/// Like replaceFile(), but throws std::bad_alloc.
 Result<void> replace(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  std::filesystem::path temporary; // empty until this call has made it
+  std::filesystem::path temporary; // empty until the file has a name
   const auto failure = [&](int code) {
     if (!temporary.empty())
       ::unlink(temporary.c_str());
     return Error{writeErrorKind(code), path.string() + ": cannot be written: " + reason(code)};
   };
-  int descriptor = openNameless(path.parent_path());
-  const bool nameless = descriptor >= 0;
+  int descriptor = openUnnamed(path.parent_path());
+  const bool unnamed = descriptor >= 0;
   const auto create = [&](const std::filesystem::path& name) {
     descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     return descriptor >= 0;
   };
-  if (const int code = nameless ? 0 : makeTemporary(path, temporary, create); code != 0)
+  if (const int code = unnamed ? 0 : makeTemporary(path, temporary, create); code != 0)
     return failure(code);
   Descriptor file(descriptor);
   if (!writeAll(file.get(), bytes) || ::fsync(file.get()) != 0)
     return failure(errno);
   const auto link = [&](const std::filesystem::path& name) { return giveName(file.get(), name); };
-  if (const int code = nameless ? makeTemporary(path, temporary, link) : 0; code != 0)
+  if (const int code = unnamed ? makeTemporary(path, temporary, link) : 0; code != 0)
     return failure(code);
   if (file.close() != 0)
     return failure(errno);
@@ -197,8 +200,9 @@ Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::
 
 Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, std::size_t size) {
   return withinMemory(exhausted(path), [&] {
-    return openAndRead(path, [&](std::size_t there) -> Result<std::size_t> {
-      return there < size ? Result<std::size_t>(wrongSize(path, there, "least", size)) : size;
+    return openAndRead(path, [&](std::size_t available) -> Result<std::size_t> {
+      return available < size ? Result<std::size_t>(wrongSize(path, available, "least", size))
+                              : size;
     });
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The entries of a folder over POSIX calls: libstdc++'s iterator ends the process where memory runs
-// out.
+// Lists folders through POSIX calls, because libstdc++'s directory iterator terminates the process
+// when memory runs out.
 #include <lichen/files.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Result<std::vector<std::filesystem::path>> listFolder(const std::filesystem::pat
       return failure(errno);
     Paths entries;
     for (;;) {
-      errno = 0; // the end and a failure differ in nothing else
+      errno = 0; // only errno distinguishes the end from a failure
       const dirent* entry = ::readdir(opened.get());
       if (entry == nullptr && errno != 0)
         return failure(errno);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of claimed sizes, and the messages that image files are refused with.
+// Checks of claimed sizes, and error messages of image files.
 #include "claims.h"
 
 #include <lichen/image_io.h>
@@ -14,7 +14,7 @@ constexpr std::size_t kMaxQuotedLength = 120; // keeps a message readable on one
 
 } // namespace
 
-Error refused(const std::string& name, const std::string& reason) {
+Error badInput(const std::string& name, const std::string& reason) {
   return {ErrorKind::badInput, name + ": " + reason};
 }
 
@@ -36,18 +36,18 @@ Result<void> checkSides(const std::string& name, std::uint64_t width, std::uint6
   constexpr std::uint64_t kMaxSide = kMaxImageSide;
   if (width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide)
     return {};
-  return refused(name, std::to_string(width) + " x " + std::to_string(height) + " pixels; 1 to " +
-                           std::to_string(kMaxSide) + " on a side are accepted");
+  return badInput(name, std::to_string(width) + " x " + std::to_string(height) +
+                            " pixels; each side must be 1 to " + std::to_string(kMaxSide));
 }
 
 Result<void> checkExpansion(const std::string& name, std::uint64_t decoded, std::uint64_t fileBytes,
                             const Expansion& expansion) {
   if (decoded / expansion.maximumPerByte <= fileBytes)
     return {};
-  return refused(name, "claims " + std::to_string(decoded) + " bytes of pixels in a file of " +
-                           std::to_string(fileBytes) + "; " + expansion.compression +
-                           " expands at most " + std::to_string(expansion.maximumPerByte) +
-                           " times");
+  return badInput(name, "claims " + std::to_string(decoded) + " bytes of pixels in a file of " +
+                            std::to_string(fileBytes) + " bytes; " + expansion.compression +
+                            " expands at most " + std::to_string(expansion.maximumPerByte) +
+                            " times");
 }
 
 Result<void> checkEncodable(const std::string& format, int width, int height, int channels,
@@ -57,17 +57,17 @@ Result<void> checkEncodable(const std::string& format, int width, int height, in
     return Error{ErrorKind::usage, sides.error().message};
   if (channels < 1 || channels > 4)
     return Error{ErrorKind::usage,
-                 format + ": " + std::to_string(channels) + " channels; 1 to 4 are accepted"};
+                 format + ": " + std::to_string(channels) + " channels; expected 1 to 4"};
   const std::size_t expected = std::size_t(width) * std::size_t(height) * std::size_t(channels);
   if (values.size() != expected)
     return Error{ErrorKind::usage, format + ": " + std::to_string(values.size()) +
-                                       " values; the image's sides and channels make " +
+                                       " values; the image's size requires " +
                                        std::to_string(expected)};
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
   if (bad != values.end())
-    return refused(format, "value " + std::to_string(bad - values.begin()) + " is " +
-                               std::to_string(*bad) + "; finite values are accepted");
+    return badInput(format, "value " + std::to_string(bad - values.begin()) + " is " +
+                                std::to_string(*bad) + "; all values must be finite");
   return {};
 }
 

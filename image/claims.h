@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a file's header or a caller's image claims, checked before anything relies on it, and the
-// errors that say so. Text that comes out of a file is made fit for a one-line message.
+// Checks of the sizes that a file's header or a caller's image claims, before anything relies on
+// them, and the resulting errors. Text from files is sanitised for one-line messages.
 #pragma once
 
 #include <lichen/result.h>
@@ -13,31 +13,31 @@
 
 namespace lichen {
 
-/// "name: reason" as ErrorKind::badInput.
-[[nodiscard]] Error refused(const std::string& name, const std::string& reason);
+/// An Error "name: reason" of kind badInput.
+[[nodiscard]] Error badInput(const std::string& name, const std::string& reason);
 
-/// "name: not enough memory to ..." as ErrorKind::resources.
+/// An Error "name: not enough memory to ..." of kind resources.
 [[nodiscard]] Error outOfMemory(const std::string& name, const char* purpose) noexcept;
 
-/// `text` with everything but printable ASCII replaced by '?', cut to a length that fits a message.
+/// `text` with everything except printable ASCII replaced by '?', truncated for a message.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The most that one byte of a file can become, by its compression.
+/// The maximum expansion of a compression.
 struct Expansion {
-  const char* compression;      ///< as it appears in the message
-  std::uint64_t maximumPerByte; ///< decoded bytes from each byte of the file
+  const char* compression;      ///< name for messages
+  std::uint64_t maximumPerByte; ///< decoded bytes per byte of the file
 };
 
-/// Refuses sides outside [1, kMaxImageSide].
+/// badInput if a side is outside [1, kMaxImageSide].
 [[nodiscard]] Result<void> checkSides(const std::string& name, std::uint64_t width,
                                       std::uint64_t height);
 
-/// Refuses a claim of `decoded` bytes that a file of `fileBytes` bytes cannot hold.
+/// badInput if `fileBytes` bytes cannot expand to `decoded` bytes.
 [[nodiscard]] Result<void> checkExpansion(const std::string& name, std::uint64_t decoded,
                                           std::uint64_t fileBytes, const Expansion& expansion);
 
-/// Refuses to encode an image of other sides, channels outside [1, 4] or a number of values that is
-/// not their product (usage), or a NaN or infinite value (badInput). `format` begins the message.
+/// Checks an image before encoding: usage for invalid sides, channels outside [1, 4] or a number of
+/// values that is not their product; badInput for NaN or infinity. Messages start with `format`.
 [[nodiscard]] Result<void> checkEncodable(const std::string& format, int width, int height,
                                           int channels, std::span<const float> values);
 

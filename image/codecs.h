@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One decoder per format. Each may throw std::bad_alloc, which decodeImage() catches; everything
-// else is a result. `file` begins with the format's signature.
+// One decoder per format. They may throw std::bad_alloc, which decodeImage() catches; all other
+// errors are in the Result. `file` starts with the format's signature.
 #pragma once
 
 #include <lichen/image_io.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every chunk of an EXR file against the pixels that it stands for.
+// Checks every chunk of an EXR file against the size of its pixels.
 #include "exr_chunks.h"
 
 #include "claims.h"
@@ -15,9 +15,10 @@ struct Compression {
   std::int64_t linesPerChunk;
 };
 
-// The format's ten compressions, in its order. Deflate: a match of 258 bytes costs two bits.
-// RLE: 2 bytes stand for up to 128. PIZ: 9 bits repeat a 2-byte value 255 times. PXR24: deflate
-// over three bytes of each four. B44A: 3 bytes stand for 4 x 4 half values. DWA: deflate over RLE.
+// Maximum expansion of the format's ten compressions, in the format's order. Deflate: a match of
+// 258 bytes costs two bits. RLE: 2 bytes encode up to 128. PIZ: 9 bits repeat a 2-byte value 255
+// times. PXR24: deflate over three bytes of every four. B44A: 3 bytes encode 4 x 4 half values.
+// DWA: deflate over RLE.
 constexpr std::array<Compression, 10> kCompressions = {{
     {{"uncompressed EXR", 1}, 1},
     {{"EXR's RLE", 64}, 1},
@@ -40,7 +41,7 @@ std::uint64_t littleEndian(std::span<const std::byte> bytes) {
   return value;
 }
 
-/// How many multiples of `sampling` lie in [low, high].
+/// Number of multiples of `sampling` in [low, high].
 std::int64_t sampleCount(std::int64_t sampling, std::int64_t low, std::int64_t high) {
   const auto floorDivide = [sampling](std::int64_t value) {
     return value >= 0 ? value / sampling : -((sampling - 1 - value) / sampling);
@@ -57,18 +58,18 @@ std::uint64_t bytesOfPixels(const ExrHeader& header, const ExrWindow& window) {
   return bytes;
 }
 
-/// One chunk in the file: `coordinates` words that say which it is, its size, its data.
+/// Checks one chunk: `coordinateBytes` bytes of coordinates, then its size, then its data.
 Result<void> checkChunk(std::span<const std::byte> file, std::uint64_t offset,
                         std::size_t coordinateBytes, std::uint64_t pixelBytes,
                         const Compression& compression, const std::string& name) {
   constexpr std::size_t kSizeBytes = 4;
   const std::size_t prefix = coordinateBytes + kSizeBytes;
   const auto truncated = [&] {
-    return refused(name, "truncated: the EXR lacks the chunk at byte " + std::to_string(offset) +
-                             " of " + std::to_string(file.size()));
+    return badInput(name, "truncated: the EXR chunk at byte " + std::to_string(offset) +
+                              " exceeds the file of " + std::to_string(file.size()) + " bytes");
   };
   if (offset == 0)
-    return refused(name, "incomplete EXR: not every chunk was written");
+    return badInput(name, "incomplete EXR: some chunks were never written");
   if (offset > file.size() || file.size() - offset < prefix)
     return truncated();
   const std::uint64_t size =
@@ -76,8 +77,8 @@ Result<void> checkChunk(std::span<const std::byte> file, std::uint64_t offset,
   if (size > file.size() - offset - prefix)
     return truncated();
   if (size > pixelBytes || (size == 0 && pixelBytes > 0))
-    return refused(name, "damaged EXR: " + std::to_string(size) + " bytes for a chunk of " +
-                             std::to_string(pixelBytes));
+    return badInput(name, "damaged EXR: a chunk for " + std::to_string(pixelBytes) +
+                              " bytes of pixels has " + std::to_string(size) + " bytes");
   return checkExpansion(name, pixelBytes, size, compression.expansion);
 }
 
@@ -86,9 +87,8 @@ Result<void> checkChunk(std::span<const std::byte> file, std::uint64_t offset,
 Result<void> checkExrChunks(std::span<const std::byte> file, const ExrHeader& header,
                             const std::string& name) {
   if (header.compression >= kCompressions.size())
-    return refused(name, "EXR of unknown compression " + std::to_string(header.compression) +
-                             "; 0 to " + std::to_string(kCompressions.size() - 1) +
-                             " are accepted");
+    return badInput(name, "unknown EXR compression " + std::to_string(header.compression) +
+                              "; expected 0 to " + std::to_string(kCompressions.size() - 1));
   const Compression& compression = kCompressions[header.compression];
   const ExrWindow& window = header.dataWindow;
   const std::int64_t chunkWidth = header.tiled ? header.tileWidth : window.width();
@@ -99,8 +99,9 @@ Result<void> checkExrChunks(std::span<const std::byte> file, const ExrHeader& he
 
   const std::span<const std::byte> table = file.subspan(header.chunkTable);
   if (std::uint64_t(columns * rows) > table.size() / kTableEntryBytes)
-    return refused(name, "truncated: a table of " + std::to_string(columns * rows) +
-                             " EXR chunks in the last " + std::to_string(table.size()) + " bytes");
+    return badInput(name, "truncated: the table of " + std::to_string(columns * rows) +
+                              " EXR chunks exceeds the file's last " +
+                              std::to_string(table.size()) + " bytes");
   for (std::int64_t row = 0; row < rows; ++row)
     for (std::int64_t column = 0; column < columns; ++column) {
       ExrWindow chunk;
@@ -111,10 +112,10 @@ Result<void> checkExrChunks(std::span<const std::byte> file, const ExrHeader& he
       const auto index = std::size_t(row * columns + column);
       const std::uint64_t offset =
           littleEndian(table.subspan(index * kTableEntryBytes, kTableEntryBytes));
-      if (Result<void> whole = checkChunk(file, offset, coordinateBytes,
-                                          bytesOfPixels(header, chunk), compression, name);
-          !whole)
-        return whole;
+      if (Result<void> checked = checkChunk(file, offset, coordinateBytes,
+                                            bytesOfPixels(header, chunk), compression, name);
+          !checked)
+        return checked;
     }
   return {};
 }

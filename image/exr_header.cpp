@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The attributes of a single-part EXR file. The table of chunks is in exr_chunks.cpp.
+// Reads the attributes of a single-part EXR file; exr_chunks.cpp checks the chunks.
 #include "exr_header.h"
 
 #include "claims.h"
@@ -24,10 +24,10 @@ constexpr std::uint32_t kDeepFlag = 0x800;
 constexpr std::uint32_t kMultiPartFlag = 0x1000;
 constexpr std::size_t kMaxNameLength = 255; // with the long-names flag; 31 without it
 
-// OpenEXR keeps a whole tile in memory, even where the image is smaller than it.
+// OpenEXR allocates whole tiles, even if the image is smaller.
 constexpr std::int64_t kMaxTileSide = 4096;
 
-/// Little-endian values. A reader that has run past its end is no longer ok() and returns zeros.
+/// Reads little-endian values. After reading past the end, ok() is false and values are zero.
 class Reader {
 public:
   Reader(std::span<const std::byte> bytes, std::size_t offset) : bytes_(bytes), offset_(offset) {}
@@ -72,8 +72,8 @@ private:
   bool ok_ = true;
 };
 
-/// Sizes of the attribute types that have one. OpenEXR reads that many bytes whatever the file's
-/// own size field says, so a field that differs would hide bytes from one of the two readers.
+/// Sizes of the attribute types with a fixed size. OpenEXR reads that many bytes whatever the
+/// file's size field says; a different size field would make the two readers disagree.
 const std::map<std::string_view, std::size_t>& fixedSizes() {
   static const std::map<std::string_view, std::size_t> sizes = {
       {"box2i", 16},      {"box2f", 16},   {"chromaticities", 32},
@@ -136,8 +136,8 @@ ExrWindow readWindow(std::span<const std::byte> value) {
   return window;
 }
 
-/// Which attributes without which nothing can be decoded have been seen.
-struct Seen {
+/// Which of the required attributes the header contains.
+struct FoundAttributes {
   bool dataWindow = false;
   bool displayWindow = false;
   bool channels = false;
@@ -145,9 +145,9 @@ struct Seen {
   bool tiles = false;
 };
 
-/// Takes one attribute into `header`. False when its value is not whole.
-bool takeAttribute(const std::string& attribute, const std::string& type,
-                   std::span<const std::byte> value, ExrHeader& header, Seen& seen) {
+/// Stores one attribute in `header`. Returns false if its value is malformed.
+bool readAttribute(const std::string& attribute, const std::string& type,
+                   std::span<const std::byte> value, ExrHeader& header, FoundAttributes& found) {
   const auto fixed = fixedSizes().find(type);
   if (fixed != fixedSizes().end() && fixed->second != value.size())
     return false;
@@ -159,25 +159,25 @@ bool takeAttribute(const std::string& attribute, const std::string& type,
     return false;
   if (attribute == "dataWindow" && type == "box2i") {
     header.dataWindow = readWindow(value);
-    seen.dataWindow = true;
+    found.dataWindow = true;
   } else if (attribute == "displayWindow" && type == "box2i") {
     header.displayWindow = readWindow(value);
-    seen.displayWindow = true;
+    found.displayWindow = true;
   } else if (attribute == "compression" && type == "compression") {
     header.compression = std::to_integer<unsigned>(value[0]);
-    seen.compression = true;
+    found.compression = true;
   } else if (attribute == "tiles" && type == "tiledesc") {
     Reader reader(value, 0);
     header.tileWidth = reader.word();
     header.tileHeight = reader.word();
-    seen.tiles = true;
+    found.tiles = true;
   } else if (type == "chlist") {
     std::optional<std::vector<ExrChannel>> channels = readChannels(value);
     if (!channels)
       return false;
     if (attribute == "channels") {
       header.channels = *std::move(channels);
-      seen.channels = true;
+      found.channels = true;
     }
   }
   return true;
@@ -186,29 +186,29 @@ bool takeAttribute(const std::string& attribute, const std::string& type,
 Result<void> checkVersion(std::uint32_t version, const std::string& name) {
   constexpr std::uint32_t kKnownFlags = kTiledFlag | kLongNamesFlag | kDeepFlag | kMultiPartFlag;
   if ((version & 0xff) != kVersion || (version & ~(kKnownFlags | 0xff)) != 0)
-    return refused(name,
-                   "EXR of unknown version " + std::to_string(version) + "; version 2 is accepted");
+    return badInput(name, "unknown EXR version " + std::to_string(version) + "; expected 2");
   if ((version & kMultiPartFlag) != 0)
-    return refused(name, "multi-part EXR; a single-part file is accepted");
+    return badInput(name, "is a multi-part EXR; expected a single-part file");
   if ((version & kDeepFlag) != 0)
-    return refused(name, "deep EXR; a flat file (scan lines or tiles) is accepted");
+    return badInput(name, "is a deep EXR; expected a flat file (scan lines or tiles)");
   return {};
 }
 
-Result<void> checkValues(const ExrHeader& header, const Seen& seen, const std::string& name) {
-  const auto lacks = [&](const char* attribute) {
-    return refused(name, std::string("damaged EXR: no attribute ") + attribute);
+Result<void> checkValues(const ExrHeader& header, const FoundAttributes& found,
+                         const std::string& name) {
+  const auto missing = [&](const char* attribute) {
+    return badInput(name, std::string("damaged EXR: missing attribute ") + attribute);
   };
-  if (!seen.dataWindow)
-    return lacks("dataWindow");
-  if (!seen.displayWindow)
-    return lacks("displayWindow");
-  if (!seen.compression)
-    return lacks("compression");
-  if (!seen.channels || header.channels.empty())
-    return lacks("channels");
-  if (header.tiled && !seen.tiles)
-    return lacks("tiles");
+  if (!found.dataWindow)
+    return missing("dataWindow");
+  if (!found.displayWindow)
+    return missing("displayWindow");
+  if (!found.compression)
+    return missing("compression");
+  if (!found.channels || header.channels.empty())
+    return missing("channels");
+  if (header.tiled && !found.tiles)
+    return missing("tiles");
   const ExrWindow& window = header.dataWindow;
   const auto side = [](std::int64_t length) {
     return std::uint64_t(std::max<std::int64_t>(length, 0));
@@ -220,41 +220,40 @@ Result<void> checkValues(const ExrHeader& header, const Seen& seen, const std::s
   };
   if (header.tiled && (!tileFits(header.tileWidth, window.width()) ||
                        !tileFits(header.tileHeight, window.height())))
-    return refused(name, "EXR tiles of " + std::to_string(header.tileWidth) + " x " +
-                             std::to_string(header.tileHeight) + "; 1 to " +
-                             std::to_string(kMaxTileSide) +
-                             " on a side, or the image's own side, are accepted");
+    return badInput(name, "EXR tiles of " + std::to_string(header.tileWidth) + " x " +
+                              std::to_string(header.tileHeight) + "; each side must be 1 to " +
+                              std::to_string(kMaxTileSide) + ", or at most the image's own");
   return {};
 }
 
 } // namespace
 
 Result<ExrHeader> readExrHeader(std::span<const std::byte> file, const std::string& name) {
-  const Error truncated = refused(name, "truncated: the EXR ends inside its header");
+  const Error truncated = badInput(name, "truncated: the EXR ends inside its header");
   Reader version(file, kVersionOffset);
   const std::uint32_t versionAndFlags = version.word();
   if (!version.ok())
     return truncated;
-  if (Result<void> known = checkVersion(versionAndFlags, name); !known)
-    return known.error();
+  if (Result<void> supported = checkVersion(versionAndFlags, name); !supported)
+    return supported.error();
 
   ExrHeader header;
   header.tiled = (versionAndFlags & kTiledFlag) != 0;
-  Seen seen;
+  FoundAttributes found;
   Reader reader(file, kFirstAttribute);
   for (std::string attribute = reader.text(); !attribute.empty(); attribute = reader.text()) {
     const std::string type = reader.text();
     const std::span<const std::byte> value = reader.take(reader.word());
     if (!reader.ok())
       return truncated;
-    if (!takeAttribute(attribute, type, value, header, seen))
-      return refused(name, "damaged EXR: attribute " + printable(attribute) + " is not a whole " +
-                               printable(type));
+    if (!readAttribute(attribute, type, value, header, found))
+      return badInput(name, "damaged EXR: attribute " + printable(attribute) + " is not a valid " +
+                                printable(type));
   }
   if (!reader.ok())
     return truncated;
   header.chunkTable = reader.offset();
-  if (Result<void> values = checkValues(header, seen, name); !values)
+  if (Result<void> values = checkValues(header, found, name); !values)
     return values.error();
   if (Result<void> chunks = checkExrChunks(file, header, name); !chunks)
     return chunks.error();

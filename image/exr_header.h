@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The header of an EXR file, read without OpenEXR, which allocates what a header claims before it
-// compares the claim with the file.
-// file -> windows, channels and tiling, once every size in the header and every chunk it asks for
-// is known to lie inside the file.
+// Reads the header of an EXR file without OpenEXR, which allocates the sizes that a header claims
+// before it compares them with the file.
+// file -> windows, channels and tiling, after checking that every attribute and every chunk lies
+// inside the file.
 // Source: "OpenEXR File Layout", openexr.com, and "Technical Introduction to OpenEXR".
 #pragma once
 
@@ -23,7 +23,7 @@ struct ExrChannel {
   std::int64_t ySampling = 1;
 };
 
-/// Bounds in pixels, both ends included.
+/// Bounds in pixels, inclusive.
 struct ExrWindow {
   std::int64_t xMin = 0;
   std::int64_t yMin = 0;
@@ -43,11 +43,11 @@ struct ExrHeader {
   bool tiled = false;
   std::int64_t tileWidth = 0;
   std::int64_t tileHeight = 0;
-  std::size_t chunkTable = 0; ///< offset of the table of chunk offsets
+  std::size_t chunkTable = 0; ///< byte offset of the table of chunk offsets
 };
 
-/// Errors: badInput for another version, multi-part, deep, bad sides, an attribute or a chunk that
-/// is not whole, and a chunk that cannot expand to the pixels it stands for.
+/// Errors: badInput for another version, a multi-part or deep file, invalid sides, an incomplete
+/// attribute or chunk, and a chunk that cannot expand to its pixels.
 [[nodiscard]] Result<ExrHeader> readExrHeader(std::span<const std::byte> file,
                                               const std::string& name);
 

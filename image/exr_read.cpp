@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// EXR bytes -> LinearImage, through OpenEXR, after exr_header.cpp has found the file whole.
-// The data window is the picture. Alpha is taken as stored: EXR's premultiplication stays.
+// EXR bytes -> LinearImage, through OpenEXR, after exr_header.cpp has checked the whole file.
+// The image is the data window. Colours stay premultiplied by alpha, as EXR stores them.
 #include "claims.h"
 #include "codecs.h"
 #include "exr_header.h"
@@ -64,7 +64,7 @@ std::vector<std::string> namesOf(const ExrHeader& header) {
   return names;
 }
 
-/// Which of the file's channels become which of the image's, in order. A name that the file lacks
+/// The file's channels to read, in the order of the image's channels. A name that the file lacks
 /// stands for zeros.
 Result<std::vector<std::string>> chooseChannels(const ExrHeader& header, const std::string& name) {
   const bool alpha = findChannel(header, "A") != nullptr;
@@ -72,25 +72,25 @@ Result<std::vector<std::string>> chooseChannels(const ExrHeader& header, const s
                       findChannel(header, "B") != nullptr;
   std::vector<std::string> chosen;
   if (!colour && (findChannel(header, "RY") != nullptr || findChannel(header, "BY") != nullptr))
-    return refused(name, "luminance-chroma EXR (channels " + joined(namesOf(header)) +
-                             "); R, G, B or Y alone is accepted");
+    return badInput(name, "is a luminance-chroma EXR (channels " + joined(namesOf(header)) +
+                              "); expected R, G, B, or Y alone");
   if (colour)
     chosen = {"R", "G", "B"};
   else if (findChannel(header, "Y") != nullptr)
     chosen = {"Y"};
   else if (header.channels.size() == 1)
-    chosen = {header.channels.front().name}; // one channel cannot be mistaken for another
+    chosen = {header.channels.front().name}; // unambiguous
   else
-    return refused(name, "EXR with channels " + joined(namesOf(header)) +
-                             "; R, G, B, or Y, or a single channel is accepted");
+    return badInput(name, "EXR with channels " + joined(namesOf(header)) +
+                              "; expected R, G, B, or Y, or a single channel");
   if (alpha && chosen.front() != "A")
     chosen.emplace_back("A");
   for (const std::string& channel : chosen)
     if (const ExrChannel* found = findChannel(header, channel);
         found != nullptr && (found->xSampling != 1 || found->ySampling != 1))
-      return refused(name, "EXR channel " + printable(channel) + " is subsampled " +
-                               std::to_string(found->xSampling) + " x " +
-                               std::to_string(found->ySampling) + "; 1 x 1 is accepted");
+      return badInput(name, "EXR channel " + printable(channel) + " is subsampled " +
+                                std::to_string(found->xSampling) + " x " +
+                                std::to_string(found->ySampling) + "; expected 1 x 1");
   return chosen;
 }
 
@@ -101,21 +101,21 @@ void describeChannels(const ExrHeader& header, const std::vector<std::string>& c
     if (findChannel(header, channel) == nullptr)
       missing.push_back(channel);
   if (!missing.empty())
-    notes.push_back("missing channels taken as 0: " + joined(missing));
+    notes.push_back("missing channels set to 0: " + joined(missing));
   std::vector<std::string> ignored;
   for (const ExrChannel& channel : header.channels)
     if (std::find(chosen.begin(), chosen.end(), channel.name) == chosen.end())
       ignored.push_back(channel.name);
   if (!ignored.empty())
-    notes.push_back("channels ignored: " + joined(ignored));
+    notes.push_back("ignored channels: " + joined(ignored));
   if (chosen.size() == 1 && chosen.front() != "Y")
-    notes.push_back("channel " + printable(chosen.front()) + " taken as grey");
+    notes.push_back("channel " + printable(chosen.front()) + " read as grey");
   if (header.dataWindow != header.displayWindow)
-    notes.emplace_back("the data window is taken, not the display window");
+    notes.emplace_back("the image is the data window, not the display window");
 }
 
-/// Throws std::bad_alloc where OpenEXR 3.1 would crash: its DWA decoder allocates some copies of a
-/// chunk while it decodes, and does not look whether it got them.
+/// Throws std::bad_alloc where OpenEXR 3.1 would crash: its DWA decoder allocates several copies of
+/// a chunk while decoding, without checking for failure.
 void requireScratch(const ExrHeader& header) {
   constexpr unsigned kFirstDwa = 8;
   constexpr std::int64_t kMostLinesPerChunk = 256;
@@ -148,12 +148,12 @@ void readPixels(std::span<const std::byte> file, const ExrHeader& header,
   input.readPixels(window.min.y, window.max.y);
 }
 
-/// OpenEXR turns a failed allocation into an exception of its own, that keeps only the text.
-bool tellsOfExhaustedMemory(std::string_view text) {
+/// OpenEXR reports a failed allocation as its own exception type, so only the text identifies it.
+bool meansOutOfMemory(std::string_view text) {
   return text.find("std::bad_alloc") != text.npos || text.find("allocate memory") != text.npos;
 }
 
-/// Refuses NaN and infinity, and sets negative values to 0.
+/// Rejects NaN and infinity, and clamps negative values to 0.
 Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& image,
                          std::vector<std::string>& notes, const std::string& name) {
   std::size_t negative = 0;
@@ -162,10 +162,10 @@ Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& im
     if (!std::isfinite(value)) {
       const std::size_t pixel = i / chosen.size();
       const auto width = std::size_t(image.width);
-      return refused(name, std::string(std::isnan(value) ? "NaN" : "infinity") + " in channel " +
-                               printable(chosen[i % chosen.size()]) + " of pixel (" +
-                               std::to_string(pixel % width) + ", " +
-                               std::to_string(pixel / width) + "); finite values are accepted");
+      return badInput(name, std::string(std::isnan(value) ? "NaN" : "infinity") + " in channel " +
+                                printable(chosen[i % chosen.size()]) + " of pixel (" +
+                                std::to_string(pixel % width) + ", " +
+                                std::to_string(pixel / width) + "); all values must be finite");
     }
     if (value < 0.0f) {
       value = 0.0f;
@@ -198,9 +198,9 @@ Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& problem) {
-    if (tellsOfExhaustedMemory(problem.what()))
+    if (meansOutOfMemory(problem.what()))
       return outOfMemory(name, "decode the EXR");
-    return refused(name, "damaged EXR: " + printable(problem.what()));
+    return badInput(name, "damaged EXR: " + printable(problem.what()));
   }
   describeChannels(header, chosen, result.notes);
   if (Result<void> values = checkValues(chosen, image, result.notes, name); !values)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LinearImage -> EXR bytes: scan lines of half floats, ZIP compressed, through OpenEXR.
+// LinearImage -> EXR bytes: scan lines of half floats, ZIP-compressed, through OpenEXR.
 #include "claims.h"
 
 #include <lichen/image_io.h>
@@ -45,13 +45,13 @@ private:
 std::vector<half> toHalf(const LinearImage& image) {
   std::vector<half> values(image.values.size());
   std::transform(image.values.begin(), image.values.end(), values.begin(), [](float value) {
-    constexpr float kLargest = HALF_MAX; // half rounds what is beyond it to infinity
+    constexpr float kLargest = HALF_MAX; // half() would round larger values to infinity
     return half(std::clamp(value, -kLargest, kLargest));
   });
   return values;
 }
 
-/// Throws what OpenEXR throws, and std::bad_alloc.
+/// Throws OpenEXR's exceptions and std::bad_alloc.
 std::vector<std::byte> encode(const LinearImage& image) {
   constexpr std::array<std::string_view, 4> kChannelNames = {"Y", "YA", "RGB", "RGBA"};
   const std::vector<half> values = toHalf(image);
@@ -88,10 +88,10 @@ Result<std::vector<std::byte>> encodeExr(const LinearImage& image) {
     try {
       return encode(image);
     } catch (const std::bad_alloc&) {
-      throw; // is a std::exception too
+      throw; // also derives from std::exception
     } catch (const std::exception& problem) {
       return Error{ErrorKind::resources,
-                   std::string("EXR: cannot be encoded: ") + printable(problem.what())};
+                   std::string("EXR: cannot encode the image: ") + printable(problem.what())};
     }
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells the format of a file from its first bytes, and of a path from its extension.
+// Detects the format of a file from its first bytes, and of a path from its extension.
 #include "claims.h"
 #include "codecs.h"
 
@@ -27,15 +27,15 @@ bool startsWith(std::span<const std::byte> file,
                     [](unsigned char a, std::byte b) { return std::byte(a) == b; });
 }
 
-/// What a file is called whose bytes from `at` on are `bytes`.
+/// A format identified by `bytes` at byte offset `at`.
 struct OtherFormat {
   std::size_t at;
   std::string_view bytes;
-  const char* name; ///< with its article
+  const char* name; ///< with article
 };
 
-// The registrations of the formats with IANA. HEIF's containers name their content in bytes 4
-// to 11.
+// Signatures from the formats' IANA registrations. HEIF containers name their content in bytes 4 to
+// 11.
 constexpr OtherFormat kOtherFormats[] = {
     {8, "WEBP", "a WebP"},
     {0, "GIF8", "a GIF"},
@@ -57,20 +57,20 @@ constexpr OtherFormat kOtherFormats[] = {
     {1, "KTX ", "a KTX"},
 };
 
-bool has(std::span<const std::byte> file, const OtherFormat& format) {
+bool hasSignature(std::span<const std::byte> file, const OtherFormat& format) {
   return file.size() >= format.at + format.bytes.size() &&
          std::equal(format.bytes.begin(), format.bytes.end(),
                     file.begin() + std::ptrdiff_t(format.at),
                     [](char a, std::byte b) { return std::byte(a) == b; });
 }
 
-/// Of a file that is none of ours: which other it is, or what it starts with.
+/// The error for a file that is not a PNG, JPEG or EXR; names its format or its first bytes.
 Error notAnImage(std::span<const std::byte> file, const std::string& name) {
   if (file.empty())
-    return refused(name, "empty file; a PNG, JPEG or EXR image is accepted");
+    return badInput(name, "empty file; expected a PNG, JPEG or EXR image");
   for (const OtherFormat& format : kOtherFormats)
-    if (has(file, format))
-      return refused(name, std::string(format.name) + " file; PNG, JPEG and EXR are read");
+    if (hasSignature(file, format))
+      return badInput(name, "is " + std::string(format.name) + " file; expected PNG, JPEG or EXR");
   constexpr const char* kDigits = "0123456789abcdef";
   std::string start;
   for (const std::byte b : file.first(std::min<std::size_t>(file.size(), 4))) {
@@ -78,7 +78,7 @@ Error notAnImage(std::span<const std::byte> file, const std::string& name) {
     start += kDigits[std::to_integer<unsigned>(b) >> 4];
     start += kDigits[std::to_integer<unsigned>(b) & 0xf];
   }
-  return refused(name, "not a PNG, JPEG or EXR image (starts with" + start + ")");
+  return badInput(name, "is not a PNG, JPEG or EXR image (starts with" + start + ")");
 }
 
 std::string lowerCaseExtension(const std::filesystem::path& path) {
@@ -88,15 +88,16 @@ std::string lowerCaseExtension(const std::filesystem::path& path) {
   return extension;
 }
 
-/// Encodes by extension: PNG wants codes, EXR wants light.
+/// Encodes by extension: PNG stores sRGB codes, EXR linear light.
 template <class AnyImage>
 Result<void> write(const std::filesystem::path& path, const AnyImage& image) {
   try {
     const std::string extension = lowerCaseExtension(path);
     if (extension != ".png" && extension != ".exr")
-      return Error{ErrorKind::usage, path.string() + ": extension " +
-                                         (extension.empty() ? "missing" : extension) +
-                                         "; .png and .exr are accepted"};
+      return Error{ErrorKind::usage, path.string() +
+                                         (extension.empty() ? ": missing extension"
+                                                            : ": unknown extension " + extension) +
+                                         "; use .png or .exr"};
     const auto encoded = [&]() -> Result<std::vector<std::byte>> {
       constexpr int kBits = 8;
       if constexpr (AnyImage::encoding == Encoding::srgb)
@@ -137,7 +138,7 @@ Result<ImageFile> readImage(const std::filesystem::path& path) {
     if (!stored)
       return stored;
     return upright(std::move(stored).value());
-  } catch (const std::bad_alloc&) { // of turned pixels, a message or a name
+  } catch (const std::bad_alloc&) { // while rotating pixels, or for a message or a name
     return memoryError([&] { return path.string() + ": not enough memory to read the image"; });
   }
 }

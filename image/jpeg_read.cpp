@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // JPEG bytes -> SrgbImage, through libjpeg-turbo.
-// Grey, YCbCr, RGB, CMYK and YCCK; colour profiles are not looked at.
+// Grey, YCbCr, RGB, CMYK and YCCK; ignores colour profiles.
 // Sources: ITU-T T.81; Adobe Technical Note 5116 (Adobe programs store CMYK inverted).
 #include "claims.h"
 #include "codecs.h"
@@ -19,17 +19,18 @@
 namespace lichen {
 namespace {
 
-// A block of 8 x 8 pixels costs at least one bit, and odd sampling factors halve the blocks.
+// A block of 8 x 8 pixels costs at least one bit, and odd sampling factors halve the number of
+// blocks.
 constexpr Expansion kHuffman = {"JPEG", 1024};
 
-// Each scan of a progressive file walks over the whole image, at a cost of a few bytes of file.
-// Encoders write 10 or so; optimisers stay under 20.
+// Each scan of a progressive file processes the whole image for only a few bytes of file. Encoders
+// write about 10 scans, optimisers fewer than 20.
 constexpr int kMaxScans = 64;
 
-constexpr int kExifMarker = JPEG_APP0 + 1; // of XMP too
+constexpr int kExifMarker = JPEG_APP0 + 1; // also used by XMP
 
-/// Owns libjpeg's state. libjpeg leaves by longjmp, so each member function that calls it sets the
-/// return point anew and holds nothing that a longjmp may not skip.
+/// Owns libjpeg's state. libjpeg reports errors by longjmp, so every member function that calls it
+/// sets a new return point and holds no objects that a longjmp must not skip.
 class JpegReader {
 public:
   explicit JpegReader(std::span<const std::byte> file) : file_(file) {}
@@ -40,12 +41,12 @@ public:
   [[nodiscard]] bool readHeader();
   [[nodiscard]] bool start(J_COLOR_SPACE colourSpace);
   [[nodiscard]] bool readRow(JSAMPROW row);
-  /// Reads on to the end-of-image marker.
+  /// Reads up to the end-of-image marker.
   [[nodiscard]] bool finish();
 
   [[nodiscard]] const jpeg_decompress_struct& info() const { return info_; }
   [[nodiscard]] const char* warning() const { return warning_; }
-  /// Until the end is read: the first EXIF block of the header; empty where there is none.
+  /// The first EXIF block of the header; empty if there is none. Valid until finish().
   [[nodiscard]] std::span<const std::byte> exif() const;
   [[nodiscard]] Error error(const std::string& name) const;
 
@@ -74,7 +75,7 @@ void JpegReader::onError(j_common_ptr info) {
 }
 
 void JpegReader::onMessage(j_common_ptr info, int level) {
-  if (level >= 0) // a trace message
+  if (level >= 0) // trace message
     return;
   const int code = info->err->msg_code;
   const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR ||
@@ -99,7 +100,7 @@ bool JpegReader::readHeader() {
   info_.client_data = this;
   if (setjmp(returnPoint_) != 0)
     return false;
-  jpeg_create_decompress(&info_); // keeps err and client_data
+  jpeg_create_decompress(&info_); // preserves err and client_data
   progress_.progress_monitor = onProgress;
   info_.progress = &progress_;
   jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(file_.data()), file_.size());
@@ -142,14 +143,14 @@ std::span<const std::byte> JpegReader::exif() const {
 
 Error JpegReader::error(const std::string& name) const {
   if (tooManyScans_)
-    return refused(name, "progressive JPEG of more than " + std::to_string(kMaxScans) + " scans; " +
-                             std::to_string(kMaxScans) + " are accepted");
+    return badInput(name, "is a progressive JPEG with more than " + std::to_string(kMaxScans) +
+                              " scans; re-encode it with fewer");
   switch (errors_.msg_code) {
   case JERR_OUT_OF_MEMORY:
     return outOfMemory(name, "decode the JPEG");
   case JWRN_JPEG_EOF:
   case JWRN_HIT_MARKER:
-    return refused(name, "truncated: the JPEG ends before its pixels or its end marker");
+    return badInput(name, "truncated: the JPEG ends before its last pixel or its end marker");
   case JERR_EMPTY_IMAGE:
   case JERR_IMAGE_TOO_BIG:
     if (Result<void> sides = checkSides(name, info_.image_width, info_.image_height); !sides)
@@ -158,32 +159,33 @@ Error JpegReader::error(const std::string& name) const {
   default:
     break;
   }
-  return refused(name, "damaged or unsupported JPEG: " + printable(message_) +
-                           "; baseline and progressive 8-bit files are accepted");
+  return badInput(name, "damaged or unsupported JPEG: " + printable(message_) +
+                            "; expected a baseline or progressive 8-bit file");
 }
 
 Result<void> checkHeader(const JpegReader& reader, std::size_t fileBytes, const std::string& name) {
   const jpeg_decompress_struct& info = reader.info();
   if (Result<void> sides = checkSides(name, info.image_width, info.image_height); !sides)
     return sides;
-  // Its coder has no useful lower bound per block, and hardly a program writes it.
+  // Arithmetic coding has no useful lower bound of bytes per block, and almost no program writes
+  // it.
   if (info.arith_code)
-    return refused(name, "arithmetic-coded JPEG; Huffman-coded files are accepted");
+    return badInput(name, "is an arithmetic-coded JPEG; expected Huffman coding");
   if (info.jpeg_color_space == JCS_UNKNOWN)
-    return refused(name, "JPEG of " + std::to_string(info.num_components) +
-                             " components; 1 (grey), 3 (colour) and 4 (CMYK) are accepted");
+    return badInput(name, "JPEG with " + std::to_string(info.num_components) +
+                              " components; expected 1 (grey), 3 (colour) or 4 (CMYK)");
   const std::uint64_t pixels = std::uint64_t(info.image_width) * info.image_height;
   return checkExpansion(name, pixels, fileBytes, kHuffman);
 }
 
-/// Ink to light without a colour profile: each ink and black absorb independently.
-/// An Adobe marker says that the file stores the light each ink lets through.
+/// Converts ink to light without a colour profile: each ink and black absorb independently. With an
+/// Adobe marker, the file stores the light that each ink transmits.
 void convertCmykRow(const std::vector<JSAMPLE>& row, bool inverted, float* rgb) {
   constexpr float kScale = 1.0f / (255.0f * 255.0f);
-  const auto passed = [&](JSAMPLE code) { return float(inverted ? code : 255 - code); };
+  const auto transmitted = [&](JSAMPLE code) { return float(inverted ? code : 255 - code); };
   for (std::size_t i = 0; i < row.size(); i += 4)
     for (std::size_t c = 0; c < 3; ++c)
-      *rgb++ = passed(row[i + c]) * passed(row[i + 3]) * kScale;
+      *rgb++ = transmitted(row[i + c]) * transmitted(row[i + 3]) * kScale;
 }
 
 } // namespace
@@ -220,7 +222,7 @@ Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string&
   if (cmyk)
     result.notes.emplace_back("CMYK converted to RGB without a colour profile");
   if (reader.warning()[0] != '\0')
-    result.notes.push_back("libjpeg warns: " + printable(reader.warning()));
+    result.notes.push_back("warning from libjpeg: " + printable(reader.warning()));
   return result;
 }
 

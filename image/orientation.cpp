@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EXIF block -> orientation, through libexif; image of width * height pixels -> the upright one.
+// EXIF block -> orientation, through libexif; stored image -> upright image.
 // Source: Exif 2.32 (CIPA DC-008), 4.6.4 A, tag 274.
 #include "orientation.h"
 
@@ -22,14 +22,14 @@ namespace {
 constexpr int kUpright = 1;
 constexpr int kLastOrientation = 8;
 
-/// Which sides of the scene the first stored row and column are.
+/// Which sides of the upright image the first stored row and column are.
 struct Sides {
-  bool isTransposed = false; ///< stored rows are columns of the scene
+  bool isTransposed = false; ///< stored rows are columns of the upright image
   bool fromRight = false;
   bool fromBottom = false;
 };
 
-// By orientation, from 1 on.
+// Indexed by orientation - 1.
 constexpr std::array<Sides, kLastOrientation> kSides{{{false, false, false},
                                                       {false, true, false},
                                                       {false, true, true},
@@ -45,7 +45,7 @@ const Sides& sidesOf(int orientation) {
 }
 
 template <class AnyImage>
-AnyImage turned(const AnyImage& stored, const Sides& sides) {
+AnyImage reoriented(const AnyImage& stored, const Sides& sides) {
   const auto [width, height] = sides.isTransposed ? std::pair(stored.height, stored.width)
                                                   : std::pair(stored.width, stored.height);
   AnyImage result(width, height, stored.channels);
@@ -63,7 +63,7 @@ AnyImage turned(const AnyImage& stored, const Sides& sides) {
 } // namespace
 
 int exifOrientation(std::span<const std::byte> block) {
-  constexpr std::array<unsigned char, 6> kHeader{'E', 'x', 'i', 'f', 0, 0}; // libexif wants it
+  constexpr std::array<unsigned char, 6> kHeader{'E', 'x', 'i', 'f', 0, 0}; // libexif expects it
   if (block.empty() || block.size() > std::numeric_limits<unsigned>::max() - kHeader.size())
     return kUpright;
   std::vector<unsigned char> headed(kHeader.begin(), kHeader.end());
@@ -74,7 +74,8 @@ int exifOrientation(std::span<const std::byte> block) {
                                                                    &exif_data_unref);
   if (!data)
     throw std::bad_alloc();
-  // It would put in what the specification wants and change what it forbids.
+  // Otherwise libexif adds entries that the specification requires and changes ones that it
+  // forbids.
   exif_data_unset_option(data.get(), EXIF_DATA_OPTION_FOLLOW_SPECIFICATION);
   exif_data_load_data(data.get(), headed.data(), unsigned(headed.size()));
   const ExifEntry* entry = exif_content_get_entry(data->ifd[EXIF_IFD_0], EXIF_TAG_ORIENTATION);
@@ -88,9 +89,9 @@ ImageFile upright(ImageFile file) {
   if (file.orientation == kUpright)
     return file;
   const Sides& sides = sidesOf(file.orientation);
-  std::visit([&](auto& stored) { stored = turned(stored, sides); }, file.pixels);
-  file.notes.push_back("turned as its EXIF orientation, " + std::to_string(file.orientation) +
-                       ", says");
+  std::visit([&](auto& stored) { stored = reoriented(stored, sides); }, file.pixels);
+  file.notes.push_back("rotated or mirrored according to its EXIF orientation " +
+                       std::to_string(file.orientation));
   file.turnedFrom = file.orientation;
   file.orientation = kUpright;
   return file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a camera was held: from the EXIF block of a file, and back to upright pixels.
+// Reads the camera's orientation from the EXIF block of a file.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace lichen {
 
-/// The orientation, 1 to 8, that IFD 0 of an EXIF block says; 1, which is upright, where it says
-/// nothing that can be read. `block` begins with its TIFF header. Hostile bytes are expected.
+/// The orientation, 1 to 8, in IFD 0 of an EXIF block; 1 (upright) if there is none that is
+/// readable. `block` starts with its TIFF header. Input may be hostile.
 [[nodiscard]] int exifOrientation(std::span<const std::byte> block);
 
 } // namespace lichen

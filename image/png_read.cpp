@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PNG bytes -> SrgbImage, through libpng.
-// Every chunk but IHDR, PLTE, tRNS, eXIf, IDAT and IEND is skipped unread: stored values are taken
-// as sRGB codes whatever gamma or profile the file names. Every other bad checksum is an error.
+// Skips every chunk except IHDR, PLTE, tRNS, eXIf, IDAT and IEND, so stored values count as sRGB
+// codes whatever gamma or profile the file names. A bad checksum in these chunks is an error.
 // Source: PNG Specification, third edition, sections 5 (chunks), 11 (IHDR, tRNS, eXIf).
 #include "claims.h"
 #include "codecs.h"
@@ -24,7 +24,7 @@ constexpr Expansion kDeflate = {"PNG", 1032};
 
 constexpr std::size_t kMaxMessage = 160;
 
-/// The fields of IHDR, which begins every PNG.
+/// The fields of IHDR, the first chunk of every PNG.
 struct PngHeader {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -49,9 +49,9 @@ Result<PngHeader> readPngHeader(std::span<const std::byte> file, const std::stri
   constexpr std::size_t kTypeOffset = 12; // after the signature (8) and IHDR's length (4)
   constexpr std::size_t kHeaderEnd = 26;  // up to and including the colour type
   if (file.size() < kHeaderEnd)
-    return refused(name, "truncated: the PNG ends inside its header");
+    return badInput(name, "truncated: the PNG ends inside its header");
   if (std::memcmp(file.data() + kTypeOffset, "IHDR", 4) != 0)
-    return refused(name, "damaged PNG: the first chunk is not IHDR");
+    return badInput(name, "damaged PNG: the first chunk is not IHDR");
   const auto byte = [&](std::size_t offset) {
     return std::to_integer<std::uint32_t>(file[offset]);
   };
@@ -61,8 +61,8 @@ Result<PngHeader> readPngHeader(std::span<const std::byte> file, const std::stri
   return PngHeader{bigEndian(16), bigEndian(20), byte(24), byte(25)};
 }
 
-/// Owns libpng's state. libpng leaves by longjmp, so each member function that calls it sets the
-/// return point anew and holds nothing that a longjmp may not skip.
+/// Owns libpng's state. libpng reports errors by longjmp, so every member function that calls it
+/// sets a new return point and holds no objects that a longjmp must not skip.
 class PngReader {
 public:
   explicit PngReader(std::span<const std::byte> file) : rest_(file) {}
@@ -70,9 +70,10 @@ public:
   PngReader& operator=(const PngReader&) = delete;
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  /// Reads up to the first IDAT and asks for 8 or 16 bits per channel, palette and tRNS expanded.
+  /// Reads up to the first IDAT and requests 8 or 16 bits per channel, with palette and tRNS
+  /// expanded.
   [[nodiscard]] bool start();
-  /// Decodes every row, then reads on to the end of IEND.
+  /// Decodes all rows, then reads up to the end of IEND.
   [[nodiscard]] bool readRows(png_bytepp rows);
 
   [[nodiscard]] std::size_t rowBytes() const { return png_get_rowbytes(png_, info_); }
@@ -80,7 +81,7 @@ public:
   [[nodiscard]] int bitDepth() const { return png_get_bit_depth(png_, info_); }
   [[nodiscard]] bool hasTransparentColour() const { return hasTransparentColour_; }
   [[nodiscard]] const char* warning() const { return warning_; }
-  /// After the rows: the EXIF block; empty where there is none.
+  /// The EXIF block; empty if there is none. Call after readRows().
   [[nodiscard]] std::span<const std::byte> exif();
   [[nodiscard]] Error error(const std::string& name) const;
 
@@ -142,7 +143,7 @@ bool PngReader::start() {
     return false;
   png_set_read_fn(png_, this, onRead);
   png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
-  // A negative count means: every chunk that is not needed to decode the pixels.
+  // A negative count means every chunk that is not needed to decode the pixels.
   png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   constexpr png_byte kExif[] = {'e', 'X', 'I', 'f', 0};
   png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, kExif, 1);
@@ -159,7 +160,7 @@ bool PngReader::readRows(png_bytepp rows) {
   if (setjmp(png_jmpbuf(png_)) != 0)
     return false;
   png_read_image(png_, rows);
-  png_read_end(png_, info_); // an eXIf may come last
+  png_read_end(png_, info_); // eXIf may follow the pixels
   return true;
 }
 
@@ -175,8 +176,8 @@ Error PngReader::error(const std::string& name) const {
   if (outOfMemory_ || png_ == nullptr || info_ == nullptr)
     return outOfMemory(name, "decode the PNG");
   if (truncated_)
-    return refused(name, "truncated: the PNG ends before its IEND chunk is complete");
-  return refused(name, "damaged PNG: " + printable(message_));
+    return badInput(name, "truncated: the PNG ends before its IEND chunk is complete");
+  return badInput(name, "damaged PNG: " + printable(message_));
 }
 
 void describeExpansion(const PngHeader& header, bool transparentColour,
@@ -186,7 +187,7 @@ void describeExpansion(const PngHeader& header, bool transparentColour,
   else if (header.bitDepth < 8)
     notes.emplace_back(std::to_string(header.bitDepth) + "-bit grey expanded to 8 bits");
   if (transparentColour)
-    notes.emplace_back("transparent colour turned into an alpha channel");
+    notes.emplace_back("transparent colour converted to an alpha channel");
 }
 
 } // namespace
@@ -207,7 +208,7 @@ Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& 
   PngReader reader(file);
   if (!reader.start())
     return reader.error(name);
-  // Not cleared: a truncated file then costs no more memory than it has rows for.
+  // Not initialised: a truncated file then commits memory only for the rows it has.
   const auto pixels = std::make_unique_for_overwrite<png_byte[]>(reader.rowBytes() * header.height);
   std::vector<png_bytep> rows(header.height);
   for (std::size_t y = 0; y < rows.size(); ++y)
@@ -227,7 +228,7 @@ Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& 
   ImageFile result{std::move(image), reader.bitDepth(), exifOrientation(reader.exif()), {}};
   describeExpansion(header, reader.hasTransparentColour(), result.notes);
   if (reader.warning()[0] != '\0')
-    result.notes.push_back("libpng warns: " + printable(reader.warning()));
+    result.notes.push_back("warning from libpng: " + printable(reader.warning()));
   return result;
 }
 

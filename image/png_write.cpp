@@ -17,8 +17,8 @@ namespace {
 
 const char* const kName = "PNG";
 
-/// Owns libpng's state. libpng leaves by longjmp, so each member function that calls it sets the
-/// return point anew and holds nothing that a longjmp may not skip.
+/// Owns libpng's state. libpng reports errors by longjmp, so every member function that calls it
+/// sets a new return point and holds no objects that a longjmp must not skip.
 class PngWriter {
 public:
   explicit PngWriter(std::vector<std::byte>& bytes) : bytes_(bytes) {}
@@ -51,7 +51,7 @@ void PngWriter::onWrite(png_structp png, png_bytep source, std::size_t size) {
   } catch (const std::bad_alloc&) {
     written = false;
   }
-  if (!written) // outside the handler, which a longjmp must not leave
+  if (!written) // outside the handler, because a longjmp must not leave it
     png_error(png, "out of memory");
 }
 
@@ -88,7 +88,7 @@ bool PngWriter::finish() {
   return true;
 }
 
-/// Codes of one row of values: bytes, or big-endian pairs of bytes.
+/// Quantizes one row of values to bytes or big-endian 16-bit codes.
 void quantizeRow(std::span<const float> values, int bits, std::vector<png_byte>& row) {
   const float largest = bits == 16 ? 65535.0f : 255.0f;
   auto target = row.begin();
@@ -110,7 +110,7 @@ Result<std::vector<std::byte>> encode(const AnyImage& image, int bits) {
       return encodable.error();
     if (bits != 8 && bits != 16)
       return Error{ErrorKind::usage,
-                   "PNG: " + std::to_string(bits) + " bits per channel; 8 and 16 are accepted"};
+                   "PNG: " + std::to_string(bits) + " bits per channel; expected 8 or 16"};
     std::vector<std::byte> bytes;
     const std::size_t valuesPerRow = std::size_t(image.width) * std::size_t(image.channels);
     std::vector<png_byte> row(valuesPerRow * std::size_t(bits / 8));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sRGB transfer functions of IEC 61966-2-1, value by value and image by image.
+// The sRGB transfer functions of IEC 61966-2-1, for values and images.
 #include <lichen/image.h>
 
 #include <array>
@@ -9,16 +9,16 @@
 namespace lichen {
 namespace {
 
-// IEC 61966-2-1: a line of slope 12.92 near black, a power of 2.4 with offset 0.055 above.
+// IEC 61966-2-1: linear with slope 12.92 near black, a power of 2.4 with offset 0.055 above.
 constexpr float kLinearSlope = 12.92f;
 constexpr float kPower = 2.4f;
-constexpr double kOffset = 0.055; // in double, so that 1 becomes 1 exactly
+constexpr double kOffset = 0.055; // in double, so that 1 maps exactly to 1
 constexpr float kCodeBreak = 0.04045f;
 constexpr float kLightBreak = 0.0031308f;
 
 constexpr float kLargestCode = 255.0f; // of an 8-bit file
 
-/// Light of every 8-bit code. Most exemplars come from 8-bit files, and pow() is slow.
+/// Linear light of every 8-bit code. Most exemplars are 8-bit files, and pow() is slow.
 std::array<float, 256> tabulateLight() {
   std::array<float, 256> table;
   for (std::size_t code = 0; code < table.size(); ++code)
@@ -26,7 +26,7 @@ std::array<float, 256> tabulateLight() {
   return table;
 }
 
-/// The same bits as srgbToLinear(code), sooner when code is a multiple of 1/255.
+/// Bit-identical to srgbToLinear(code), but faster if code is a multiple of 1/255.
 float srgbToLinearByTable(float code) {
   static const std::array<float, 256> table = tabulateLight();
   if (code >= 0.0f && code <= 1.0f) {

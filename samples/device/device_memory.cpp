@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers and images with memory of their own, one-shot submits, readback, validation messages.
+// Buffers and images with their own memory, one-time submits, readback, validation messages.
 #include "create_object.h"
 
 #include <lichen/vulkan_device.h>
@@ -61,7 +61,7 @@ Error vulkanError(const std::string& what, VkResult result) {
     reason = "no driver is compatible";
     break;
   default:
-    reason = "the driver refused";
+    reason = "the driver reported an error";
     break;
   }
   return {exhausted ? ErrorKind::resources : ErrorKind::environment,
@@ -117,20 +117,22 @@ void DeviceImage::reset() {
 }
 
 Result<VkDeviceMemory> VulkanDevice::allocate(const VkMemoryRequirements& requirements,
-                                              VkMemoryPropertyFlags wanted) {
+                                              VkMemoryPropertyFlags required) {
   const std::uint32_t most = properties_.limits.maxMemoryAllocationCount;
   if (allocations_ >= most)
-    return Error{ErrorKind::resources, "this Vulkan device accepts up to " + std::to_string(most) +
-                                           " allocations, one for each texture and buffer; fewer "
-                                           "are accepted"};
-  // Protected memory is for protected queues, lazily allocated memory for transient attachments.
+    return Error{ErrorKind::resources,
+                 "the scene needs more than " + std::to_string(most) +
+                     " memory allocations, the limit of this Vulkan device; use fewer textures "
+                     "(each texture and each buffer takes one)"};
+  // Protected memory requires a protected queue; lazily allocated memory only suits transient
+  // attachments.
   constexpr VkMemoryPropertyFlags kUnwanted =
       VK_MEMORY_PROPERTY_PROTECTED_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT;
   VkPhysicalDeviceMemoryProperties memory{};
   vkGetPhysicalDeviceMemoryProperties(physicalDevice_, &memory);
   for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
     if ((requirements.memoryTypeBits & (1u << type)) == 0 ||
-        (memory.memoryTypes[type].propertyFlags & (wanted | kUnwanted)) != wanted)
+        (memory.memoryTypes[type].propertyFlags & (required | kUnwanted)) != required)
       continue;
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = requirements.size;
@@ -138,11 +140,12 @@ Result<VkDeviceMemory> VulkanDevice::allocate(const VkMemoryRequirements& requir
     VkDeviceMemory handle = VK_NULL_HANDLE;
     if (const VkResult result = vkAllocateMemory(device_, &info, nullptr, &handle);
         result != VK_SUCCESS)
-      return vulkanError("allocating " + std::to_string(info.allocationSize) + " bytes", result);
+      return vulkanError("cannot allocate " + std::to_string(info.allocationSize) + " bytes",
+                         result);
     ++allocations_;
     return handle;
   }
-  return Error{ErrorKind::environment, "the Vulkan device has no memory of the kind needed"};
+  return Error{ErrorKind::environment, "the Vulkan device has no suitable memory type"};
 }
 
 Result<DeviceBuffer> VulkanDevice::createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
@@ -155,7 +158,7 @@ Result<DeviceBuffer> VulkanDevice::createBuffer(VkDeviceSize size, VkBufferUsage
   info.usage = usage;
   if (const VkResult result = createObject(vkCreateBuffer, device_, info, buffer.handle);
       result != VK_SUCCESS)
-    return vulkanError("a buffer of " + std::to_string(size) + " bytes", result);
+    return vulkanError("cannot create a buffer of " + std::to_string(size) + " bytes", result);
   VkMemoryRequirements requirements{};
   vkGetBufferMemoryRequirements(device_, buffer.handle, &requirements);
   Result<VkDeviceMemory> memory =
@@ -171,30 +174,30 @@ Result<DeviceBuffer> VulkanDevice::createBuffer(VkDeviceSize size, VkBufferUsage
   if (result == VK_SUCCESS && hostVisible)
     result = vkMapMemory(device_, buffer.memory_, 0, VK_WHOLE_SIZE, 0, &mapped);
   if (result != VK_SUCCESS)
-    return vulkanError("a buffer of " + std::to_string(size) + " bytes", result);
+    return vulkanError("cannot create a buffer of " + std::to_string(size) + " bytes", result);
   buffer.mapped = static_cast<std::byte*>(mapped);
   return buffer;
 }
 
-Result<DeviceImage> VulkanDevice::createImage(const DeviceImageInfo& wanted) {
-  const std::string name = "an image of " + std::to_string(wanted.extent.width) + " x " +
-                           std::to_string(wanted.extent.height);
+Result<DeviceImage> VulkanDevice::createImage(const DeviceImageInfo& request) {
+  const std::string failure = "cannot create an image of " + std::to_string(request.extent.width) +
+                              " x " + std::to_string(request.extent.height);
   DeviceImage image;
   image.device_ = device_;
-  image.info = wanted;
+  image.info = request;
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-  info.flags = wanted.flags;
-  info.imageType = wanted.extent.depth > 1 ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
-  info.format = wanted.format;
-  info.extent = wanted.extent;
-  info.mipLevels = wanted.mipLevels;
-  info.arrayLayers = wanted.layers;
-  info.samples = wanted.samples;
+  info.flags = request.flags;
+  info.imageType = request.extent.depth > 1 ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+  info.format = request.format;
+  info.extent = request.extent;
+  info.mipLevels = request.mipLevels;
+  info.arrayLayers = request.layers;
+  info.samples = request.samples;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage = wanted.usage;
+  info.usage = request.usage;
   if (const VkResult result = createObject(vkCreateImage, device_, info, image.handle);
       result != VK_SUCCESS)
-    return vulkanError(name, result);
+    return vulkanError(failure, result);
   VkMemoryRequirements requirements{};
   vkGetImageMemoryRequirements(device_, image.handle, &requirements);
   Result<VkDeviceMemory> memory = allocate(requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
@@ -204,14 +207,14 @@ Result<DeviceImage> VulkanDevice::createImage(const DeviceImageInfo& wanted) {
   image.allocations_ = &allocations_;
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   view.image = image.handle;
-  view.viewType = wanted.extent.depth > 1 ? VK_IMAGE_VIEW_TYPE_3D : wanted.viewType;
-  view.format = wanted.format;
-  view.subresourceRange = {wanted.aspect, 0, wanted.mipLevels, 0, wanted.layers};
+  view.viewType = request.extent.depth > 1 ? VK_IMAGE_VIEW_TYPE_3D : request.viewType;
+  view.format = request.format;
+  view.subresourceRange = {request.aspect, 0, request.mipLevels, 0, request.layers};
   VkResult result = vkBindImageMemory(device_, image.handle, image.memory_, 0);
   if (result == VK_SUCCESS)
     result = createObject(vkCreateImageView, device_, view, image.view);
   if (result != VK_SUCCESS)
-    return vulkanError(name, result);
+    return vulkanError(failure, result);
   return image;
 }
 
@@ -223,7 +226,7 @@ Result<void> VulkanDevice::submit(const std::function<void(VkCommandBuffer)>& re
   VkCommandBuffer commands = VK_NULL_HANDLE;
   if (const VkResult result = vkAllocateCommandBuffers(device_, &allocation, &commands);
       result != VK_SUCCESS)
-    return vulkanError("a command buffer", result);
+    return vulkanError("cannot allocate a command buffer", result);
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   VkSubmitInfo submission{VK_STRUCTURE_TYPE_SUBMIT_INFO};
@@ -241,7 +244,7 @@ Result<void> VulkanDevice::submit(const std::function<void(VkCommandBuffer)>& re
   if (result == VK_SUCCESS)
     result = vkResetFences(device_, 1, &fence_);
   if (result != VK_SUCCESS)
-    return vulkanError("submitting work to the device", result);
+    return vulkanError("cannot submit work to the device", result);
   vkFreeCommandBuffers(device_, commandPool_, 1, &commands);
   return {};
 }

@@ -66,7 +66,7 @@ Result<void> loadVulkan() {
 
 std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance) {
   std::uint32_t count = 0;
-  // A loader without any driver answers with an error here, which means the same as none.
+  // Without a driver, some loaders return an error here instead of zero devices.
   if (vkEnumeratePhysicalDevices(instance, &count, nullptr) != VK_SUCCESS)
     return {};
   std::vector<VkPhysicalDevice> devices(count);
@@ -82,7 +82,7 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
-/// Lower is better.
+/// Rank of a device type; lower is better.
 int preference(VkPhysicalDeviceType type) {
   switch (type) {
   case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
@@ -96,11 +96,12 @@ int preference(VkPhysicalDeviceType type) {
   }
 }
 
-/// The chosen index, or `devices.size()` when `choice` fits none.
+/// Index of the device to use, or `devices.size()` when `choice` matches none.
 std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
                        const std::vector<bool>& haveQueue, const std::string& choice) {
   if (choice.empty()) {
-    // A device that is too old comes last, and one without a queue before it, whatever their type.
+    // Devices that are too old rank last, those without a usable queue second to last, whatever
+    // their type.
     const auto rank = [&](std::size_t i) {
       return std::tuple(devices[i].apiVersion < VK_API_VERSION_1_3, !haveQueue[i],
                         preference(devices[i].deviceType));
@@ -116,40 +117,40 @@ std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
   if (const auto parsed = std::from_chars(choice.data(), end, index);
       parsed.ec == std::errc() && parsed.ptr == end)
     return std::min(index, devices.size());
-  const std::string wanted = lowered(choice);
+  const std::string lowerChoice = lowered(choice);
   return std::size_t(std::find_if(devices.begin(), devices.end(),
                                   [&](const auto& device) {
-                                    return lowered(device.deviceName).find(wanted) !=
+                                    return lowered(device.deviceName).find(lowerChoice) !=
                                            std::string::npos;
                                   }) -
                      devices.begin());
 }
 
-/// A family with graphics and compute, which both imply transfer, that presents where that is asked
-/// for. -1 when there is none.
+/// Index of a queue family with graphics and compute (both imply transfer) that can present if
+/// options.canPresent asks for it; -1 if there is none.
 int queueFamilyOf(VkInstance instance, VkPhysicalDevice device,
                   const VulkanDeviceOptions& options) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  constexpr VkQueueFlags kRequired = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (std::uint32_t i = 0; i < count; ++i)
-    if ((families[i].queueFlags & kWanted) == kWanted &&
+    if ((families[i].queueFlags & kRequired) == kRequired &&
         (!options.canPresent || options.canPresent(instance, device, i)))
       return int(i);
   return -1;
 }
 
-/// VkPhysicalDeviceFeatures is nothing but VkBool32 members.
+/// VkPhysicalDeviceFeatures consists of VkBool32 members only, so this compares it as an array.
 bool containsFeatures(const VkPhysicalDeviceFeatures& available,
-                      const VkPhysicalDeviceFeatures& wanted) {
+                      const VkPhysicalDeviceFeatures& required) {
   constexpr std::size_t kCount = sizeof(VkPhysicalDeviceFeatures) / sizeof(VkBool32);
-  std::array<VkBool32, kCount> has{}, wants{};
+  std::array<VkBool32, kCount> has{}, needed{};
   std::memcpy(has.data(), &available, sizeof available);
-  std::memcpy(wants.data(), &wanted, sizeof wanted);
+  std::memcpy(needed.data(), &required, sizeof required);
   for (std::size_t i = 0; i < kCount; ++i)
-    if (wants[i] && !has[i])
+    if (needed[i] && !has[i])
       return false;
   return true;
 }
@@ -186,11 +187,11 @@ Result<void> VulkanDevice::createInstance(const VulkanDeviceOptions& options) {
   info.enabledExtensionCount = std::uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) // what the loader says when it finds no driver
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) // the loader's answer when it finds no driver
     return noDevice();
   if (result != VK_SUCCESS)
-    return vulkanError("no Vulkan instance", result);
-  // Not volkLoadDevice: device entry points of one device would not serve another.
+    return vulkanError("cannot create a Vulkan instance", result);
+  // volkLoadDevice would load the entry points of one device, which do not serve another device.
   volkLoadInstance(instance_);
   if (options.validation) {
     destroyMessenger_ = vkDestroyDebugUtilsMessengerEXT;
@@ -198,7 +199,7 @@ Result<void> VulkanDevice::createInstance(const VulkanDeviceOptions& options) {
     if (const VkResult created =
             createObject(vkCreateDebugUtilsMessengerEXT, instance_, messenger, messenger_);
         created != VK_SUCCESS)
-      return vulkanError("no validation messages", created);
+      return vulkanError("cannot receive validation messages", created);
   }
   return {};
 }
@@ -240,7 +241,7 @@ Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
   VkPhysicalDeviceFeatures available{};
   vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
   if (!containsFeatures(available, options.features))
-    return Error{ErrorKind::environment, device + " lacks a feature that this program needs"};
+    return Error{ErrorKind::environment, device + " lacks a feature that this program requires"};
   VkPhysicalDeviceFeatures features = options.features;
   features.fullDrawIndexUint32 = available.fullDrawIndexUint32;
 
@@ -273,7 +274,7 @@ Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
   if (result == VK_SUCCESS)
     result = createObject(vkCreateFence, device_, fence, fence_);
   if (result != VK_SUCCESS)
-    return vulkanError(device + ": no command pool", result);
+    return vulkanError(device + ": cannot create a command pool", result);
   return {};
 }
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Granite, polished: crystals of feldspar in a finer mosaic of quartz and feldspar, with clustered
-// flakes of biotite.
+// Polished granite: feldspar crystals in a finer mosaic of quartz and feldspar, with clusters of
+// biotite flakes.
 #include "materials.h"
 #include "periodic.h"
 
 namespace lichen::exemplars {
 namespace {
 
-/// The noise fields that tell one point of a grain from the next.
+/// Noise fields for variation within a grain.
 struct Detail {
   Field warpX, warpY, cloud, fine, crack;
 };
 
-/// Streaks along the grain: fine noise read in the grain's own frame, stretched along it.
+/// Streaks along the grain: fine noise sampled in the grain's own frame and stretched along it.
 float streaks(const GrainHit& hit, float phase, const Detail& detail) {
-  constexpr float kAlong = 0.2f;  // streaks five times longer than the noise
-  constexpr float kAcross = 1.2f; // and a little thinner
+  constexpr float kAlong = 0.2f;  // five times longer than the noise
+  constexpr float kAcross = 1.2f; // slightly thinner
   return detail.fine.atPixel(hit.along * kAlong + phase, hit.across * kAcross + phase);
 }
 
@@ -23,7 +23,7 @@ Color potassiumFeldspar(const GrainHit& hit, float x, float y, const Detail& det
   Random random(hit.grain->id);
   const Color body = mix({0.66f, 0.50f, 0.43f}, {0.79f, 0.67f, 0.59f}, random.unit());
   const float brightness = 1.0f + 0.06f * random.range(-1.0f, 1.0f);
-  // Perthite: pale lamellae along the grain; and alteration, which clouds it.
+  // Perthite (pale lamellae along the grain), clouded by alteration.
   const float lamella = smoothStep(0.2f, 1.6f, streaks(hit, random.range(0.0f, 90.0f), detail));
   const Color perthite = mix(body, {0.86f, 0.78f, 0.72f}, 0.5f * lamella);
   return scaled(perthite, brightness + 0.05f * detail.cloud.atPixel(x, y) +
@@ -41,7 +41,7 @@ Color plagioclase(const GrainHit& hit, float x, float y, const Detail& detail) {
 Color quartz(const GrainHit& hit, float x, float y, const Detail& detail) {
   Random random(hit.grain->id);
   const Color body = mix({0.36f, 0.35f, 0.34f}, {0.60f, 0.58f, 0.55f}, random.unit());
-  // Clear: dark where one looks deep, light where a healed crack scatters.
+  // Clear: dark where the view reaches deep, light where a healed crack scatters.
   const float scatter = smoothStep(0.8f, 2.2f, detail.crack.atPixel(x, y));
   return scaled(mix(body, {0.80f, 0.78f, 0.75f}, 0.55f * scatter),
                 1.0f + 0.16f * detail.cloud.atPixel(x, y) + 0.04f * detail.fine.atPixel(x, y));
@@ -51,20 +51,20 @@ Color biotite(const GrainHit& hit, float x, float y, const Detail& detail) {
   Random random(hit.grain->id);
   const float brown = random.unit();
   const Color body = mix({0.09f, 0.085f, 0.085f}, {0.23f, 0.19f, 0.155f}, brown * brown);
-  // Cleavage sheets seen on edge catch the light along the flake.
+  // Cleavage sheets, seen edge-on, catch the light along the flake.
   const float sheet = smoothStep(0.5f, 2.0f, streaks(hit, random.range(0.0f, 90.0f), detail));
   return scaled(mix(body, {0.50f, 0.47f, 0.44f}, 0.55f * sheet),
                 1.0f + 0.15f * detail.fine.atPixel(x, y));
 }
 
-/// The crystals that grew first and large, or the mosaic between them.
+/// A large, early crystal, or a grain of the mosaic between them.
 struct Crystal {
   GrainHit hit;
   Color color;
 };
 
 Crystal bulkAt(const Mosaic& large, const Mosaic& small, float x, float y, const Detail& detail) {
-  constexpr float kLargeShare = 0.34f; // of the large mosaic's grains that are crystals
+  constexpr float kLargeShare = 0.34f; // share of the large mosaic's grains that are crystals
   const GrainHit first = large.at(x, y);
   Random random(first.grain->id ^ 0x51ed270bu);
   const float kind = random.unit();
@@ -74,7 +74,7 @@ Crystal bulkAt(const Mosaic& large, const Mosaic& small, float x, float y, const
   const GrainHit hit = small.at(x, y);
   Random between(hit.grain->id ^ 0x51ed270bu);
   const float mineral = between.unit();
-  constexpr float kQuartz = 0.47f; // of the finer grains, by number
+  constexpr float kQuartz = 0.47f; // share of the finer grains, by number
   constexpr float kPlagioclase = 0.80f;
   if (mineral < kQuartz)
     return {hit, quartz(hit, x, y, detail)};
@@ -99,7 +99,7 @@ SrgbImage granite(int side) {
   Canvas canvas(side);
   for (int sy = 0; sy < canvas.side(); ++sy) {
     for (int sx = 0; sx < canvas.side(); ++sx) {
-      constexpr float kRagged = 1.2f; // pixels by which boundaries wander
+      constexpr float kRagged = 1.2f; // pixels of boundary displacement
       const float x = pixelOf(sx) + kRagged * detail.warpX.at(sx, sy);
       const float y = pixelOf(sy) + kRagged * detail.warpY.at(sx, sy);
       const Crystal crystal = bulkAt(large, small, x, y, detail);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sum of noises as a height field over a fan in front of the camera, whose cells are alike in the
-// picture. The bare numbers are appearance, as in materials.h.
+// A height field from a sum of noises, over a fan of cells in front of the camera that all have a
+// similar size on screen. Literals are art direction, as in materials.h.
 #include "landscape.h"
 
 #include "mesh_scene.h"
@@ -18,11 +18,11 @@ namespace {
 // Cells of the fan, two triangles each.
 constexpr std::uint32_t kColumns = 500;
 constexpr std::uint32_t kRows = 1000;
-constexpr float kHalfAngle = 40.0f * std::numbers::pi_v<float> / 180.0f; // wider than a picture
+constexpr float kHalfAngle = 40.0f * std::numbers::pi_v<float> / 180.0f; // wider than the view
 constexpr float kNearest = 1.5f, kFarthest = 3000.0f;                    // metres
 constexpr float kEyeHeight = 1.7f;
 
-/// Metres above 0 at a place of the ground, in metres.
+/// Height in metres at a ground position in metres.
 float heightAt(float x, float z) {
   const float distance = std::sqrt(x * x + z * z);
   float height = 0.0f;
@@ -30,7 +30,8 @@ float heightAt(float x, float z) {
   for (float period = 1300.0f; period > 0.5f; period *= 0.47f, ++seed) {
     const float noise = spaceNoise({x / period, 0.0f, z / period}, seed);
     const float ridge = 0.7f - 2.0f * std::abs(noise);
-    // Hills begin at several times their own size, so that the camera does not stand in one.
+    // Hills start at a few times their own size from the camera, so that it does not stand inside
+    // one.
     const float rise = smoothStep(0.3f * period, 2.5f * period, distance);
     height += 0.12f * period * (period > 20.0f ? rise * ridge : 0.7f * noise);
   }
@@ -38,7 +39,7 @@ float heightAt(float x, float z) {
   return height + 3.0f * smoothStep(0.4f, 0.75f, outcrop) * smoothStep(8.0f, 25.0f, distance);
 }
 
-/// How the ground rises along x and z, over a length that a cell there can show.
+/// Slope of the ground along x and z, over about the size of a cell there.
 std::array<float, 2> slopeAt(float x, float z) {
   const float step = 0.004f * std::sqrt(x * x + z * z) + 0.01f;
   return {(heightAt(x + step, z) - heightAt(x - step, z)) / (2.0f * step),
@@ -59,28 +60,29 @@ void addVertices(SceneMesh& mesh) {
   }
 }
 
-/// Of [-1, 1]: noises of many sizes, each up to where a cell can no longer show it.
+/// Noises of several periods, in [-1, 1], each fading out where cells become too large to show it.
 float patchesAt(float x, float z) {
   const float distance = std::sqrt(x * x + z * z);
   float sum = 0.0f;
   std::uint32_t seed = 60;
   for (const float period : {0.4f, 2.1f, 11.0f, 60.0f}) {
-    const float shown = 1.0f - smoothStep(16.0f * period, 40.0f * period, distance);
-    sum += 0.25f * shown * spaceNoise({x / period, 0.0f, z / period}, seed++);
+    const float fade = 1.0f - smoothStep(16.0f * period, 40.0f * period, distance);
+    sum += 0.25f * fade * spaceNoise({x / period, 0.0f, z / period}, seed++);
   }
   return sum;
 }
 
-/// How much of a vertex is rock, 0 to 1.
+/// Share of rock at a vertex, 0 to 1.
 float rockAt(const SceneMesh& mesh, std::size_t vertex) {
-  const auto& place = mesh.positions[vertex];
-  constexpr float kUpright = 0.9f;  // y of the normal of ground that moss still holds on to
-  constexpr float kBorder = 0.012f; // within which it gets thin
-  const float limit = kUpright + 0.2f * patchesAt(place[0], place[2]);
+  const auto& position = mesh.positions[vertex];
+  constexpr float kUpright = 0.9f;  // y of the normal of the steepest ground that moss covers
+  constexpr float kBorder = 0.012f; // half the transition's width
+  const float limit = kUpright + 0.2f * patchesAt(position[0], position[2]);
   return smoothStep(-kBorder, kBorder, limit - mesh.normals[vertex][1]);
 }
 
-/// Ground, rock, or ground below and a layer of rock above, where a triangle has both.
+/// Adds a triangle as ground, as rock, or, if it has both, as ground with a blended layer of rock
+/// on top.
 void addTriangle(SceneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   const auto [least, most] = std::minmax({mesh.alphas[a], mesh.alphas[b], mesh.alphas[c]});
@@ -114,7 +116,7 @@ std::vector<std::byte> landscapeGlb() {
             std::array{corner + 1, corner + kRow + 1, corner + kRow}})
         addTriangle(mesh, triangle);
     }
-  // Downwards by 5 degrees.
+  // Pitched down by 5 degrees.
   const std::vector<SceneCamera> cameras{
       {"view", {0.0, heightAt(0.0f, 0.0f) + kEyeHeight, 0.0}, {{-0.0436194, 0.0, 0.0, 0.9990482}}}};
   return meshSceneGlb(mesh, cameras);

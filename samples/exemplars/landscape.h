@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A landscape from the feet to the horizon, of a million triangles: for noise that needs no texture
-// coordinates, near and far.
+// A landscape of a million triangles that reaches from the camera to the horizon, for noise without
+// texture coordinates at all distances.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace lichen::exemplars {
 
-/// Ground within three kilometres of a camera, 'view', with normals, as the file of a scene with
-/// three materials: 'ground'; 'rock' where it is steep; and 'rock edge', a layer on the ground
-/// around it, as opaque as there is rock. 1,000,000 triangles and those of the layer, 29 MB; the
-/// same bytes each time. Throws std::bad_alloc.
+/// A GLB of the ground within three kilometres of the camera 'view', with normals and three
+/// materials: 'ground'; 'rock' on steep slopes; and 'rock edge', a blended layer around the rock
+/// whose alpha is the share of rock. 1,000,000 triangles plus those of the layer, 29 MB. The result
+/// is deterministic. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> landscapeGlb();
 
 } // namespace lichen::exemplars

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lichen on stone: crusts of three species, lobed at the margin, cracked inside and dotted with
-// fruiting bodies, on weathered rock.
+// Lichen on stone: crusts of three species on weathered rock, with lobed margins, cracks and
+// fruiting bodies.
 #include "materials.h"
 #include "periodic.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's own example exemplars as PNG,
-// and meshes to put them on.
+// lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's example exemplars as PNG, and
+// meshes to use them on.
 #include "landscape.h"
 #include "materials.h"
 #include "scanned_shape.h"
@@ -33,12 +33,12 @@ int fail(ErrorKind kind, const std::string& message) {
   return int(kind);
 }
 
-/// The names of the meshes, which are no pictures.
+/// Names of the meshes.
 constexpr const char* kScan = "scan";
-constexpr const char* kTerrain = "terrain"; // with its mask
+constexpr const char* kTerrain = "terrain"; // written together with its mask
 constexpr const char* kLandscape = "landscape";
 
-/// The materials, then the pictures that do not suit.
+/// The materials, then the unsuitable pictures.
 std::vector<exemplars::Material> pictures() {
   std::vector<exemplars::Material> all(exemplars::kMaterials.begin(), exemplars::kMaterials.end());
   for (const exemplars::Unsuitable& picture : exemplars::kUnsuitable)
@@ -46,8 +46,8 @@ std::vector<exemplars::Material> pictures() {
   return all;
 }
 
-/// 0, or after a message the exit code.
-int codeOf(const Result<void>& written, const std::filesystem::path& path) {
+/// Prints the path of a written file, or the error. Returns the exit code.
+int reportWritten(const Result<void>& written, const std::filesystem::path& path) {
   if (!written)
     return fail(written.error().kind, written.error().message);
   std::printf("%s\n", path.c_str());
@@ -60,17 +60,17 @@ int writeFiles(const std::filesystem::path& folder, int side,
   std::filesystem::create_directories(folder, error);
   if (error)
     return fail(ErrorKind::environment,
-                folder.string() + ": cannot make the folder: " + error.message());
+                folder.string() + ": cannot create the folder: " + error.message());
   const auto isNamed = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   const auto writeMesh = [&](const char* name, const std::vector<std::byte>& glb) {
     const std::filesystem::path path = folder / (std::string(name) + ".glb");
-    return codeOf(replaceFile(path, glb), path);
+    return reportWritten(replaceFile(path, glb), path);
   };
   const auto writePicture = [&](const std::string& name, const SrgbImage& image) {
     const std::filesystem::path path = folder / (name + ".png");
-    return codeOf(writeImage(path, image), path);
+    return reportWritten(writeImage(path, image), path);
   };
   int code = 0;
   for (const exemplars::Material& picture : pictures())
@@ -91,7 +91,7 @@ int failUsage(const std::string& message) {
   return fail(ErrorKind::usage, message + "; see 'lichen-exemplars --help'");
 }
 
-/// What the parser found wrong, in the words of the command line.
+/// Rewrites a parser error in the style of the lichen command.
 int failUsage(const CLI::App& app, const CLI::ParseError& fault) {
   const std::string text = fault.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr)
@@ -109,8 +109,8 @@ int run(int argc, char** argv) {
   known.emplace_back(kTerrain);
   known.emplace_back(kLandscape);
 
-  CLI::App app("Writes the project's own example exemplars: tileable PNG, 8-bit sRGB; and meshes "
-               "to put them on.",
+  CLI::App app("Writes the project's example exemplars (tileable 8-bit sRGB PNG) and meshes to use "
+               "them on.",
                "lichen-exemplars");
   app.set_help_flag("-h,--help", "Print this page and exit");
   app.formatter(cli::helpFormatter());
@@ -118,13 +118,13 @@ int run(int argc, char** argv) {
   std::string folder;
   int side = 0;
   std::vector<std::string> names;
-  cli::addText(app, "OUTDIR", folder, "", "The folder, made when absent").required();
+  cli::addText(app, "OUTDIR", folder, "", "Output folder; created if it does not exist").required();
   cli::addTexts(app, "NAME", names, "...",
-                "Which ones: " + cli::alternatives(known) + " [default: the " +
-                    std::to_string(exemplars::kMaterials.size()) + " materials, which come first]");
+                "Exemplars to write: " + cli::alternatives(known) + " [default: the first " +
+                    std::to_string(exemplars::kMaterials.size()) + ", which are materials]");
   cli::addValue(app, "--size", side,
                 cli::wholeNumber(exemplars::kSmallestSide, exemplars::kLargestSide), "512",
-                "Pixels a side; details keep their size");
+                "Pixels per side; details keep their size in pixels");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {
@@ -134,7 +134,7 @@ int run(int argc, char** argv) {
   }
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return failUsage(name + ": no such exemplar; " + cli::alternatives(known) + " is accepted");
+      return failUsage(name + ": no such exemplar; " + cli::alternatives(known) + " are available");
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);
@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::resources, "memory exhausted; try a smaller --size");
+    return fail(ErrorKind::resources, "out of memory; try a smaller --size");
   } catch (const std::exception& error) {
     return fail(ErrorKind::badInput, error.what());
   }

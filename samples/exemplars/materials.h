@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The project's own example exemplars: stochastic materials, made by code.
+// The project's example exemplars: procedurally generated stochastic materials.
 //
-// The generators' bare numbers are appearance: colours in sRGB code values, lengths in pixels,
-// shares and strengths, chosen by eye beside photographs, and seeds.
+// Literals in the generators are art direction, chosen by eye next to photographs: colours in sRGB
+// code values, lengths in pixels, shares, strengths and seeds.
 #pragma once
 
 #include <lichen/image.h>
@@ -12,11 +12,12 @@
 namespace lichen::exemplars {
 
 inline constexpr int kSmallestSide = 64;
-inline constexpr int kLargestSide = 2048; // of which the fields take about 1 GB
+inline constexpr int kLargestSide = 2048; // uses about 1 GB of memory
 
-/// Each makes a square, tileable, opaque RGB exemplar of `sidePixels` a side, in [kSmallestSide,
-/// kLargestSide], rounded to 8 bits. Grains, leaves and flakes keep their size in pixels: a smaller
-/// side shows less of the material, not a smaller picture of it. The same bytes each time.
+/// Each function generates a square, tileable, opaque RGB exemplar with `sidePixels` pixels per
+/// side, in [kSmallestSide, kLargestSide], rounded to 8 bits. Details keep their size in pixels: a
+/// smaller side shows less of the material, not a smaller version of it. The result is
+/// deterministic.
 [[nodiscard]] SrgbImage granite(int sidePixels);
 [[nodiscard]] SrgbImage lichenOnStone(int sidePixels);
 [[nodiscard]] SrgbImage moss(int sidePixels);
@@ -25,7 +26,7 @@ inline constexpr int kLargestSide = 2048; // of which the fields take about 1 GB
 [[nodiscard]] SrgbImage terrazzo(int sidePixels);
 
 struct Material {
-  const char* name; ///< also the file's, without .png
+  const char* name; ///< also the file name without .png
   SrgbImage (*generate)(int sidePixels);
 };
 

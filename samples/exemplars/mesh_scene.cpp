@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays of vertices -> accessors and views of one buffer; see mesh_scene.h.
+// Vertex arrays -> accessors and bufferViews of one buffer; see mesh_scene.h.
 #include "mesh_scene.h"
 
 #include <lichen/gltf_container.h>
@@ -12,12 +12,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The buffer as it grows, and what lies in it.
+/// Appends data to the buffer, with a bufferView and an accessor for each array.
 class Accessors {
 public:
   explicit Accessors(ordered_json& json) : json_(json) {}
 
-  /// Returns the index of the accessor.
+  /// Returns the accessor's index.
   template <std::size_t kComponents>
   std::size_t addVertices(const std::vector<std::array<float, kComponents>>& values) {
     constexpr int kFloat = 5126, kVertices = 34962;
@@ -26,7 +26,7 @@ public:
                 {"count", values.size()},
                 {"type", "VEC" + std::to_string(kComponents)}});
   }
-  /// White, with these alphas.
+  /// Adds white vertex colours with these alphas.
   std::size_t addColors(const std::vector<float>& alphas) {
     constexpr int kUnsignedByte = 5121, kVertices = 34962;
     constexpr std::uint8_t kOne = 255;
@@ -47,13 +47,13 @@ public:
   [[nodiscard]] const std::vector<std::byte>& binary() const { return binary_; }
 
 private:
-  std::size_t add(std::span<const std::byte> bytes, int target, const ordered_json& what) {
+  std::size_t add(std::span<const std::byte> bytes, int target, const ordered_json& accessor) {
     const std::size_t index = json_["accessors"].size();
     json_["bufferViews"].push_back({{"buffer", 0},
                                     {"byteOffset", binary_.size()},
                                     {"byteLength", bytes.size()},
                                     {"target", target}});
-    json_["accessors"].push_back(what);
+    json_["accessors"].push_back(accessor);
     json_["accessors"].back()["bufferView"] = index;
     binary_.insert(binary_.end(), bytes.begin(), bytes.end());
     return index;
@@ -104,7 +104,8 @@ std::vector<std::byte> meshSceneGlb(const SceneMesh& mesh, std::span<const Scene
   const auto addPart = [&](const std::string& material, const std::vector<std::uint32_t>& triangles,
                            bool isBlended) {
     const std::size_t indices = accessors.addIndices(triangles);
-    const std::size_t index = json["materials"].size(); // ahead: a new member moves the others
+    // read first: adding members below may move others
+    const std::size_t index = json["materials"].size();
     json["meshes"][0]["primitives"].push_back(
         {{"attributes", attributes}, {"indices", indices}, {"material", index}});
     json["materials"].push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file of a scene of one mesh, with a material or several, and cameras.
+// Writes a scene with one mesh, one or more materials, and cameras.
 #pragma once
 
 #include <array>
@@ -12,31 +12,31 @@
 
 namespace lichen::exemplars {
 
-/// Triangles of a mesh with a material of their own.
+/// Triangles of a mesh that have their own material.
 struct ScenePart {
   std::string material;
-  std::vector<std::uint32_t> triangles; ///< as SceneMesh::triangles
-  bool isBlended = false;               ///< by SceneMesh::alphas
+  std::vector<std::uint32_t> triangles; ///< like SceneMesh::triangles
+  bool isBlended = false;               ///< blended by SceneMesh::alphas
 };
 
 struct SceneMesh {
-  std::string name; ///< of node, mesh and first material
+  std::string name; ///< name of the node, the mesh and the first material
   std::vector<std::array<float, 3>> positions;
-  std::vector<std::array<float, 3>> normals;   ///< of each position, or none
-  std::vector<std::array<float, 2>> texCoords; ///< likewise
-  std::vector<float> alphas;                   ///< likewise, in [0, 1], of 8 bits in the file
-  std::vector<std::uint32_t> triangles;        ///< three positions each, counter-clockwise
-  std::vector<ScenePart> otherParts;           ///< of the same positions
+  std::vector<std::array<float, 3>> normals;   ///< one per position, or empty
+  std::vector<std::array<float, 2>> texCoords; ///< one per position, or empty
+  std::vector<float> alphas; ///< one per position, or empty; in [0, 1], stored with 8 bits
+  std::vector<std::uint32_t> triangles; ///< indices, three per triangle, counter-clockwise
+  std::vector<ScenePart> otherParts;    ///< share the positions
   bool isDoubleSided = false;
 };
 
 struct SceneCamera {
   const char* name;
   std::array<double, 3> translation{};
-  std::optional<std::array<double, 4>> rotation; ///< a quaternion, w last
+  std::optional<std::array<double, 4>> rotation; ///< quaternion, w last
 };
 
-/// As a GLB. Throws std::bad_alloc.
+/// Returns the scene as a GLB. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> meshSceneGlb(const SceneMesh& mesh,
                                                   std::span<const SceneCamera> cameras);
 

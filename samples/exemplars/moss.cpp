@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moss seen from above: thousands of star-shaped shoots at different heights over dark litter.
 //
-// Each shoot is a rosette of leaflets painted with a depth buffer; what lies deeper than its
-// surroundings is darker, as light does not get down there.
+// Each shoot is a rosette of leaflets, painted with a depth buffer. Points below their surroundings
+// are darkened.
 #include "materials.h"
 #include "periodic.h"
 
@@ -33,7 +33,7 @@ void paintLeaflet(const Leaflet& leaf, Relief& layers) {
       const float t = (dx * leaf.direction.x + dy * leaf.direction.y) / leaf.length;
       if (t < 0.0f || t > 1.0f)
         continue;
-      // Lance-shaped: widest at a third of its length, pointed at the tip.
+      // Lanceolate: widest at a third of its length, pointed at the tip.
       const float profile = 2.6f * std::sqrt(t) * (1.0f - t);
       const float across =
           (dy * leaf.direction.x - dx * leaf.direction.y) / (0.5f * leaf.width * profile + 0.01f);
@@ -45,7 +45,7 @@ void paintLeaflet(const Leaflet& leaf, Relief& layers) {
       if (height <= top)
         continue;
       top = height;
-      // Two halves of a keeled leaf: the one that faces the light, from the upper left, is lighter.
+      // A keeled leaf: the half that faces the light, from the upper left, is lighter.
       const float facing = (leaf.direction.y - leaf.direction.x) * 0.7f * across;
       const float shade = 0.72f + 0.36f * t + 0.16f * facing;
       const int wx = (sx % side + side) % side;
@@ -77,7 +77,7 @@ void paintShoot(float x, float y, float height, Random& random, Relief& layers) 
     for (int leaf = 0; leaf < leaves; ++leaf) {
       const Color tint = mix(color, {0.62f, 0.64f, 0.38f}, 0.22f * inward + 0.12f * random.unit());
       const float length = radius * (1.0f - 0.65f * inward) * random.range(0.7f, 1.2f);
-      // The outer leaflets droop, the inner ones stand up.
+      // Outer leaflets droop, inner ones stand up.
       const float base = height + 2.0f * inward;
       const float tip = base - 2.5f + 3.5f * inward + random.range(-1.2f, 1.2f);
       paintLeaflet({x + random.range(-0.7f, 0.7f), y + random.range(-0.7f, 0.7f),
@@ -96,7 +96,7 @@ void paintLitter(int side, Relief& layers) {
                                    clamped(0.4f + 0.3f * soil.at(x, y), 0.0f, 1.0f));
 }
 
-/// Darkens what lies below the mean height around it, near and far.
+/// Darkens points below the mean height of their near and far surroundings.
 void shadeByDepth(Relief& layers) {
   const Field near = blurred(layers.height, 2);
   const Field far = blurred(layers.height, 9);

@@ -17,7 +17,7 @@ namespace {
 
 int wrapped(int index, int count) {
   if (index >= 0 && index < count)
-    return index; // the usual case, without a division
+    return index; // common case, avoids the division
   const int remainder = index % count;
   return remainder < 0 ? remainder + count : remainder;
 }
@@ -54,7 +54,7 @@ void boxFilterRows(const Field& from, Field& to, int radius) {
   }
 }
 
-/// One periodic box filter along y: a running sum of rows.
+/// One periodic box filter along y, as a running sum of rows.
 void boxFilterColumns(const Field& from, Field& to, int radius) {
   const int side = from.side;
   const double scale = 1.0 / double(2 * radius + 1);
@@ -73,7 +73,7 @@ void boxFilterColumns(const Field& from, Field& to, int radius) {
   }
 }
 
-/// Independent uniform values, one a sample.
+/// Independent uniform values, one per sample.
 Field whiteNoise(int samplesPerSide, std::uint32_t seed) {
   Field field(samplesPerSide);
   for (int y = 0; y < samplesPerSide; ++y) {
@@ -96,7 +96,7 @@ Direction randomDirection(Random& random) {
     const float x = random.range(-1.0f, 1.0f);
     const float y = random.range(-1.0f, 1.0f);
     const float lengthSquared = x * x + y * y;
-    constexpr float kShortest = 0.01f; // away from the division by zero
+    constexpr float kShortest = 0.01f; // avoids dividing by zero
     if (lengthSquared > 1.0f || lengthSquared < kShortest)
       continue;
     const float length = std::sqrt(lengthSquared);
@@ -126,8 +126,8 @@ Field fractalNoise(int sidePixels, const Octaves& octaves, std::uint32_t seed) {
   float amplitude = 1.0f;
   std::uint32_t octave = 0;
   for (float period = octaves.coarsest; period >= octaves.finest; period *= 0.5f) {
-    // The spectrum of a threefold box of a third of a period less its double peaks near one cycle
-    // per period.
+    // The difference between three box filters of a third of a period and three of twice that width
+    // has its spectral peak near one cycle per period.
     const int radius = int(period * float(kSamplesPerPixel) * (1.0f / 6.0f) + 0.5f);
     Field band = blurred(whiteNoise(sum.side, pcg(seed) + octave++), radius);
     const Field low = blurred(band, 2 * radius + 1);
@@ -264,7 +264,7 @@ void light(Relief& relief, const Lighting& lighting) {
       const float slopeX = height.at(x + 1, y) - height.at(x - 1, y);
       const float slopeY = height.at(x, y + 1) - height.at(x, y - 1);
       const float facing = (slopeX + slopeY) / std::sqrt(1.0f + slopeX * slopeX + slopeY * slopeY);
-      // Limits, so that a single deep pit or high rim does not turn black or white.
+      // Clamped so that a single deep pit or high rim does not turn black or white.
       const float below = clamped(around.at(x, y) - height.at(x, y), -0.6f, 2.0f);
       const float shade = 1.0f + lighting.slope * facing - lighting.hollow * below;
       relief.canvas.at(x, y) = scaled(relief.canvas.at(x, y), clamped(shade, 0.35f, 1.5f));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What every generated material is made of: seeded numbers, periodic noise fields, periodic grain
+// Building blocks of the generated materials: random numbers, periodic noise fields, periodic grain
 // mosaics, and a supersampled canvas.
 //
-// Lengths are pixels of the finished image; positions wrap at its side. Only +, -, *, / and square
-// roots of floats are used, so that the same bytes come out wherever IEEE arithmetic is kept.
+// Lengths are in pixels of the finished image; positions wrap at its border. The code uses only +,
+// -, *, / and square roots of floats, so results are identical on every platform with IEEE floats.
 #pragma once
 
 #include <lichen/image.h>
@@ -16,7 +16,7 @@ namespace lichen::exemplars {
 /// Samples per pixel along each axis.
 inline constexpr int kSamplesPerPixel = 2;
 
-/// A seeded sequence of numbers.
+/// A seeded random number generator.
 class Random {
 public:
   explicit Random(std::uint32_t seed);
@@ -30,15 +30,15 @@ private:
   std::uint32_t state_;
 };
 
-/// A unit vector of uniform direction.
+/// A unit vector.
 struct Direction {
   float x = 1.0f;
   float y = 0.0f;
 };
 [[nodiscard]] Direction randomDirection(Random& random);
 
-/// A side x side grid of samples that wraps: sample (x, y) is values[y * side + x] and lies at
-/// pixel ((x + 1/2) / kSamplesPerPixel, (y + 1/2) / kSamplesPerPixel).
+/// A periodic side x side grid of samples: sample (x, y) is values[y * side + x] and lies at pixel
+/// ((x + 1/2) / kSamplesPerPixel, (y + 1/2) / kSamplesPerPixel).
 struct Field {
   int side = 0;
   std::vector<float> values;
@@ -47,46 +47,46 @@ struct Field {
   [[nodiscard]] float& at(int x, int y);
   [[nodiscard]] float at(int x, int y) const;
   [[nodiscard]] const float* row(int y) const;
-  /// The sample that holds the pixel position; any position, wrapped.
+  /// The sample that contains a pixel position; any position, wrapped.
   [[nodiscard]] float atPixel(float x, float y) const;
 };
 
-/// Which bands of noise are summed; each has `gain` times the amplitude of the coarser.
+/// The bands of a fractal noise; each band has `gain` times the amplitude of the next coarser one.
 struct Octaves {
   float coarsest = 0.0f; ///< period in pixels
-  float finest = 0.0f;   ///< no band of a smaller period
+  float finest = 0.0f;   ///< lower bound of the periods, in pixels
   float gain = 0.5f;
 };
 
-/// A sum of white noises, each filtered to a band an octave wide: stationary, with next to nothing
+/// Sum of white noises, each filtered to a band one octave wide. Stationary, with almost no energy
 /// below the coarsest band; mean 0, standard deviation 1.
 [[nodiscard]] Field fractalNoise(int sidePixels, const Octaves& octaves, std::uint32_t seed);
 
-/// Smoothed by three box filters of the given radius in samples.
+/// The field after three box filters of this radius in samples.
 [[nodiscard]] Field blurred(const Field& field, int radiusSamples);
 
-/// One grain of a mosaic: an ellipse-like cell around a centre.
+/// One grain of a mosaic: a roughly elliptical cell around a centre.
 struct Grain {
   float x = 0.0f;
   float y = 0.0f;
   float weight = 1.0f; ///< relative size
-  Direction axis;      ///< the long axis
-  /// The squared distance that decides between grains is
-  /// along^2 * alongFactor + across^2 * acrossFactor.
+  Direction axis;      ///< direction of the long axis
+  /// The squared distance that selects the grain is along^2 * alongFactor + across^2 *
+  /// acrossFactor.
   float alongFactor = 1.0f;
   float acrossFactor = 1.0f;
-  std::uint32_t id = 0; ///< seeds the grain's own Random
+  std::uint32_t id = 0; ///< seed for the grain's own Random
 };
 
 /// The grain at a position.
 struct GrainHit {
   const Grain* grain = nullptr;
   float along = 0.0f;  ///< offset from the centre along the long axis, pixels
-  float across = 0.0f; ///< and across it
-  float edge = 0.0f;   ///< about the distance to the nearest boundary, pixels
+  float across = 0.0f; ///< offset across the long axis, pixels
+  float edge = 0.0f;   ///< approximate distance to the nearest boundary, pixels
 };
 
-/// A weighted, anisotropic Voronoi mosaic with one grain in each cell of a square grid.
+/// A weighted, anisotropic Voronoi mosaic with one grain per cell of a square grid.
 class Mosaic {
 public:
   struct Shape {
@@ -94,7 +94,7 @@ public:
     float smallest = 1.0f;     ///< grain weights are uniform in [smallest, largest]
     float largest = 1.0f;      ///< at most 2
     float longest = 1.0f;      ///< grain stretches are uniform in [1, longest]
-    float irregularity = 1.0f; ///< 0: centres on the grid; 1: anywhere in their cell
+    float irregularity = 1.0f; ///< 0: centres on the grid; 1: anywhere in the cell
   };
   Mosaic(int sidePixels, const Shape& shape, std::uint32_t seed);
   [[nodiscard]] GrainHit at(float x, float y) const;
@@ -102,8 +102,8 @@ public:
 private:
   int cells_ = 0;
   float cell_ = 0.0f; ///< pixels
-  /// Where the grid begins, pixels: mosaics whose grids all began at the image's border would show
-  /// it, for grains lie a little less densely across the borders of cells.
+  /// Offset of the grid, pixels. Grains are slightly sparser across cell borders, so without a
+  /// random offset the image border would be visible in every mosaic.
   float shiftX_ = 0.0f;
   float shiftY_ = 0.0f;
   std::vector<Grain> grains_;
@@ -122,7 +122,7 @@ struct Color {
 [[nodiscard]] float smoothStep(float low, float high, float value);
 [[nodiscard]] float clamped(float value, float low, float high);
 
-/// The supersampled picture of sidePixels * kSamplesPerPixel samples a side.
+/// The supersampled picture, sidePixels * kSamplesPerPixel samples per side.
 class Canvas {
 public:
   explicit Canvas(int sidePixels);
@@ -130,8 +130,8 @@ public:
   [[nodiscard]] Color& at(int x, int y) {
     return samples_[std::size_t(y) * std::size_t(side_) + std::size_t(x)];
   }
-  /// Averages the samples of each pixel as light (code values squared, close to the sRGB curve and
-  /// free of the C library's pow) and rounds to 8 bits.
+  /// Averages the samples of each pixel as linear light and rounds to 8 bits. Approximates the sRGB
+  /// curve by a square, which avoids the C library's pow.
   [[nodiscard]] SrgbImage resolve() const;
 
 private:
@@ -139,20 +139,20 @@ private:
   std::vector<Color> samples_;
 };
 
-/// A picture with the height of what it shows.
+/// A picture with a height field.
 struct Relief {
   explicit Relief(int sidePixels) : canvas(sidePixels), height(canvas.side()) {}
   Canvas canvas;
   Field height; ///< pixels
 };
 
-/// How strongly a relief is lit.
+/// Strength of a relief's lighting.
 struct Lighting {
   float slope = 0.0f;  ///< brightness gained by a steep slope that faces the upper left
   float hollow = 0.0f; ///< brightness lost per pixel below the surroundings
 };
 
-/// Multiplies the picture by diffuse light from the upper left, less of it in hollows.
+/// Multiplies the picture by diffuse light from the upper left, darkening hollows.
 void light(Relief& relief, const Lighting& lighting);
 
 /// Pixel position of a sample index.

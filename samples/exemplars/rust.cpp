@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A painted steel sheet, long neglected: flecks of paint, scales of rust in several coats that
-// flake off along angular edges, orange powder, dark pits.
+// A neglected painted steel sheet: remains of paint, layers of rust that flake off along angular
+// edges, orange powder, dark pits.
 //
-// Coats are thresholds of noise taken per cell of a mosaic, so that they end where a flake broke
-// off, and they raise a height field that is lit from the upper left.
+// Coats are thresholded noise, sampled per cell of a mosaic so that they end at the edges of
+// flakes. They raise a height field that is lit from the upper left.
 #include "materials.h"
 #include "periodic.h"
 
 namespace lichen::exemplars {
 namespace {
 
-/// How much of a coat is left at a place: above 0 is covered, and the value grows inwards.
+/// What remains of a coat at a position: covered where above 0, increasing toward the inside.
 float coat(const GrainHit& flake, const Field& extent, float x, float y, float threshold) {
-  constexpr float kByFlake = 0.6f; // the rest follows the noise itself: worn, not broken
+  // the rest follows the noise at the position: worn instead of broken
+  constexpr float kByFlake = 0.6f;
   return kByFlake * extent.atPixel(flake.grain->x, flake.grain->y) +
          (1.0f - kByFlake) * extent.atPixel(x, y) - threshold;
 }
@@ -54,7 +55,7 @@ void paintSample(int sx, int sy, const Mosaic& flakes, const Mosaic& chips, cons
   if (paint > 0.0f) {
     Random own(chip.grain->id);
     const Color body = mix({0.50f, 0.57f, 0.55f}, {0.66f, 0.70f, 0.66f}, own.unit());
-    // Rust stains the paint from its edges.
+    // Rust stains the paint, starting at its edges.
     const float stain = clamped(0.75f - 1.1f * paint + 0.22f * noise.tone.at(sx, sy), 0.0f, 0.85f);
     color = mix(scaled(body, 1.0f + 0.03f * grain), {0.56f, 0.33f, 0.18f}, stain);
     height += 1.5f * smoothStep(0.0f, 0.15f, paint);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coarse beach sand: rounded grains of quartz, feldspar, shell and dark minerals in three sizes,
-// each layer lying on the finer one.
+// Coarse beach sand: rounded grains of quartz, feldspar, shell and dark minerals in three sizes;
+// larger grains lie on top of finer ones.
 #include "materials.h"
 #include "periodic.h"
 
@@ -38,7 +38,7 @@ SrgbImage sand(int side) {
   const Field fine = fractalNoise(side, {2.5f, 1.0f, 0.8f}, 113);
   struct GrainSize {
     Mosaic mosaic;
-    float share; ///< of the mosaic's cells that hold a grain
+    float share; ///< share of the mosaic's cells with a grain
   };
   const auto grains = [side](float spacing, std::uint32_t seed) {
     return Mosaic(side,
@@ -59,7 +59,7 @@ SrgbImage sand(int side) {
       for (std::size_t layer = 0; layer < sizes.size(); ++layer) {
         const GrainHit grain = sizes[layer].mosaic.at(x, y);
         Random random(grain.grain->id);
-        constexpr float kRim = 0.45f; // pixels of a cell that its grain leaves free
+        constexpr float kRim = 0.45f; // pixels between a grain and the border of its cell
         if (!random.chance(sizes[layer].share) || (layer + 1 < sizes.size() && grain.edge < kRim))
           continue;
         const Color body = grainColor(random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A subdivided icosahedron whose vertices move by noise in space, without the triangles where
-// another noise is high. The bare numbers are appearance, as in materials.h.
+// A subdivided icosahedron, displaced by 3-D noise, without the triangles where another noise is
+// high. Literals are art direction, as in materials.h.
 #include "scanned_shape.h"
 
 #include "mesh_scene.h"
@@ -26,18 +26,18 @@ Point unit(const Point& p) {
   return scaledBy(p, 1.0f / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
 }
 
-/// Each triangle becomes four.
+/// Splits each triangle into four.
 ScannedShape subdivided(const ScannedShape& coarse) {
   ScannedShape fine{coarse.positions, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [place, isNew] =
+    const auto [entry, isNew] =
         middles.try_emplace(std::minmax(a, b), std::uint32_t(fine.positions.size()));
     if (isNew) {
       const Point p = fine.positions[a], q = fine.positions[b];
       fine.positions.push_back(unit({p[0] + q[0], p[1] + q[1], p[2] + q[2]}));
     }
-    return place->second;
+    return entry->second;
   };
   for (std::size_t t = 0; t < coarse.triangles.size(); t += 3) {
     const std::uint32_t a = coarse.triangles[t], b = coarse.triangles[t + 1],
@@ -56,7 +56,7 @@ ScannedShape icosahedron() {
     for (const float z : {kGolden, -kGolden})
       for (const Point& p : {Point{0.0f, y, z}, Point{y, z, 0.0f}, Point{z, 0.0f, y}})
         shape.positions.push_back(unit(p));
-  // Triangles of neighbours: three vertices whose directions are 63.4 degrees apart.
+  // Each triangle connects three neighbours: vertices whose directions are 63.4 degrees apart.
   const auto dot = [&](std::uint32_t a, std::uint32_t b) {
     const Point &p = shape.positions[a], &q = shape.positions[b];
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
@@ -78,7 +78,7 @@ ScannedShape icosahedron() {
   return shape;
 }
 
-/// Where the scanner saw nothing.
+/// Whether the scan has a hole in this direction.
 bool isHole(const Point& direction) {
   return spaceNoise(scaledBy(direction, 2.6f), 11) +
              0.25f * spaceNoise(scaledBy(direction, 17.0f), 12) >
@@ -115,7 +115,7 @@ std::vector<std::byte> scannedShapeGlb() {
   mesh.name = "scan";
   mesh.positions = std::move(shape.positions);
   mesh.triangles = std::move(shape.triangles);
-  mesh.isDoubleSided = true; // through holes the other side is seen from within
+  mesh.isDoubleSided = true; // the inside is visible through the holes
   const std::vector<SceneCamera> cameras{{"front", {0.0, 0.0, 2.2}, {}},
                                          {"back", {0.0, 0.0, -2.2}, {{0.0, 1.0, 0.0, 0.0}}}};
   return meshSceneGlb(mesh, cameras);

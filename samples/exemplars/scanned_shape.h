@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh like those of a scanner, for noise that needs no texture coordinates.
+// A mesh like a 3-D scan, for noise without texture coordinates.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace lichen::exemplars {
 
-/// Metres, and three vertices a triangle, counter-clockwise from outside.
+/// Positions in metres; three vertex indices per triangle, counter-clockwise seen from outside.
 struct ScannedShape {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::uint32_t> triangles;
 };
 
-/// A knobbly stone about a metre across: positions that jitter, holes with ragged borders, neither
-/// normals nor texture coordinates. The same bytes each time.
+/// A knobbly stone about one metre across with scan artefacts: jittering positions and holes with
+/// ragged borders. No normals, no texture coordinates. The result is deterministic.
 [[nodiscard]] ScannedShape scannedShape();
 
-/// As the file of a scene of it, with one material, 'scan', and cameras 'front' and 'back'. Throws
+/// The shape as a GLB with one material, 'scan', and the cameras 'front' and 'back'. Throws
 /// std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> scannedShapeGlb();
 

@@ -8,11 +8,11 @@
 
 namespace lichen::exemplars {
 
-float spaceNoise(const std::array<float, 3>& place, std::uint32_t seed) {
+float spaceNoise(const std::array<float, 3>& position, std::uint32_t seed) {
   std::array<float, 3> floors{}, weights{};
   for (std::size_t k = 0; k < 3; ++k) {
-    floors[k] = std::floor(place[k]);
-    const float f = place[k] - floors[k];
+    floors[k] = std::floor(position[k]);
+    const float f = position[k] - floors[k];
     weights[k] = f * f * (3.0f - 2.0f * f);
   }
   float sum = 0.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smooth noise in space, of which the example meshes are made.
+// Smooth 3-D noise for the example meshes.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace lichen::exemplars {
 
-/// Values of [-1, 1] at whole places, smooth between them. The same bits wherever IEEE arithmetic
-/// is kept.
-[[nodiscard]] float spaceNoise(const std::array<float, 3>& place, std::uint32_t seed);
+/// Value noise: random values in [-1, 1] at integer positions, smooth in between. Identical on
+/// every platform with IEEE floats.
+[[nodiscard]] float spaceNoise(const std::array<float, 3>& position, std::uint32_t seed);
 
 } // namespace lichen::exemplars

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sum of noises as a height field. The bare numbers are appearance, as in materials.h.
+// A height field from a sum of noises. Literals are art direction, as in materials.h.
 #include "terrain.h"
 
 #include "mesh_scene.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kSideMetres = 12.0f;
 
-/// Metres above 0 at a place of the ground, in metres.
+/// Height in metres at a ground position in metres.
 float heightAt(float x, float z) {
   const auto noise = [&](float period, std::uint32_t seed) {
     return spaceNoise({x / period, 0.0f, z / period}, seed);
@@ -22,20 +22,20 @@ float heightAt(float x, float z) {
   return 1.3f * noise(4.3f, 21) + 0.45f * noise(1.7f, 22) + 0.1f * noise(0.6f, 23);
 }
 
-/// How the ground rises along x and z.
+/// Slope of the ground along x and z.
 std::array<float, 2> slopeAt(float x, float z) {
   constexpr float kStep = 0.05f;
   return {(heightAt(x + kStep, z) - heightAt(x - kStep, z)) / (2.0f * kStep),
           (heightAt(x, z + kStep) - heightAt(x, z - kStep)) / (2.0f * kStep)};
 }
 
-/// A place along an axis, of texture coordinates in [0, 1].
+/// Position along an axis in metres, from a texture coordinate in [0, 1].
 float metresAt(float texCoord) { return (texCoord - 0.5f) * kSideMetres; }
 
 } // namespace
 
 std::vector<std::byte> terrainGlb() {
-  constexpr std::uint32_t kCells = 160; // along a side
+  constexpr std::uint32_t kCells = 160; // per side
   SceneMesh mesh;
   mesh.name = "terrain";
   for (std::uint32_t j = 0; j <= kCells; ++j)
@@ -56,7 +56,7 @@ std::vector<std::byte> terrainGlb() {
            {corner, corner + kRow, corner + 1, corner + 1, corner + kRow, corner + kRow + 1})
         mesh.triangles.push_back(vertex);
     }
-  // Downwards by 30 degrees.
+  // Pitched down by 30 degrees.
   const std::vector<SceneCamera> cameras{
       {"view", {0.0, 5.6, 9.2}, {{-0.258819, 0.0, 0.0, 0.9659258}}}};
   return meshSceneGlb(mesh, cameras);
@@ -69,7 +69,7 @@ SrgbImage terrainMask(int sidePixels) {
       const float alongX = metresAt((float(x) + 0.5f) / float(sidePixels));
       const float alongZ = metresAt((float(y) + 0.5f) / float(sidePixels));
       const auto [slopeX, slopeZ] = slopeAt(alongX, alongZ);
-      // Patches of moss on rock, and rock in moss.
+      // Adds patches of moss on rock and of rock in moss.
       const float patches = spaceNoise({alongX / 0.5f, 0.0f, alongZ / 0.5f}, 24);
       const float steep = std::sqrt(slopeX * slopeX + slopeZ * slopeZ) + 0.25f * patches;
       constexpr float kCodes = 255.0f;

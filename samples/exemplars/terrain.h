@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hilly ground, and where rock shows on it: for a mix of textons with a mask.
+// Hilly ground and a mask of its rock, for a mix of textons with a mask.
 #pragma once
 
 #include <lichen/image.h>
@@ -9,13 +9,12 @@
 
 namespace lichen::exemplars {
 
-/// Ground of 12 x 12 metres with normals and texture coordinates that cover it once, as the file of
-/// a scene with one material, 'terrain', and a camera 'view'. The same bytes each time. Throws
-/// std::bad_alloc.
+/// A GLB of 12 x 12 metres of ground with normals and texture coordinates that cover it once, one
+/// material, 'terrain', and a camera 'view'. The result is deterministic. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> terrainGlb();
 
-/// The mask in those texture coordinates, grey, `sidePixels` a side, rounded to 8 bits: 1 where the
-/// ground is steep, 0 where it is flat.
+/// The mask for these texture coordinates: grey, `sidePixels` pixels per side, rounded to 8 bits; 1
+/// on steep ground, 0 on flat ground.
 [[nodiscard]] SrgbImage terrainMask(int sidePixels);
 
 } // namespace lichen::exemplars

@@ -32,7 +32,7 @@ Color chipColor(const GrainHit& chip, float x, float y, const Noise& noise) {
     ++marble;
   const Color body = mix(kMarbles[marble].dark, kMarbles[marble].light, random.unit());
   const float shift = random.range(0.0f, 300.0f);
-  // Veins are where a smooth noise, read in the chip's own frame, crosses zero.
+  // Veins lie where a smooth noise, sampled in the chip's own frame, crosses zero.
   const float v = noise.vein.atPixel(chip.along + shift, chip.across + shift);
   const float vein = 1.0f - smoothStep(0.0f, 0.16f, v < 0.0f ? -v : v);
   const Color veined =
@@ -51,8 +51,8 @@ SrgbImage terrazzo(int side) {
       fractalNoise(side, {2.5f, 1.0f, 0.8f}, 75)};
   struct ChipSize {
     Mosaic mosaic;
-    float share; ///< of the grains that are chips
-    float gap;   ///< half the cement between neighbours, pixels
+    float share; ///< share of the grains that are chips
+    float gap;   ///< half the width of the cement between neighbours, pixels
   };
   const auto chips = [side](float spacing, std::uint32_t seed) {
     return Mosaic(side,

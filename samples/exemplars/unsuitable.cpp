@@ -12,7 +12,7 @@
 namespace lichen::exemplars {
 namespace {
 
-/// A number in [0, 1) of two indices.
+/// A hash of two indices, in [0, 1).
 float hashed(int i, int j, std::uint32_t seed) {
   return float(pcg3d({std::uint32_t(i), std::uint32_t(j), seed})[0] >> 8u) * 0x1p-24f;
 }
@@ -26,7 +26,7 @@ SrgbImage painted(int side, const ColorAt& colorAt) {
   return canvas.resolve();
 }
 
-/// The picture with every pixel's light multiplied; rounded and clipped to 8 bits.
+/// Multiplies the linear light of every pixel; rounds and clips to 8 bits.
 template <typename FactorAt>
 SrgbImage relit(SrgbImage image, const FactorAt& factorAt) {
   for (int y = 0; y < image.height; ++y)
@@ -41,10 +41,11 @@ SrgbImage relit(SrgbImage image, const FactorAt& factorAt) {
   return image;
 }
 
-/// Noise whose power falls as frequency^-exponent, in octaves from the whole side to two pixels.
+/// Noise whose power spectrum falls as frequency^-exponent, in octaves from the full side down to
+/// two pixels.
 Field cloud(int side, float exponent, std::uint32_t seed) {
-  // An octave at frequency f holds the energy f^2 f^-exponent: per octave, half of that in
-  // decibels.
+  // An octave at frequency f has energy proportional to f^(2 - exponent); the amplitude is its
+  // square root.
   const float gain = std::pow(2.0f, (2.0f - exponent) / 2.0f);
   return fractalNoise(side, {float(side), 2.0f, gain}, seed);
 }
@@ -82,7 +83,7 @@ SrgbImage planks(int side) {
     const int board = int(x / width);
     const float inside = x - width * float(board);
     const float gap = std::min(inside, width - inside);
-    // Grain, drawn out along the board.
+    // Grain, stretched along the board.
     const float streak = grain.at(sx, sy / 16 + 97 * board);
     const Color wood = mix({0.50f, 0.36f, 0.22f}, {0.70f, 0.54f, 0.36f}, hashed(board, 0, 42));
     return mix({0.10f, 0.07f, 0.05f}, scaled(wood, 1.0f + 0.06f * streak),
@@ -112,7 +113,7 @@ SrgbImage text(int side) {
     const int dotX = int(pixelOf(sx) / kDot), dotY = int(pixelOf(sy) / kDot);
     const int column = dotX / kAdvance, line = dotY / kLeading;
     const int inX = dotX % kAdvance, inY = dotY % kLeading;
-    // Strokes: a stem, and bars of which each letter has its own.
+    // Strokes: a stem and a per-letter set of bars.
     const auto letter = std::uint32_t(26.0f * hashed(column, line, 62));
     const bool space = hashed(column, line, 63) < 0.18f;
     const bool bar = (inY == 0 && hashed(int(letter), 0, 64) < 0.6f) ||
@@ -188,7 +189,7 @@ SrgbImage wood(int side) {
   const Field bands = cloud(side, 3.0f, 91);
   const Field fine = fractalNoise(side, {12.0f, 1.0f, 0.9f}, 92);
   return painted(side, [&](int sx, int sy) {
-    // Both drawn out along y.
+    // Both are stretched along y.
     const float dark = bands.at(sx, sy / 4), grain = fine.at(sx, sy / 8);
     return scaled({0.58f, 0.42f, 0.27f}, 1.0f + 0.18f * dark + 0.05f * grain);
   });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pictures whose noise disappoints, each in its own way, made by code.
+// Generated pictures that are unsuitable as exemplars, each for a different reason.
 //
-// Bare numbers are appearance, as in materials.h: colours in sRGB code values, lengths in
-// pixels, and seeds.
+// Literals are art direction, as in materials.h: colours in sRGB code values, lengths in pixels,
+// and seeds.
 #pragma once
 
 #include <lichen/image.h>
@@ -11,25 +11,26 @@
 
 namespace lichen::exemplars {
 
-/// Each makes a square RGB picture of `sidePixels` a side, rounded to 8 bits; the same bytes each
-/// time.
-[[nodiscard]] SrgbImage bricks(int sidePixels);       ///< running bond, mortar between; tileable
+/// Each function generates a square RGB picture with `sidePixels` pixels per side, rounded to 8
+/// bits. The result is deterministic.
+[[nodiscard]] SrgbImage bricks(int sidePixels);       ///< running bond with mortar; tileable
 [[nodiscard]] SrgbImage planks(int sidePixels);       ///< grained boards side by side
 [[nodiscard]] SrgbImage weave(int sidePixels);        ///< plain weave of even threads; tileable
 [[nodiscard]] SrgbImage paving(int sidePixels);       ///< large stones with dark joints; tileable
 [[nodiscard]] SrgbImage text(int sidePixels);         ///< lines of letters on paper
 [[nodiscard]] SrgbImage oneStone(int sidePixels);     ///< a pale stone on dark gravel; tileable
 [[nodiscard]] SrgbImage slopingLight(int sidePixels); ///< sand lit from one side
-[[nodiscard]] SrgbImage vignette(int sidePixels);     ///< sand, darker to the corners
-[[nodiscard]] SrgbImage overexposed(int sidePixels);  ///< granite, a third of it white; tileable
-[[nodiscard]] SrgbImage carpet(int sidePixels);       ///< fibres, worn in clouds; tileable
-[[nodiscard]] SrgbImage wood(int sidePixels);         ///< fine grain in broad dark bands
+[[nodiscard]] SrgbImage vignette(int sidePixels);     ///< sand, darker toward the corners
+/// granite with a third clipped to white; tileable
+[[nodiscard]] SrgbImage overexposed(int sidePixels);
+[[nodiscard]] SrgbImage carpet(int sidePixels); ///< fibres with large worn areas; tileable
+[[nodiscard]] SrgbImage wood(int sidePixels);   ///< fine grain in broad dark bands
 
 struct Unsuitable {
-  const char* name; ///< also the file's, without .png
+  const char* name; ///< also the file name without .png
   SrgbImage (*generate)(int sidePixels);
   bool periodic;
-  const char* risk; ///< the one to be found severe
+  const char* risk; ///< the risk that analysis must rate severe
 };
 
 inline constexpr std::array<Unsuitable, 11> kUnsuitable{{

@@ -17,8 +17,8 @@ Error accessorError(int accessor, const std::string& what) {
 }
 
 Error indexError(int accessor, const char* what, std::size_t index, std::size_t limit) {
-  return accessorError(accessor, what + std::to_string(index) + " is not accepted, 0 to " +
-                                     std::to_string(limit - 1) + " is");
+  return accessorError(accessor, what + std::to_string(index) + " is out of range; expected 0 to " +
+                                     std::to_string(limit - 1));
 }
 
 template <class T>
@@ -67,8 +67,8 @@ const unsigned char* viewBytes(const tinygltf::Model& model, int view) {
   return model.buffers[std::size_t(v.buffer)].data.data() + v.byteOffset;
 }
 
-/// Calls `visit(element, pointer to its bytes)` for each element that the file stores, those of the
-/// view first and then the sparse ones that replace them.
+/// Calls `visit(element, pointer to its bytes)` for each stored element: first those of the
+/// bufferView, then the sparse ones that replace them.
 template <class Visit>
 Result<void> eachElement(const tinygltf::Model& model, int accessorIndex, std::size_t elementBytes,
                          Visit visit) {
@@ -114,7 +114,7 @@ Result<std::vector<float>> readAccessor(const tinygltf::Model& model, int access
   if (!read)
     return read.error();
   if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
-    return accessorError(accessorIndex, "holds NaN or infinite values; finite ones are accepted");
+    return accessorError(accessorIndex, "contains NaN or infinity; all values must be finite");
   return values;
 }
 

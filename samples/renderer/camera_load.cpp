@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lenses [glTF 2.0, section 3.10.3], and what is wrong with them.
+// Camera projections and their faults [glTF 2.0, section 3.10.3].
 #include "camera_load.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSmallest = 1e-6;
 constexpr double kLargest = std::numeric_limits<float>::max();
-constexpr double kWidest = 3.1; // radians; glTF asks for less than pi
+constexpr double kWidest = 3.1; // radians; glTF requires less than pi
 
 struct LensNumber {
   const char* name;
@@ -27,11 +27,11 @@ std::string faultOf(const LensNumber& number, const std::string& lens) {
   const std::string accepted = number.high < kLargest
                                    ? fmt::format("{:.7g} to {:.7g}", number.low, number.high)
                                    : fmt::format("{:.7g} or more", number.low);
-  return fmt::format("{}/{}: {:.7g} is not accepted, {} is", lens, number.name, number.value,
+  return fmt::format("{}/{}: {:.7g} is out of range; expected {}", lens, number.name, number.value,
                      accepted);
 }
 
-/// Of tinygltf's numbers, 0 stands for one that is absent.
+/// tinygltf stores an absent number as 0.
 std::string faultOf(const tinygltf::PerspectiveCamera& lens, const std::string& pointer) {
   const bool hasRatio = lens.aspectRatio != 0.0;
   for (const LensNumber& number :
@@ -41,8 +41,8 @@ std::string faultOf(const tinygltf::PerspectiveCamera& lens, const std::string& 
     if (std::string fault = faultOf(number, pointer); !fault.empty())
       return fault;
   if (lens.zfar != 0.0 && !(lens.zfar > lens.znear))
-    return fmt::format("{}/zfar: {:.7g} is not accepted, more than znear, {:.7g}, is", pointer,
-                       lens.zfar, lens.znear);
+    return fmt::format("{}/zfar: {:.7g} is out of range; expected more than znear ({:.7g})",
+                       pointer, lens.zfar, lens.znear);
   return {};
 }
 
@@ -52,11 +52,12 @@ std::string faultOf(const tinygltf::OrthographicCamera& lens, const std::string&
                                    LensNumber{"znear", lens.znear, 0.0, kLargest}})
     if (std::string fault = faultOf(number, pointer); !fault.empty())
       return fault;
-  // As floats, in which the projection divides by their difference.
+  // Compared as floats, because the projection divides by their float difference.
   if (!(float(lens.zfar) - float(lens.znear) >= float(kSmallest)))
-    return fmt::format("{}/zfar: {:.12g} is not accepted, at least 1e-6 beyond znear, {:.12g}, is, "
-                       "and as much as a float can tell",
-                       pointer, lens.zfar, lens.znear);
+    return fmt::format(
+        "{}/zfar: {:.12g} is too close to znear ({:.12g}); expected a distance of at "
+        "least 1e-6 between the two, as 32-bit floats",
+        pointer, lens.zfar, lens.znear);
   return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF camera as the renderer looks through it. Private to scene loading: the model has been
-// validated.
+// Converts a glTF camera into the renderer's Camera. Private to scene loading, which has validated
+// the model.
 #pragma once
 
 #include "scene.h"
@@ -11,8 +11,8 @@
 
 namespace lichen::renderer {
 
-/// A lens that nothing can be seen through is the camera's `fault`: a scene may hold such a camera,
-/// as long as it is not looked through.
+/// Stores an unusable projection as the camera's `fault` instead of failing: a scene may contain
+/// such a camera, as long as nobody renders with it.
 [[nodiscard]] Camera readCamera(const tinygltf::Model& model, std::size_t index,
                                 const glm::dmat4& worldFromCamera);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lichen-render was asked to do.
+// The command line of lichen-render.
 #pragma once
 
 #include <lichen/result.h>
@@ -10,7 +10,7 @@
 
 namespace lichen::renderer {
 
-/// The defaults stand in the options' declarations.
+/// The option declarations in command_line.cpp set the defaults.
 struct Command {
   std::string scene;
   std::string output;
@@ -27,8 +27,8 @@ struct Command {
   bool quiet = false;
 };
 
-/// The command, or the text that --help or --version asked for. Errors: usage; environment for an
-/// output folder that does not exist.
+/// The command, or the text to print for --help or --version. Errors: usage; environment if the
+/// output folder does not exist.
 [[nodiscard]] Result<std::variant<Command, std::string>> parseCommandLine(int argc,
                                                                           const char* const* argv);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of the debug views, and the constants that the shaders know them by.
+// Names of the debug views and their shader constants.
 #include "debug_views.h"
 
 #include "shaders/scene_interface.h"
@@ -39,7 +39,7 @@ Result<int> debugViewValue(const std::string& name) {
       return view.value;
     names += (names.empty() ? "" : ", ") + std::string(view.name);
   }
-  return Error{ErrorKind::usage, "no debug view \"" + name + "\"; there are " + names};
+  return Error{ErrorKind::usage, "unknown debug view \"" + name + "\"; available: " + names};
 }
 
 } // namespace lichen::renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One quantity of the surfaces instead of their shading.
+// Debug views: each shows one quantity of the surfaces instead of the shaded picture.
 #pragma once
 
 #include <lichen/result.h>
@@ -12,8 +12,8 @@ namespace lichen::renderer {
 
 [[nodiscard]] std::vector<std::string_view> debugViewNames();
 
-/// The shaders' DEBUG_ constant of a name; DEBUG_NONE of none. Errors: usage, with the names there
-/// are.
+/// The shaders' DEBUG_ constant for a name; DEBUG_NONE for an empty name. Errors: usage, listing
+/// the valid names.
 [[nodiscard]] Result<int> debugViewValue(const std::string& name);
 
 } // namespace lichen::renderer

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// [Karis 2013, Real Shading in Unreal Engine 4]; samples are taken from a mip level that matches
-// their solid angle [Krivanek and Colbert 2008, Real-time Shading with Filtered Importance
-// Sampling, eq. 11 to 13].
+// Prefiltering [Karis 2013, Real Shading in Unreal Engine 4]. Each sample reads the mip level that
+// matches its solid angle [Krivanek and Colbert 2008, Real-time Shading with Filtered Importance
+// Sampling, eqs. 11 to 13].
 #include "environment.h"
 
 #include "orthonormal_frame.h"
@@ -28,7 +28,7 @@ constexpr std::uint32_t kBrdfSamples = 256;
 constexpr float kSchlickPower = 5.0f;
 constexpr float kLeastAlpha = 0.002f;
 
-/// Averages of 2 x 2 pixels, of 2 along a side of 1. An odd last row or column is left out.
+/// Averages 2 x 2 pixels, or 2 x 1 where one side is 1. Drops an odd last row or column.
 LinearImage halved(const LinearImage& fine) {
   LinearImage coarse(std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), fine.channels);
   const int right = fine.width > 1 ? 1 : 0;
@@ -45,7 +45,7 @@ LinearImage halved(const LinearImage& fine) {
   return coarse;
 }
 
-/// A panorama and its averages by 2 x 2.
+/// Mip pyramid of a panorama.
 class PanoramaPyramid {
 public:
   explicit PanoramaPyramid(const LinearImage& panorama) {
@@ -54,16 +54,16 @@ public:
       levels_.push_back(halved(levels_.back()));
   }
 
-  /// Bilinear in the level nearest to the one whose texels span `solidAngle`.
+  /// Bilinear sample of the level whose texels best match `solidAngle`.
   [[nodiscard]] glm::vec3 sample(glm::vec3 direction, float solidAngle) const {
     const float texel = 2.0f * kPi * kPi / (float(levels_[0].width) * float(levels_[0].height));
     const float level = 0.5f * std::log2(std::max(solidAngle / texel, 1.0f));
     const std::size_t nearest = std::min(std::size_t(level + 0.5f), levels_.size() - 1);
     const LinearImage& image = levels_[nearest];
-    const glm::vec2 place =
+    const glm::vec2 position =
         panoramaCoordinate(direction) * glm::vec2(image.width, image.height) - 0.5f;
-    const glm::vec2 corner = glm::floor(place);
-    const glm::vec2 f = place - corner;
+    const glm::vec2 corner = glm::floor(position);
+    const glm::vec2 f = position - corner;
     const auto texelAt = [&](int x, int y) {
       const float* p = image.pixel((int(corner.x) + x + image.width) % image.width,
                                    std::clamp(int(corner.y) + y, 0, image.height - 1));
@@ -77,7 +77,7 @@ private:
   std::vector<LinearImage> levels_;
 };
 
-/// Hammersley point i of n.
+/// Point i of n of the Hammersley set.
 glm::vec2 hammersley(std::uint32_t i, std::uint32_t n) {
   std::uint32_t bits = i;
   bits = (bits << 16) | (bits >> 16);
@@ -94,7 +94,7 @@ glm::vec3 onHemisphere(float cosine, float azimuth) {
   return {std::cos(azimuth) * sine, std::sin(azimuth) * sine, cosine};
 }
 
-/// GGX half vector about +z.
+/// Samples a GGX half vector around +z.
 glm::vec3 sampleGgx(glm::vec2 point, float alpha) {
   const float cosine = std::sqrt((1.0f - point.y) / (1.0f + (alpha * alpha - 1.0f) * point.y));
   return onHemisphere(cosine, 2.0f * kPi * point.x);
@@ -106,7 +106,7 @@ float ggx(float nDotH, float alpha) {
   return a2 / (kPi * d * d);
 }
 
-/// A direction to look along, in the frame of the lobe's axis, its weight and solid angle.
+/// A sample direction relative to the lobe's axis, with its weight and solid angle.
 struct Sample {
   glm::vec3 direction;
   float weight;
@@ -118,7 +118,7 @@ std::vector<Sample> specularSamples(float alpha) {
   for (std::uint32_t i = 0; i < kSpecularSamples; ++i) {
     const glm::vec3 h = sampleGgx(hammersley(i, kSpecularSamples), alpha);
     const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
-    // Along the axis v = n: pdf = D(h) / 4.
+    // With v = n, pdf = D(h) / 4.
     if (l.z > 0.0f)
       samples.push_back({l, l.z, 4.0f / (ggx(h.z, alpha) * float(kSpecularSamples))});
   }
@@ -181,7 +181,7 @@ LinearImage asRgb(const LinearImage& image) {
   return rgb;
 }
 
-/// Of light from a uniform environment; their sum is at most 1.
+/// Scale and bias of F0 for a uniform environment; their sum is at most 1.
 glm::vec2 scaleAndBiasOfF0(float nDotV, float alpha) {
   const glm::vec3 v = onHemisphere(nDotV, 0.0f);
   const float a2 = alpha * alpha;
@@ -200,7 +200,7 @@ glm::vec2 scaleAndBiasOfF0(float nDotV, float alpha) {
     sum += glm::vec2(1.0f - fresnel, fresnel) * weight;
   }
   sum /= float(kBrdfSamples);
-  return sum / std::max(sum.x + sum.y, 1.0f); // the samples' error must not make light
+  return sum / std::max(sum.x + sum.y, 1.0f); // sampling error must not create energy
 }
 
 } // namespace
@@ -216,7 +216,7 @@ Result<LinearImage> readPanorama(const std::filesystem::path& path) {
   return std::get<LinearImage>(std::move(file.value().pixels));
 }
 
-LinearImage fitted(LinearImage panorama, int longestSide) {
+LinearImage fitInto(LinearImage panorama, int longestSide) {
   while (std::max(panorama.width, panorama.height) > longestSide)
     panorama = halved(panorama);
   return panorama;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from all directions, prepared for shading: what the rough and the matte see of a panorama.
+// Image-based lighting: prefilters a panorama for specular and diffuse shading.
 #pragma once
 
 #include <lichen/image.h>
@@ -13,7 +13,7 @@
 namespace lichen::renderer {
 
 /// One mip level of a cube map: RGB, six faces of side x side texels in Vulkan's order (+x, -x, +y,
-/// -y, +z, -z), rows top first.
+/// -y, +z, -z), each with its top row first.
 struct CubeLevel {
   int side = 1;
   std::vector<glm::vec3> texels;
@@ -24,30 +24,32 @@ inline constexpr int kBrdfSide = 32;
 
 struct Environment {
   LinearImage panorama; ///< RGB radiance, latitude-longitude
-  /// Level k holds the radiance averaged under the GGX lobe of roughness k / (levels - 1) seen
-  /// along its axis [Karis 2013, "split sum"].
+  /// Level k holds the radiance averaged under the GGX lobe of roughness k / (levels - 1), for a
+  /// view direction along the normal [Karis 2013, "split sum"].
   std::vector<CubeLevel> specular;
-  CubeLevel diffuse;           ///< irradiance / pi by normal
+  CubeLevel diffuse;           ///< irradiance / pi, indexed by the normal
   std::vector<glm::vec4> brdf; ///< environmentBrdf(kBrdfSide)
 };
 
-/// A latitude-longitude panorama as light: EXR, PNG or JPEG. Errors as readImage().
+/// Reads a latitude-longitude panorama (EXR, PNG or JPEG) as linear light. Errors as readImage().
 [[nodiscard]] Result<LinearImage> readPanorama(const std::filesystem::path& path);
 
-/// Halved, by averages of 2 x 2 pixels, until no side is longer than `longestSide`, at least 1.
-[[nodiscard]] LinearImage fitted(LinearImage panorama, int longestSide);
+/// Halves the panorama, averaging 2 x 2 pixels, until neither side exceeds `longestSide` (at least
+/// 1).
+[[nodiscard]] LinearImage fitInto(LinearImage panorama, int longestSide);
 
-/// The panorama's pixels are linear RGB (more channels are ignored, a single one is grey).
+/// Takes linear RGB; a single channel counts as grey and channels after the third are ignored.
 [[nodiscard]] Environment prepareEnvironment(const LinearImage& panorama);
 
-/// Scale and bias of F0 for light from a uniform environment under GGX and Smith: texel (x, y) of a
-/// side x side table is for n.v = (x + 1/2) / side and perceptual roughness (y + 1/2) / side. z is
-/// what single scattering loses of a white metal, 1 - scale - bias, at least 0 and by itself since
-/// half floats near 1 would not tell it; w is its mean over a row, weighted with the cosine.
+/// Scale (x) and bias (y) of F0 for a uniform environment under GGX with Smith visibility. Texel
+/// (x, y) of the side x side table is for n.v = (x + 1/2) / side and perceptual roughness (y + 1/2)
+/// / side. z is the energy that single scattering loses on a white metal, 1 - scale - bias, at
+/// least 0; it is stored separately because half floats near 1 cannot resolve the difference. w is
+/// the cosine-weighted mean of z over the row.
 [[nodiscard]] std::vector<glm::vec4> environmentBrdf(int side);
 
-/// GGX's alpha of a perceptual roughness, kept from 0 so that the lobe stays finite. The shaders
-/// have the same function.
+/// GGX's alpha for a perceptual roughness, clamped above 0 so that the lobe stays finite. Same
+/// function as in shading.glsl.
 [[nodiscard]] float alphaOf(float roughness);
 
 } // namespace lichen::renderer

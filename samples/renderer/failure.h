@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the renderer's GPU code and the viewer's report failure inside themselves: a long chain of
-// Vulkan calls reads better with an exception, which renderScene() and runProgram() turn back into
-// a Result and an exit code.
+// Error handling inside the renderer's GPU code and the viewer. A long chain of Vulkan calls reads
+// better with exceptions; renderScene() converts them into a Result, runProgram() into an exit
+// code.
 #pragma once
 
 #include <lichen/result.h>
@@ -15,13 +15,13 @@ struct Failure {
   Error error;
 };
 
-/// Throws a Failure unless the call succeeded.
+/// Throws a Failure if the call failed. `what` says what could not be done.
 inline void check(VkResult result, const char* what) {
   if (result != VK_SUCCESS)
     throw Failure{vulkanError(what, result)};
 }
 
-/// The value of a Result, or its error as a Failure.
+/// The value of a Result; throws its error as a Failure.
 template <class T>
 T take(Result<T> result) {
   if (!result)

@@ -4,8 +4,8 @@
 
 #include "environment.h"
 #include "orthonormal_frame.h"
+#include "relative_to.h"
 #include "sampling.h"
-#include "world_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +15,17 @@ namespace lichen::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-// Four times the real sun's radius: with haze about it, and at a size where the penumbra of an
-// object a metre or two across is seen.
+// Radians. Four times the real sun's radius: accounts for haze around the sun, and shows the
+// penumbra of an object a metre or two across.
 constexpr float kSunRadius = 0.02f;
-// Directions close to the horizon graze the ground and give its depth map nothing but aliasing.
+// Sine of the lowest sky direction. Lower directions graze the ground, and its depth map would only
+// alias.
 constexpr float kLeastSkyHeight = 0.12f;
-// Of a picture and of each of its frames: as many as hide the single edges of the sky's shadows, in
-// a room with a window too, which few of them reach.
+// Sky directions per picture, over all its frames: enough to hide the edges of single shadows, even
+// in a room with a window that few directions reach.
 constexpr std::uint32_t kSkyDirections = 256;
 
-/// Clip space to texture space of a depth map.
+/// From clip space to the texture space of a depth map.
 glm::mat4 textureFromClip() {
   glm::mat4 m(1.0f);
   m[0][0] = m[1][1] = 0.5f;
@@ -37,7 +38,7 @@ shader::LightData lightData(const Light& light, const glm::dvec3& origin) {
   const float kind = light.kind == LightKind::directional ? float(LIGHT_DIRECTIONAL)
                      : light.kind == LightKind::point     ? float(LIGHT_POINT)
                                                           : float(LIGHT_SPOT);
-  constexpr float kLeastConeWidth = 1e-3f; // KHR_lights_punctual's own guard
+  constexpr float kLeastConeWidth = 1e-3f; // the bound that KHR_lights_punctual uses
   data.positionAndKind = glm::vec4(relativeTo(origin, light.position), kind);
   data.directionAndRange = glm::vec4(light.direction, light.range);
   data.color = glm::vec4(light.color * light.intensity, 0.0f);
@@ -51,7 +52,7 @@ glm::vec3 tilted(glm::vec3 direction, glm::vec2 disc, float radius) {
   return glm::normalize(direction + radius * (frame[0] * disc.x + frame[1] * disc.y));
 }
 
-/// Uniform over the sky above kLeastSkyHeight.
+/// Point i of a uniform distribution over the sky above kLeastSkyHeight.
 glm::vec3 skyDirection(std::uint32_t i) {
   const glm::vec2 p = spreadPoint(i);
   const float height = kLeastSkyHeight + (1.0f - kLeastSkyHeight) * p.x;

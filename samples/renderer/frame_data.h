@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The uniform block of each frame: camera, lights, and the directions that the frame looks into.
+// Fills the uniform block of a frame: camera, lights, and the sky directions that the frame
+// samples.
 #pragma once
 
 #include "framing.h"
@@ -10,23 +11,24 @@
 
 namespace lichen::renderer {
 
-// Averaging n frames takes n samples of a pixel, so each may be sharper by sqrt(n); beyond this
-// many nothing is gained but noise.
+// Averaging n frames takes n samples of each pixel, so texture gradients may shrink by sqrt(n).
+// Beyond this n, sharper textures only add noise.
 inline constexpr std::uint32_t kMostSharpeningFrames = 8;
 
-// Fewer, in a frame that is soon followed by others, would leave all of it in one shadow or none.
+// The minimum for a single frame: with fewer directions, the sky's shadows look like one hard
+// shadow or none.
 inline constexpr std::uint32_t kLeastSkyDirections = 4;
 
 struct FrameInputs {
   Camera camera;
-  glm::dvec3 origin{0.0}; ///< that everything is drawn relative to
+  glm::dvec3 origin{0.0}; ///< positions on the device are relative to this point of the world
   Sphere subject;
   Lighting lighting;
-  float hazeDistance = 0.0f; ///< over which haze takes 63 %; 0 for none
+  float hazeDistance = 0.0f; ///< distance at which haze absorbs 63 % of the light; 0 for no haze
   std::uint32_t width = 1;
   std::uint32_t height = 1;
   std::uint32_t frames = 1;
-  std::uint32_t skyDirections = 1; ///< that each frame looks in, up to MAX_SKY_DIRECTIONS
+  std::uint32_t skyDirections = 1; ///< per frame, up to MAX_SKY_DIRECTIONS
 };
 
 struct FrameView {
@@ -35,13 +37,14 @@ struct FrameView {
   std::array<glm::mat4, MAX_SKY_DIRECTIONS> clipFromWorldOfSky{};
 };
 
-/// Of each of the frames of a picture.
+/// Sky directions that each frame samples when a picture averages `frames` frames.
 [[nodiscard]] std::uint32_t skyDirectionsOf(std::uint32_t frames);
 
 inline constexpr std::uint32_t kSunDepthSide = 2048;
 inline constexpr std::uint32_t kSkyDepthSide = 512;
 
-/// Frame `index` of inputs.frames. A single frame looks through pixel centres at an undivided sun.
+/// The view of frame `index` of inputs.frames. A single frame samples pixel centres and treats the
+/// sun as a point.
 [[nodiscard]] FrameView frameView(const FrameInputs& inputs, std::uint32_t index);
 
 } // namespace lichen::renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes and formats of the targets, and what the device must be able to do with them.
+// Sizes and formats of the targets, and the device features they need.
 #include "frame_targets.h"
 
 #include "failure.h"
@@ -27,9 +27,10 @@ DeviceImage target(VulkanDevice& device, VkFormat format, VkImageUsageFlags usag
 FrameTargets createFrameTargets(VulkanDevice& device, std::uint32_t width, std::uint32_t height) {
   const std::uint32_t longest = device.properties().limits.maxImageDimension2D;
   if (std::max(width, height) > longest)
-    throw Failure{{ErrorKind::usage, "--size " + std::to_string(width) + "x" +
-                                         std::to_string(height) + ": this device accepts up to " +
-                                         std::to_string(longest) + " on a side"}};
+    throw Failure{
+        {ErrorKind::usage, "--size " + std::to_string(width) + "x" + std::to_string(height) +
+                               " is too large; this device supports up to " +
+                               std::to_string(longest) + " x " + std::to_string(longest)}};
   FrameTargets targets;
   targets.color =
       target(device, kColorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
@@ -65,20 +66,21 @@ LightMaps createLightMaps(VulkanDevice& device, ObjectOwner& objects) {
   return maps;
 }
 
-// Vulkan guarantees all that is asked of the colour formats, and of depth only that some format can
-// be drawn to.
+// Vulkan guarantees the required features of the colour formats, but of depth formats only that one
+// of them can be rendered to.
 VkFilter depthFilter(const VulkanDevice& device) {
   VkFormatProperties depth{};
   vkGetPhysicalDeviceFormatProperties(device.physicalDevice(), kDepthFormat, &depth);
   constexpr VkFormatFeatureFlags kNeeded =
       VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
   if ((depth.optimalTilingFeatures & kNeeded) != kNeeded)
-    throw Failure{{ErrorKind::environment,
-                   "Vulkan device \"" + std::string(device.properties().deviceName) +
-                       "\" cannot draw and sample VK_FORMAT_D32_SFLOAT, which shadows need"}};
+    throw Failure{
+        {ErrorKind::environment,
+         "Vulkan device \"" + std::string(device.properties().deviceName) +
+             "\" cannot render to and sample VK_FORMAT_D32_SFLOAT, which shadows require"}};
   const bool linear =
       (depth.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
-  return linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; // nearest: harder edges of shadows
+  return linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; // nearest gives harder shadow edges
 }
 
 } // namespace lichen::renderer

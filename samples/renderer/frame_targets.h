@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images that a frame is drawn to.
+// Render targets of a frame.
 #pragma once
 
 #include "gpu_objects.h"
@@ -9,28 +9,29 @@
 
 namespace lichen::renderer {
 
-/// Of the picture's size.
+/// Targets of the picture's size.
 struct FrameTargets {
   DeviceImage color;
   DeviceImage depth;
-  DeviceImage sum; ///< of frames; in GENERAL once a frame is drawn
+  DeviceImage sum; ///< sum of frames; in GENERAL after the first frame
 };
 
-/// Of what the sun and a few directions of the sky see, whatever the picture's size.
+/// Depth maps seen from the sun and from a few sky directions. Their size is independent of the
+/// picture's.
 struct LightMaps {
   DeviceImage sunDepth;
-  DeviceImage skyDepth; ///< a layer for each direction
+  DeviceImage skyDepth; ///< one layer per direction
   std::array<VkImageView, MAX_SKY_DIRECTIONS> skyLayers{};
 };
 
-/// Throws a Failure: usage for a size beyond the device's.
+/// Throws a Failure: usage if the size exceeds the device's limit.
 [[nodiscard]] FrameTargets createFrameTargets(VulkanDevice& device, std::uint32_t width,
                                               std::uint32_t height);
 
 [[nodiscard]] LightMaps createLightMaps(VulkanDevice& device, ObjectOwner& objects);
 
-/// How depth maps are filtered. Throws a Failure: environment for a device that cannot draw and
-/// sample them.
+/// The filter for sampling depth maps. Throws a Failure: environment if the device cannot render to
+/// and sample them.
 [[nodiscard]] VkFilter depthFilter(const VulkanDevice& device);
 
 } // namespace lichen::renderer

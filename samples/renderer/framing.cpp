@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Boxes around instances -> the subject's sphere; projections with a reversed depth, in which
-// floats are as precise far away as near [Reed 2015, Depth Precision Visualized].
+// Bounding boxes of instances -> the subject's bounding sphere; projections with reversed depth, in
+// which floats keep their precision far away [Reed 2015, Depth Precision Visualized].
 #include "framing.h"
 
 #include "orthonormal_frame.h"
 #include "printable.h"
-#include "world_place.h"
+#include "relative_to.h"
 
 #include <fmt/format.h>
 
@@ -18,19 +18,19 @@
 namespace lichen::renderer {
 namespace {
 
-// A box is a ground when one side is this much thinner than the others, and the whole this much
-// larger than all that is no ground.
+// A box is ground if one side is shorter than this share of the longest one, and the box is this
+// many times larger than everything that is not flat.
 constexpr float kFlatness = 0.02f;
 constexpr float kGroundToRest = 3.0f;
-// The automatic camera: a portrait lens from slightly above and the side.
+// The automatic camera: a portrait lens, looking from slightly above and from the side.
 constexpr float kAutoFieldOfView = 0.6f;
 constexpr glm::vec3 kAutoDirection{0.45f, 0.32f, 1.0f};
-constexpr double kAutoMargin = 1.12; // of the picture over the subject in it
-// Of the subject's radius, from its nearest point: something as small as a point has no size.
+constexpr double kAutoMargin = 1.12; // picture size over subject size
+// Smallest distance from the subject's nearest point, in radii: a single point has no extent.
 constexpr double kAutoLeastDistance = 0.1;
-// Of the near plane's distance, or half an orthographic picture's height: a float of half a step is
-// rounded by 3e-5 of that distance at most, a thirtieth of a pixel of a picture 1000 pixels high
-// there, and less of what is farther.
+// In near plane distances, or half heights of an orthographic view. Half a step as a float is
+// rounded by at most 3e-5 near plane distances: a thirtieth of a pixel at the near plane for a
+// picture 1000 pixels high, and less farther away.
 constexpr double kOriginStep = 1024.0;
 
 struct Box {
@@ -74,7 +74,7 @@ std::vector<Box> boxesOf(const Scene& scene) {
   return boxes;
 }
 
-/// Of the instances in these boxes, those that are the scene's subject.
+/// Indices of the boxes that belong to the scene's subject.
 std::vector<std::size_t> subjectInstances(const std::vector<Box>& boxes) {
   Box solid;
   for (const Box& box : boxes)
@@ -87,10 +87,11 @@ std::vector<std::size_t> subjectInstances(const std::vector<Box>& boxes) {
   return chosen;
 }
 
-/// Points along a camera's axes (z backwards) -> the nearest place that sees them all.
+/// Finds the closest camera position that sees all added points; coordinates are along the camera's
+/// axes (z backwards).
 class ClosestView {
 public:
-  /// Half the width and half the height of what is seen one unit away.
+  /// `slopes`: half the width and half the height of the view at distance 1.
   explicit ClosestView(const glm::dvec2& slopes) : slopes_(slopes) {}
 
   void add(const glm::dvec3& p) {
@@ -102,28 +103,29 @@ public:
 
   [[nodiscard]] double front() const { return front_; }
 
-  /// At least `margin` before all points, which are then in the middle of what is seen.
+  /// At least `margin` in front of all points, with the points centred in the view.
   [[nodiscard]] glm::dvec3 eye(double margin) const {
-    // A point is seen where |p - eye| <= slopes (eye.z - p.z), across: between these two planes.
+    // A point is visible if |p - eye| <= slopes (eye.z - p.z) in x and y, which bounds the eye
+    // between two planes.
     const glm::dvec2 least = (highest_ - lowest_) / (2.0 * slopes_);
     const double z = std::max({least.x, least.y, front_ + margin});
     return {centered(0, z), centered(1, z), z};
   }
 
 private:
-  /// Where an axis has as much of what is seen on one side of the points as on the other.
+  /// The coordinate along `axis` that leaves equal margins on both sides of the points; bisection.
   [[nodiscard]] double centered(int axis, double z) const {
     double low = highest_[axis] - slopes_[axis] * z;
     double high = lowest_[axis] + slopes_[axis] * z;
-    constexpr int kHalvings = 20; // far below a pixel
+    constexpr int kHalvings = 20; // well below a pixel
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (low + high) / 2;
       double least = std::numeric_limits<double>::max();
       double most = std::numeric_limits<double>::lowest();
       for (const glm::dvec3& p : points_) {
-        const double seen = (p[axis] - middle) / (z - p.z);
-        least = std::min(least, seen);
-        most = std::max(most, seen);
+        const double projected = (p[axis] - middle) / (z - p.z);
+        least = std::min(least, projected);
+        most = std::max(most, projected);
       }
       (least + most > 0.0 ? low : high) = middle;
     }
@@ -137,8 +139,8 @@ private:
   double front_ = std::numeric_limits<double>::lowest();
 };
 
-/// Its vertices in the world, or the corners of its box where the whole subject has too many to be
-/// kept and fitted.
+/// Adds the instance's vertices in the world, or only the corners of its box if the subject has too
+/// many vertices.
 void addPoints(const Scene& scene, const Instance& instance, bool isLarge,
                std::vector<glm::dvec3>& points) {
   if (!isLarge) {
@@ -150,7 +152,7 @@ void addPoints(const Scene& scene, const Instance& instance, bool isLarge,
   points.insert(points.end(), corners.begin(), corners.end());
 }
 
-/// What of the subject is to be seen, in the world.
+/// The points that the automatic camera must show, in the world.
 std::vector<glm::dvec3> subjectPoints(const Scene& scene) {
   constexpr std::size_t kMostPoints = std::size_t(1) << 22;
   const std::vector<std::size_t> instances = subjectInstances(boxesOf(scene));
@@ -170,7 +172,7 @@ Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
   const double slope = std::tan(double(kAutoFieldOfView) / 2) / kAutoMargin;
   ClosestView view({slope * double(aspect), slope});
   for (const glm::dvec3& p : subjectPoints(scene))
-    view.add((p - subject.center) * axes); // a row times a matrix: along each axis
+    view.add((p - subject.center) * axes); // row times matrix: coordinates along the axes
   const glm::dvec3 eye = view.eye(kAutoLeastDistance * double(subject.radius));
   constexpr double kNearShare = 0.02;
   Camera camera;
@@ -194,10 +196,9 @@ Result<Sphere> subjectOf(const Scene& scene) {
     subject.add(boxes[i]);
   const double extent = std::max(glm::length(all.low), glm::length(all.high));
   if (!(extent < double(kMaxSceneReach)))
-    return Error{
-        ErrorKind::badInput,
-        fmt::format("the scene reaches {:.3g} units from its origin; below {:.0e} is accepted",
-                    extent, kMaxSceneReach)};
+    return Error{ErrorKind::badInput,
+                 fmt::format("the scene reaches {:.3g} units from its origin; the limit is {:.0e}",
+                             extent, kMaxSceneReach)};
   constexpr float kLeastRadius = 1e-6f;
   return Sphere{(subject.low + subject.high) * 0.5,
                 std::max(glm::length(subject.size()) * 0.5f, kLeastRadius)};
@@ -222,12 +223,12 @@ glm::dvec3 originNear(const Camera& camera, const glm::dvec3& subject) {
   const double nearest = double(camera.perspective ? camera.near : camera.halfHeight);
   const double step = std::exp2(std::ceil(std::log2(kOriginStep * nearest)));
   glm::dvec3 center = eyeOf(camera);
-  if (!camera.perspective) { // what it sees as finely may be far along its axis
+  if (!camera.perspective) { // precision matters everywhere along its axis
     const auto axis = glm::normalize(glm::dvec3(camera.worldFromCamera[2]));
     center += axis * glm::dot(subject - center, axis);
   }
   const glm::dvec3 origin = glm::round(center / step) * step;
-  // Farther out there is nothing to be seen.
+  // The loader rejects anything farther away.
   return glm::clamp(origin, -double(kMaxSceneReach), double(kMaxSceneReach));
 }
 
@@ -235,27 +236,28 @@ Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject, const std
                             float aspect) {
   if (choice == "auto" || (choice.empty() && scene.cameras.empty()))
     return autoCamera(scene, subject, aspect);
-  const auto sound = [&](const Camera& camera) -> Result<Camera> {
+  const auto checked = [&](const Camera& camera) -> Result<Camera> {
     if (!camera.fault.empty())
       return Error{ErrorKind::badInput, scene.name + ": " + camera.fault};
     return camera;
   };
   if (choice.empty())
-    return sound(scene.cameras.front());
+    return checked(scene.cameras.front());
   std::vector<std::string> names{"auto"};
-  for (const auto name : {&Camera::nodeName, &Camera::name}) // of a camera may be several nodes
+  for (const auto name : {&Camera::nodeName, &Camera::name}) // several nodes may share a camera
     for (const Camera& camera : scene.cameras) {
       if (camera.*name == choice)
-        return sound(camera);
-      if (const std::string shown = printable(camera.*name);
-          !(camera.*name).empty() && std::find(names.begin(), names.end(), shown) == names.end())
-        names.push_back(shown);
+        return checked(camera);
+      if (const std::string printableName = printable(camera.*name);
+          !(camera.*name).empty() &&
+          std::find(names.begin(), names.end(), printableName) == names.end())
+        names.push_back(printableName);
     }
   std::string list;
   for (const std::string& name : names)
     list += (list.empty() ? "" : ", ") + name;
   return Error{ErrorKind::usage, "--camera " + printable(choice) +
-                                     ": no such camera in the scene; there are " + list};
+                                     ": the scene has no such camera; available: " + list};
 }
 
 float halfHeightOf(const Camera& camera, float aspect) {
@@ -280,7 +282,7 @@ glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float as
     projection[2][2] = 1.0f / (camera.far - camera.near);
     projection[3] = glm::vec4(jitterClip, camera.far / (camera.far - camera.near), 1.0f);
   }
-  // In doubles: an orthographic camera may be far from the origin along its axis.
+  // In doubles, because an orthographic camera may be far from the origin along its axis.
   glm::dmat4 pose = camera.worldFromCamera;
   pose[3] -= glm::dvec4(origin, 0.0);
   return glm::mat4(glm::dmat4(projection) * glm::inverse(pose));

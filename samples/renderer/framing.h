@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a scene is, what of it is its subject, and the camera that looks at it.
+// Scene bounds, the subject of the picture, and the camera that frames it.
 #pragma once
 
 #include "scene.h"
@@ -15,45 +15,46 @@ struct Sphere {
   float radius = 1.0f;
 };
 
-/// A sphere around the instances that are the scene's subject: all of them, but for flat ones that
-/// are several times larger than the rest, such as a ground. Errors: badInput when the scene is so
-/// large that its square overflows a float.
+/// Bounding sphere of the scene's subject: all instances except flat ones that are several times
+/// larger than the rest, such as a ground plane. Errors: badInput if the scene is so large that its
+/// squared extent overflows a float.
 [[nodiscard]] Result<Sphere> subjectOf(const Scene& scene);
 
-/// The middle of the box around an instance, in the world.
+/// Centre of the instance's bounding box, in the world.
 [[nodiscard]] glm::dvec3 centerOf(const Scene& scene, const Instance& instance);
 
-/// How far before a camera, along its axis, the box around an instance begins; below 0 behind it.
+/// Distance from the camera to the nearest corner of the instance's bounding box, along the viewing
+/// axis; negative behind the camera.
 [[nodiscard]] double depthOf(const Scene& scene, const Instance& instance, const Camera& camera);
 
-/// "auto", which shows the subject as large as it fits; the name of a camera's node or of a camera
-/// of the file; or empty for the file's first camera, and auto without one. `aspect` is width over
-/// height. Errors: usage, with the names there are; badInput for a camera with a fault.
+/// `choice` is "auto" (frame the subject), the name of a camera's node or of a camera, or empty
+/// (the file's first camera, or auto if the file has none). `aspect` is width over height. Errors:
+/// usage, listing the available names; badInput for a camera with a fault.
 [[nodiscard]] Result<Camera> chooseCamera(const Scene& scene, const Sphere& subject,
                                           const std::string& choice, float aspect);
 
-/// Where a camera is in the world.
+/// Position of the camera in the world.
 [[nodiscard]] glm::dvec3 eyeOf(const Camera& camera);
 
-/// A place in the world for all that is drawn to be relative to: near a perspective camera; of an
-/// orthographic one on its axis, where the subject's center is beside it. It follows the camera in
-/// whole steps, so that little changes from frame to frame and a scene around the world's origin is
-/// drawn relative to just that; what rounding over a step moves is far below a pixel.
+/// Origin for rendering: all positions on the device are relative to it. It is near a perspective
+/// camera; for an orthographic camera it is the point on the axis next to the subject's centre. The
+/// origin moves in whole steps, so it rarely changes between frames and stays the world's origin
+/// for a scene around it. Rounding within a step is far below a pixel.
 [[nodiscard]] glm::dvec3 originNear(const Camera& camera, const glm::dvec3& subject);
 
-/// Half the height of what is seen: of a perspective camera one unit before it. `aspect` is width
-/// over height.
+/// Half the height of the view: at distance 1 for a perspective camera. `aspect` is width over
+/// height.
 [[nodiscard]] float halfHeightOf(const Camera& camera, float aspect);
 
-/// Places relative to `origin` to Vulkan's clip space (y down), depth reversed: 1 at the near plane
-/// and 0 at the far one. A picture wider than the camera's own aspect ratio shows more at the
-/// sides, a narrower one more above and below. `jitterClip` shifts the picture, in clip units.
+/// From positions relative to `origin` to Vulkan's clip space (y down) with reversed depth: 1 at
+/// the near plane, 0 at the far plane. A picture wider than the camera's aspect ratio shows more at
+/// the sides, a narrower one more above and below. `jitterClip` shifts the picture, in clip units.
 [[nodiscard]] glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,
                                       glm::vec2 jitterClip);
 
-/// Places relative to `origin` to the clip space of parallel light from direction `toward` (unit,
-/// toward the light), whose square cross-section and depth enclose `subject`; depth 0 is nearest to
-/// the light.
+/// From positions relative to `origin` to the clip space of parallel light from the unit vector
+/// `toward` (toward the light). The cross-section is square; cross-section and depth enclose
+/// `subject`. Depth 0 is nearest to the light.
 [[nodiscard]] glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject,
                                            const glm::dvec3& origin);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Accessors to vertices and triangles [glTF 2.0, sections 3.6.2 and 3.7.2].
+// Accessors -> vertices and triangles [glTF 2.0, sections 3.6.2 and 3.7.2].
 #include "geometry.h"
 
 #include "accessor.h"
@@ -18,7 +18,7 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr glm::vec3 kUp{0.0f, 1.0f, 0.0f}; // the normal of what has none
+constexpr glm::vec3 kUp{0.0f, 1.0f, 0.0f}; // default normal
 
 bool isThin(int mode) { return mode >= TINYGLTF_MODE_POINTS && mode < TINYGLTF_MODE_TRIANGLES; }
 
@@ -26,7 +26,7 @@ bool isStripOrFan(int mode) {
   return mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-/// Strips and fans as a list; a list loses an incomplete last triangle.
+/// Converts strips and fans to a list; drops an incomplete last triangle of a list.
 std::vector<std::uint32_t> asTriangleList(const std::vector<std::uint32_t>& indices, int mode) {
   if (!isStripOrFan(mode)) {
     const auto whole = std::ptrdiff_t(indices.size() - indices.size() % 3);
@@ -42,7 +42,8 @@ std::vector<std::uint32_t> asTriangleList(const std::vector<std::uint32_t>& indi
   return list;
 }
 
-/// Points, lines, strips and loops as a list of segments; a point is one from itself to itself.
+/// Converts points, lines, strips and loops to a list of segments; a point becomes a segment from a
+/// vertex to itself.
 std::vector<std::uint32_t> asSegmentList(const std::vector<std::uint32_t>& indices, int mode) {
   const bool arePoints = mode == TINYGLTF_MODE_POINTS;
   const std::size_t step = mode == TINYGLTF_MODE_LINE ? 2 : 1;
@@ -54,7 +55,7 @@ std::vector<std::uint32_t> asSegmentList(const std::vector<std::uint32_t>& indic
   return list;
 }
 
-/// Triangles or segments of a primitive, whose indices are 0, 1, 2, ... where it has none.
+/// Triangle or segment indices of a primitive; without indices in the file they are 0, 1, 2, ...
 Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
                                                 const tinygltf::Primitive& source,
                                                 std::size_t vertexCount) {
@@ -72,8 +73,8 @@ Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
                              : asTriangleList(indices, source.mode);
 }
 
-/// The largest coordinate. Also of each vertex that no index has: tangents and thin solids are made
-/// of them as well.
+/// The largest absolute coordinate, including vertices without an index: tangents and thin solids
+/// are computed for them as well.
 float reachOf(const std::vector<Vertex>& vertices) {
   float reach = 0.0f;
   for (const Vertex& v : vertices)
@@ -82,7 +83,7 @@ float reachOf(const std::vector<Vertex>& vertices) {
   return reach;
 }
 
-/// Each triangle gets vertices of its own and its geometric normal.
+/// Gives each triangle its own vertices with its geometric normal.
 void makeFlat(Primitive& primitive) {
   std::vector<Vertex> vertices;
   vertices.reserve(primitive.indices.size());
@@ -100,15 +101,15 @@ void makeFlat(Primitive& primitive) {
   primitive.vertices = std::move(vertices);
 }
 
-/// The undeformed vertices, which are still as the file stores them, each to its vertex.
-void spreadUndeformed(Primitive& primitive, bool isFlat) {
+/// Reorders the undeformed vertices, still in the file's order, to match the final vertices.
+void matchUndeformed(Primitive& primitive, bool isFlat) {
   if (primitive.undeformed.empty())
     return;
-  std::vector<Vertex> spread;
-  spread.reserve(primitive.vertices.size());
+  std::vector<Vertex> undeformed;
+  undeformed.reserve(primitive.vertices.size());
   for (const Vertex& v : primitive.vertices)
-    spread.push_back(primitive.undeformed[v.stored]);
-  primitive.undeformed = std::move(spread);
+    undeformed.push_back(primitive.undeformed[v.stored]);
+  primitive.undeformed = std::move(undeformed);
   if (!isFlat)
     return;
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
@@ -123,7 +124,8 @@ void spreadUndeformed(Primitive& primitive, bool isFlat) {
   }
 }
 
-/// Copies attribute `name` into the vertices by `assign(vertex, pointer to its components)`.
+/// Copies attribute `name` into the vertices with `assign(vertex, pointer to its components,
+/// component count)`. Returns whether the attribute exists.
 template <class Assign>
 Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primitive& source,
                            const std::string& name, Primitive& target, Assign assign) {
@@ -139,7 +141,7 @@ Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primiti
   return true;
 }
 
-/// All that the vertices have in the file; whether that includes normals.
+/// Reads all attributes of the vertices. Returns whether they include normals.
 Result<bool> readVertices(const tinygltf::Model& model, const tinygltf::Primitive& source,
                           const Material& material, Primitive& target) {
   const auto vec3 = [](const float* p) { return glm::vec3(p[0], p[1], p[2]); };
@@ -168,7 +170,7 @@ Result<bool> readVertices(const tinygltf::Model& model, const tinygltf::Primitiv
       read(mixColors,
            [&](Vertex& v, const float* p, std::size_t components) {
              const auto channel = std::size_t(material.mixChannel);
-             v.mixWeight = channel < components ? p[channel] : 1.0f; // opaque without alpha
+             v.mixWeight = channel < components ? p[channel] : 1.0f; // alpha defaults to 1
            }),
   };
   for (const Result<bool>& result : present)
@@ -177,9 +179,10 @@ Result<bool> readVertices(const tinygltf::Model& model, const tinygltf::Primitiv
   return present[0].value();
 }
 
-/// The set of texture coordinates that tangents are made for, where the file's will not do: they
-/// mean nothing without its normals, and belong to the normal texture.
-std::optional<int> madeTangents(const tinygltf::Primitive& source, const Material& material) {
+/// The texture coordinate set to generate tangents for, or nullopt if none are needed or the file's
+/// own are usable. Tangents of a file belong to its normal texture and are meaningless without its
+/// normals.
+std::optional<int> generatedTangents(const tinygltf::Primitive& source, const Material& material) {
   const TextureSlot& texture = material.normalTexture;
   if (!material.noiseNormalTexCoord && !texture.image)
     return std::nullopt;
@@ -199,15 +202,15 @@ std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive
   const std::size_t own = model.accessors[std::size_t(position->second)].count;
   const std::size_t stored =
       source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : own;
-  // What a pose deforms is kept as it was too, where a noise may be placed by that.
+  // Deformed vertices keep a copy of the original, because a noise in object space is placed by it.
   const std::size_t copies = deforms(pose) && material.hasNoise ? 2 : 1;
   const std::size_t vertices = own * (copies + restPosePasses(source, pose));
   if (isThin(source.mode))
     return vertices + stored * (copies * kThinSolidVertices + kThinSolidIndices);
   const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
-  // Flat normals take a vertex for each index, and tangents as many at most.
+  // Flat normals need one vertex per index, tangents at most as many.
   const bool splits =
-      source.attributes.count("NORMAL") == 0 || madeTangents(source, material).has_value();
+      source.attributes.count("NORMAL") == 0 || generatedTangents(source, material).has_value();
   return vertices + indices + (splits ? copies * indices : 0);
 }
 
@@ -240,16 +243,16 @@ Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
   }
   if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
     return Error{ErrorKind::badInput,
-                 fmt::format("/accessors/{}: puts a vertex {:.3g} units from its mesh's origin; "
-                             "below {:.0e} is accepted",
+                 fmt::format("/accessors/{}: a vertex is {:.3g} units from its mesh's origin; the "
+                             "limit is {:.0e}",
                              position->second, reach, kMaxSceneReach)};
   if (isThin(source.mode))
     makeThinSolids(target);
   else if (!hasNormals.value())
     makeFlat(target);
-  if (const std::optional<int> texCoord = madeTangents(source, material))
+  if (const std::optional<int> texCoord = generatedTangents(source, material))
     makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
-  spreadUndeformed(target, !isThin(source.mode) && !hasNormals.value());
+  matchUndeformed(target, !isThin(source.mode) && !hasNormals.value());
   return std::optional<Primitive>(std::move(target));
 }
 

@@ -7,7 +7,7 @@
 namespace lichen::renderer {
 namespace {
 
-// tinygltf counts bytes in 32 bits.
+// tinygltf takes the size as a 32-bit integer.
 constexpr std::size_t kMaxGltfBytes = (std::size_t(1) << 32) - 1;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A glTF file in memory with its frame taken off.
+// A glTF file in memory, split into its container parts.
 #pragma once
 
 #include <lichen/gltf_container.h>
@@ -13,13 +13,14 @@ namespace lichen::renderer {
 struct GltfFile {
   std::filesystem::path path;
   std::vector<std::byte> bytes; ///< the whole file
-  GltfContainer container;      ///< borrows from `bytes`
+  GltfContainer container;      ///< refers into `bytes`
 };
 
-/// Errors: badInput for a file that cannot be read or is no glTF, resources when memory does not
+/// Errors: badInput if the file cannot be read or is not glTF; resources if memory does not
 /// suffice.
 [[nodiscard]] Result<GltfFile> readGltfFile(const std::filesystem::path& path);
-/// As above of bytes in memory, which stand for the file at `path`.
+/// Like readGltfFile(), but from bytes in memory. `path` names the file in messages and locates the
+/// files it refers to.
 [[nodiscard]] Result<GltfFile> openGltfFile(std::vector<std::byte> bytes,
                                             const std::filesystem::path& path);
 

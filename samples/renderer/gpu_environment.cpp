@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Radiance as half floats -> panorama, cube maps and BRDF table on the device.
+// Environment -> panorama, cube maps and BRDF table on the device, as half floats.
 #include "gpu_environment.h"
 
 #include <glm/gtc/packing.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kHalfMax = 65504.0f;
 
-/// Appends RGB as RGBA of half floats, a format that every device filters.
+/// Appends RGB as RGBA16F, a format that every device can filter.
 void appendHalf(std::vector<glm::u16vec4>& out, glm::vec3 light) {
   out.push_back(glm::packHalf(glm::vec4(glm::min(light, kHalfMax), 1.0f)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An Environment on the device.
+// Uploads an Environment to the device.
 #pragma once
 
 #include "environment.h"
@@ -12,7 +12,7 @@ struct GpuEnvironment {
   DeviceImage specular;
   DeviceImage diffuse;
   DeviceImage brdf;
-  VkSampler panoramaSampler = VK_NULL_HANDLE; ///< wraps around the horizon
+  VkSampler panoramaSampler = VK_NULL_HANDLE; ///< repeats in u, around the horizon
   VkSampler clampSampler = VK_NULL_HANDLE;
 };
 

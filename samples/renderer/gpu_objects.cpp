@@ -23,7 +23,7 @@ DeviceBuffer stagingBuffer(VulkanDevice& device, std::span<const std::byte> byte
   return staging;
 }
 
-/// Level l from level l - 1, for every l; leaves all levels sampled.
+/// Computes each level from the one before; leaves all levels in the sampled state.
 void recordMips(VkCommandBuffer commands, const DeviceImage& image) {
   const auto corner = [](VkExtent3D e) {
     return VkOffset3D{std::int32_t(e.width), std::int32_t(e.height), std::int32_t(e.depth)};
@@ -52,7 +52,7 @@ ObjectOwner::~ObjectOwner() {
 
 template <class Handle, auto& kDestroy, class Create>
 Handle ObjectOwner::own(const char* what, const Create& create) {
-  Owned& owned = owned_.emplace_back(); // before the object, which would leak if this failed
+  Owned& owned = owned_.emplace_back(); // allocated first: if this throws, no object leaks
   Handle handle = VK_NULL_HANDLE;
   check(create(&handle), what);
   owned.handle = reinterpret_cast<std::uint64_t>(handle);
@@ -63,15 +63,15 @@ Handle ObjectOwner::own(const char* what, const Create& create) {
 }
 
 VkSampler ObjectOwner::sampler(const VkSamplerCreateInfo& info) {
-  return own<VkSampler, vkDestroySampler>("a sampler", [&](VkSampler* handle) {
+  return own<VkSampler, vkDestroySampler>("cannot create a sampler", [&](VkSampler* handle) {
     return vkCreateSampler(device_, &info, nullptr, handle);
   });
 }
 
 VkImageView ObjectOwner::view(const VkImageViewCreateInfo& info) {
-  return own<VkImageView, vkDestroyImageView>("an image view", [&](VkImageView* handle) {
-    return vkCreateImageView(device_, &info, nullptr, handle);
-  });
+  return own<VkImageView, vkDestroyImageView>(
+      "cannot create an image view",
+      [&](VkImageView* handle) { return vkCreateImageView(device_, &info, nullptr, handle); });
 }
 
 VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> types,
@@ -83,7 +83,7 @@ VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> t
   info.bindingCount = std::uint32_t(bindings.size());
   info.pBindings = bindings.data();
   return own<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>(
-      "a descriptor set layout", [&](VkDescriptorSetLayout* handle) {
+      "cannot create a descriptor set layout", [&](VkDescriptorSetLayout* handle) {
         return vkCreateDescriptorSetLayout(device_, &info, nullptr, handle);
       });
 }
@@ -91,13 +91,13 @@ VkDescriptorSetLayout ObjectOwner::setLayout(std::span<const VkDescriptorType> t
 VkDescriptorPool ObjectOwner::pool(std::size_t count, std::span<const VkDescriptorType> types) {
   std::vector<VkDescriptorPoolSize> sizes;
   for (const VkDescriptorType type : types)
-    sizes.push_back({type, std::uint32_t(count)}); // a type may come more than once
+    sizes.push_back({type, std::uint32_t(count)}); // Vulkan allows repeated types
   VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   info.maxSets = std::uint32_t(count);
   info.poolSizeCount = std::uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();
   return own<VkDescriptorPool, vkDestroyDescriptorPool>(
-      "a descriptor pool", [&](VkDescriptorPool* handle) {
+      "cannot create a descriptor pool", [&](VkDescriptorPool* handle) {
         return vkCreateDescriptorPool(device_, &info, nullptr, handle);
       });
 }
@@ -112,7 +112,7 @@ VkPipelineLayout ObjectOwner::pipelineLayout(std::span<const VkDescriptorSetLayo
   info.pushConstantRangeCount = pushBytes != 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
   return own<VkPipelineLayout, vkDestroyPipelineLayout>(
-      "a pipeline layout", [&](VkPipelineLayout* handle) {
+      "cannot create a pipeline layout", [&](VkPipelineLayout* handle) {
         return vkCreatePipelineLayout(device_, &info, nullptr, handle);
       });
 }
@@ -121,21 +121,24 @@ VkShaderModule ObjectOwner::shader(std::span<const std::uint32_t> code) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = code.size_bytes();
   info.pCode = code.data();
-  return own<VkShaderModule, vkDestroyShaderModule>("a shader module", [&](VkShaderModule* handle) {
-    return vkCreateShaderModule(device_, &info, nullptr, handle);
-  });
+  return own<VkShaderModule, vkDestroyShaderModule>(
+      "cannot create a shader module", [&](VkShaderModule* handle) {
+        return vkCreateShaderModule(device_, &info, nullptr, handle);
+      });
 }
 
 VkPipeline ObjectOwner::graphicsPipeline(const VkGraphicsPipelineCreateInfo& info) {
-  return own<VkPipeline, vkDestroyPipeline>("a graphics pipeline", [&](VkPipeline* handle) {
-    return vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
-  });
+  return own<VkPipeline, vkDestroyPipeline>(
+      "cannot create a graphics pipeline", [&](VkPipeline* handle) {
+        return vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
+      });
 }
 
 VkPipeline ObjectOwner::computePipeline(const VkComputePipelineCreateInfo& info) {
-  return own<VkPipeline, vkDestroyPipeline>("a compute pipeline", [&](VkPipeline* handle) {
-    return vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
-  });
+  return own<VkPipeline, vkDestroyPipeline>(
+      "cannot create a compute pipeline", [&](VkPipeline* handle) {
+        return vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, handle);
+      });
 }
 
 VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout layout) {
@@ -144,7 +147,7 @@ VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout la
   info.descriptorSetCount = 1;
   info.pSetLayouts = &layout;
   VkDescriptorSet handle = VK_NULL_HANDLE;
-  check(vkAllocateDescriptorSets(device_, &info, &handle), "a descriptor set");
+  check(vkAllocateDescriptorSets(device_, &info, &handle), "cannot allocate a descriptor set");
   return handle;
 }
 
@@ -220,7 +223,7 @@ DeviceImage uploadImage(VulkanDevice& device, DeviceImageInfo info,
   const DeviceBuffer staging = stagingBuffer(device, texels);
   DeviceImage image = take(device.createImage(info));
 
-  // Level l of n has the size that makes all given levels fill `texels`.
+  // `texels` holds all given levels, so its size determines the bytes per texel.
   const std::uint32_t givenLevels = makeMips ? 1 : info.mipLevels;
   std::vector<VkBufferImageCopy> regions;
   VkDeviceSize texelCount = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vulkan objects with an owner, uploads, and barriers.
+// Ownership of Vulkan objects, uploads, and barriers.
 #pragma once
 
 #include <lichen/vulkan_device.h>
@@ -11,7 +11,8 @@
 
 namespace lichen::renderer {
 
-/// Owns Vulkan objects that have no class of their own; destroys them in reverse order.
+/// Owns Vulkan objects that have no class of their own, and destroys them in reverse order of
+/// creation.
 class ObjectOwner {
 public:
   explicit ObjectOwner(VkDevice device) : device_(device) {}
@@ -20,13 +21,13 @@ public:
   ~ObjectOwner();
 
   [[nodiscard]] VkDevice device() const { return device_; }
-  /// Each creates one object, or throws a Failure.
+  /// Each function creates one object, or throws a Failure.
   VkSampler sampler(const VkSamplerCreateInfo& info);
   VkImageView view(const VkImageViewCreateInfo& info);
-  /// Of sets whose binding i has type types[i], visible to `stages`.
+  /// A layout whose binding i has type types[i] and is visible to `stages`.
   VkDescriptorSetLayout setLayout(std::span<const VkDescriptorType> types,
                                   VkShaderStageFlags stages);
-  /// With room for `count` sets of that layout.
+  /// A pool for `count` sets with bindings of these types.
   VkDescriptorPool pool(std::size_t count, std::span<const VkDescriptorType> types);
   VkPipelineLayout pipelineLayout(std::span<const VkDescriptorSetLayout> sets,
                                   VkShaderStageFlags pushStages, std::uint32_t pushBytes);
@@ -38,7 +39,7 @@ public:
 private:
   struct Owned {
     std::uint64_t handle = 0;
-    void (*destroy)(VkDevice, std::uint64_t) = nullptr; ///< null where creation failed
+    void (*destroy)(VkDevice, std::uint64_t) = nullptr; ///< null if creation failed
   };
 
   template <class Handle, auto& kDestroy, class Create>
@@ -48,7 +49,7 @@ private:
   std::vector<Owned> owned_;
 };
 
-/// What one binding of a descriptor set holds: a range of a buffer or an image, by its type.
+/// One binding of a descriptor set: a buffer range or an image, depending on the type.
 struct Descriptor {
   VkDescriptorType type;
   VkDescriptorBufferInfo buffer{};
@@ -75,12 +76,13 @@ struct Descriptor {
 /// Writes descriptors[i] to binding i of the set.
 void writeSet(VkDevice device, VkDescriptorSet set, std::span<const Descriptor> descriptors);
 
-/// A device-local buffer of vertices or indices, as `usage` says.
+/// A device-local vertex or index buffer, according to `usage`.
 [[nodiscard]] DeviceBuffer uploadBuffer(VulkanDevice& device, std::span<const std::byte> bytes,
                                         VkBufferUsageFlags usage);
 
-/// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level 1
-/// and so on; with `makeMips` it holds level 0 alone and the others are averages.
+/// A sampled image in SHADER_READ_ONLY_OPTIMAL. `texels` holds level 0 of every layer, then level
+/// 1, and so on. With `makeMips` it holds level 0 only, and the GPU computes the other levels by
+/// averaging.
 [[nodiscard]] DeviceImage uploadImage(VulkanDevice& device, DeviceImageInfo info,
                                       std::span<const std::byte> texels, bool makeMips);
 
@@ -92,7 +94,7 @@ struct ImageState {
   VkAccessFlags2 access;
 };
 
-/// What each use of an image by the renderer means for barriers.
+/// Layout, stages and access of each use of an image in the renderer.
 inline constexpr ImageState kUndefined{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, 0};
 inline constexpr ImageState kCopyTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                         VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
@@ -115,11 +117,11 @@ inline constexpr ImageState kStorage{
     VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
-/// Records a barrier for that part of the image.
+/// Records a barrier for a subresource range.
 void transition(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRange& range,
                 const ImageState& from, const ImageState& to);
 
-/// Likewise, for `levels` mip levels from `level`, all layers.
+/// Records a barrier for `levels` mip levels starting at `level`, all layers.
 void transition(VkCommandBuffer commands, const DeviceImage& image, const ImageState& from,
                 const ImageState& to, std::uint32_t level = 0,
                 std::uint32_t levels = VK_REMAINING_MIP_LEVELS);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uploads of vertices, indices and textures; a uniform block and a descriptor set for each
+// Uploads vertices, indices and textures, and creates a uniform block and a descriptor set per
 // material.
 #include "gpu_scene.h"
 
@@ -17,7 +17,7 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr std::size_t kMaterialStride = 512; // on any device's alignment
+constexpr std::size_t kMaterialStride = 512; // bytes; a multiple of any device's alignment
 static_assert(kMaterialStride >= sizeof(shader::MaterialData) && kMaterialStride % 256 == 0);
 
 void uploadGeometry(VulkanDevice& device, const Scene& scene, GpuScene& gpu) {
@@ -55,13 +55,13 @@ VkSamplerCreateInfo samplerInfo(const Sampler& sampler) {
                                                    : VK_SAMPLER_MIPMAP_MODE_LINEAR;
   info.addressModeU = wrap(sampler.wrapU);
   info.addressModeV = wrap(sampler.wrapV);
-  // 0.25 rather than 0: with 0 every texture would count as magnified [Vulkan,
+  // 0.25 instead of 0: with 0, Vulkan treats every texture as magnified [Vulkan,
   // VkSamplerCreateInfo].
   info.maxLod = sampler.mipmapped ? VK_LOD_CLAMP_NONE : 0.25f;
   return info;
 }
 
-/// Uploads each image once for each meaning, and makes each sampler once.
+/// Uploads each image once per use (colour or data), and creates each distinct sampler once.
 class TextureCache {
 public:
   TextureCache(VulkanDevice& device, ObjectOwner& objects, const Scene& scene, GpuScene& gpu)
@@ -91,11 +91,11 @@ private:
     return gpu_.images.back().view;
   }
 
-  VkSampler sampler(const Sampler& wanted) {
-    for (const auto& [known, handle] : samplers_)
-      if (known == wanted)
+  VkSampler sampler(const Sampler& settings) {
+    for (const auto& [existing, handle] : samplers_)
+      if (existing == settings)
         return handle;
-    return samplers_.emplace_back(wanted, objects_.sampler(samplerInfo(wanted))).second;
+    return samplers_.emplace_back(settings, objects_.sampler(samplerInfo(settings))).second;
   }
 
   VulkanDevice& device_;
@@ -199,14 +199,15 @@ Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits
     if (std::uint32_t(std::max(image.width, image.height)) > longestSide)
       return Error{ErrorKind::environment,
                    scene.name + ": an image of " + std::to_string(image.width) + " x " +
-                       std::to_string(image.height) + "; this device accepts up to " +
-                       std::to_string(longestSide) + " on a side"};
+                       std::to_string(image.height) + " is too large; this device supports up to " +
+                       std::to_string(longestSide) + " x " + std::to_string(longestSide)};
   const std::size_t lastIndex = limits.maxDrawIndexedIndexValue;
   for (const Primitive& primitive : scene.primitives)
     if (primitive.vertices.size() - 1 > lastIndex)
       return Error{ErrorKind::environment,
                    scene.name + ": a primitive of " + std::to_string(primitive.vertices.size()) +
-                       " vertices; this device accepts up to " + std::to_string(lastIndex + 1)};
+                       " vertices is too large; this device supports up to " +
+                       std::to_string(lastIndex + 1)};
   return {};
 }
 

@@ -11,13 +11,13 @@
 namespace lichen::renderer {
 namespace {
 
-std::string shown(const nlohmann::json& value) {
+std::string describe(const nlohmann::json& value) {
   if (value.is_array() || value.is_object())
     return std::string("an ") + value.type_name();
   return printable(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
-std::string shown(double value) {
+std::string describe(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
@@ -28,11 +28,11 @@ std::string range(double low, double high) {
   if (low <= -largest && high >= largest)
     return "a finite number";
   if (high >= largest)
-    return "a number of at least " + shown(low);
-  return "a number in [" + shown(low) + ", " + shown(high) + "]";
+    return "a number of at least " + describe(low);
+  return "a number in [" + describe(low) + ", " + describe(high) + "]";
 }
 
-const nlohmann::json kNothing = nlohmann::json::object();
+const nlohmann::json kEmptyObject = nlohmann::json::object();
 
 } // namespace
 
@@ -42,7 +42,7 @@ void Place::fail(const std::string& what) const {
 
 std::optional<Place> Place::find(const char* key) const {
   if (!value_->is_object())
-    fail(shown(*value_) + " is not accepted, an object is");
+    fail(describe(*value_) + " is invalid; expected an object");
   const auto found = value_->find(key);
   if (found == value_->end())
     return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<Place> Place::find(const char* key) const {
 Place Place::member(const char* key) const {
   std::optional<Place> found = find(key);
   if (!found)
-    fail(std::string("the required member \"") + key + "\" is absent");
+    fail(std::string("the required member \"") + key + "\" is missing");
   return *found;
 }
 
@@ -62,10 +62,10 @@ void Place::each(const char* key,
   if (!array)
     return;
   if (!array->value_->is_array() || array->value_->empty())
-    array->fail(shown(*array->value_) + " is not accepted, a non-empty array is");
+    array->fail(describe(*array->value_) + " is invalid; expected a non-empty array");
   if (array->value_->size() > kMaxElements)
-    array->fail(std::to_string(array->value_->size()) + " elements are not accepted, up to " +
-                std::to_string(kMaxElements) + " are");
+    array->fail(std::to_string(array->value_->size()) + " elements are too many; the limit is " +
+                std::to_string(kMaxElements));
   for (std::size_t i = 0; i < array->value_->size(); ++i)
     visit(Place((*array->value_)[i], array->pointer_ + "/" + std::to_string(i)), i);
 }
@@ -76,11 +76,11 @@ std::size_t Place::countOf(const char* key) const {
 }
 
 std::size_t Place::asIndex(std::size_t limit) const {
-  // Signed values reach get<uint64_t> as huge ones, so the type is asked for first.
+  // Check the type first: get<std::uint64_t> converts negative values to huge ones.
   if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
-    fail(shown(*value_) + " is not accepted, " +
-         (limit == 0 ? std::string("there is nothing to refer to")
-                     : "an index from 0 to " + std::to_string(limit - 1) + " is"));
+    fail(describe(*value_) + " is invalid; " +
+         (limit == 0 ? std::string("the document has nothing to refer to")
+                     : "expected an index from 0 to " + std::to_string(limit - 1)));
   return value_->get<std::size_t>();
 }
 
@@ -100,8 +100,8 @@ std::uint64_t Place::integer(const char* key, std::uint64_t low, std::uint64_t h
   const nlohmann::json& value = *place.value_;
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() < low ||
       value.get<std::uint64_t>() > high)
-    place.fail(shown(value) + " is not accepted, an integer from " + std::to_string(low) + " to " +
-               std::to_string(high) + " is");
+    place.fail(describe(value) + " is invalid; expected an integer from " + std::to_string(low) +
+               " to " + std::to_string(high));
   return value.get<std::uint64_t>();
 }
 
@@ -116,14 +116,14 @@ std::optional<std::uint64_t> Place::oneOf(const char* key,
       return value;
     list += (list.empty() ? "" : ", ") + std::to_string(value);
   }
-  found->fail(shown(*found->value_) + " is not accepted, one of " + list + " is");
+  found->fail(describe(*found->value_) + " is invalid; expected one of " + list);
 }
 
 double Place::asNumber(double low, double high) const {
   const double largest = std::numeric_limits<float>::max();
   const double value = value_->is_number() ? value_->get<double>() : 0.0;
   if (!value_->is_number() || value < low || value > high || std::abs(value) > largest)
-    fail(shown(*value_) + " is not accepted, " + range(low, high) + " is");
+    fail(describe(*value_) + " is invalid; expected " + range(low, high));
   return value;
 }
 
@@ -138,7 +138,7 @@ void Place::numbers(const char* key, std::size_t count, double low, double high)
     return;
   const nlohmann::json& array = *found->value_;
   if (!array.is_array() || array.size() != count)
-    found->fail("an array of " + std::to_string(count) + " numbers is accepted");
+    found->fail("expected an array of " + std::to_string(count) + " numbers");
   for (std::size_t i = 0; i < count; ++i)
     (void)Place(array[i], found->pointer_ + "/" + std::to_string(i)).asNumber(low, high);
 }
@@ -148,22 +148,22 @@ std::optional<std::string> Place::string(const char* key) const {
   if (!found)
     return std::nullopt;
   if (!found->value_->is_string())
-    found->fail(shown(*found->value_) + " is not accepted, a string is");
+    found->fail(describe(*found->value_) + " is invalid; expected a string");
   return found->value_->get<std::string>();
 }
 
 void Place::boolean(const char* key) const {
   const std::optional<Place> found = find(key);
   if (found && !found->value_->is_boolean())
-    found->fail(shown(*found->value_) + " is not accepted, true or false is");
+    found->fail(describe(*found->value_) + " is invalid; expected true or false");
 }
 
 Place Place::extension(const char* name) const {
   const std::optional<Place> extensions = find("extensions");
   if (!extensions)
-    return Place(kNothing, pointer_);
+    return Place(kEmptyObject, pointer_);
   const std::optional<Place> found = extensions->find(name);
-  return found ? *found : Place(kNothing, pointer_);
+  return found ? *found : Place(kEmptyObject, pointer_);
 }
 
 } // namespace lichen::renderer

@@ -2,8 +2,8 @@
 // Ratios of irradiance at the subject -> intensities; see lighting.h.
 #include "lighting.h"
 
+#include "relative_to.h"
 #include "shaders/scene_interface.h"
-#include "world_place.h"
 
 #include <algorithm>
 #include <numbers>
@@ -12,11 +12,12 @@ namespace lichen::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-// A sun about three times as strong as the sky, as on a day with thin haze; on a clear one it is
-// more like six, which leaves shadows too dark for a display.
+// The sun is about three times as strong as the sky, as on a day with thin haze. On a clear day the
+// ratio is about six, but then shadows are too dark for a display.
 constexpr float kKeyIrradiance = 1.05f * kPi;
 constexpr float kSkyIrradiance = 0.42f * kPi;
-// Lamps are seen at dusk: a sky that fills their shadows, but does not compete.
+// Without a sun, the sky is as dim as at dusk: it fills the shadows of lamps without competing with
+// them.
 constexpr float kDuskIrradiance = 0.10f * kPi;
 constexpr glm::vec3 kDefaultTowardSun{-0.62f, 0.66f, 0.43f};
 constexpr glm::vec3 kDefaultSunColor{1.0f, 0.95f, 0.88f};
@@ -25,8 +26,8 @@ float irradianceAt(const Light& light, const Sphere& subject) {
   const float strongest = std::max(light.color.r, std::max(light.color.g, light.color.b));
   if (light.kind == LightKind::directional)
     return light.intensity * strongest;
-  const glm::vec3 way = relativeTo(subject.center, light.position);
-  const float squared = std::max(glm::dot(way, way), subject.radius * subject.radius);
+  const glm::vec3 toLight = relativeTo(subject.center, light.position);
+  const float squared = std::max(glm::dot(toLight, toLight), subject.radius * subject.radius);
   return light.intensity * strongest / squared;
 }
 
@@ -48,14 +49,14 @@ Lighting arrangeLights(const Scene& scene, const Sphere& subject, bool environme
     result.lights.push_back(sun);
     strongest = 1.0f;
   }
-  // In double: the factor of a faint light may be no float.
+  // In double, because the factor for a faint light may overflow a float.
   const double factor = double(kKeyIrradiance) / double(strongest);
   for (Light& light : result.lights)
     light.intensity = float(double(light.intensity) * factor);
   std::stable_sort(result.lights.begin(), result.lights.end(), [&](const Light& a, const Light& b) {
     return irradianceAt(a, subject) > irradianceAt(b, subject);
   });
-  // The strongest sun goes first: it is the one that casts shadows.
+  // The strongest directional light comes first, because light 0 casts shadows.
   const auto sun = std::find_if(result.lights.begin(), result.lights.end(), [](const Light& light) {
     return light.kind == LightKind::directional;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's lights brought to one scale, with a sun and a sky where the scene has none.
+// Normalises a scene's lights to one scale, and adds a sun and a sky where the scene has none.
 #pragma once
 
 #include "framing.h"
@@ -10,19 +10,19 @@
 namespace lichen::renderer {
 
 struct Lighting {
-  /// Lights in the renderer's scale: a white matte surface that faces the strongest one and the sky
-  /// has a radiance of a little over 1. The sun, if there is one, is first; the others follow from
-  /// the one that lights the subject most. At most MAX_LIGHTS.
+  /// Lights in the renderer's scale: a white matte surface that faces the strongest light and the
+  /// sky has a radiance of a little over 1. The sun comes first if there is one, then the others by
+  /// irradiance at the subject, strongest first. At most MAX_LIGHTS.
   std::vector<Light> lights;
-  std::size_t dropped = 0; ///< lights of the scene beyond MAX_LIGHTS
+  std::size_t dropped = 0; ///< number of the scene's lights beyond MAX_LIGHTS
   bool hasSun = false;
-  glm::vec3 towardSun{0.0f, 1.0f, 0.0f}; ///< where the built-in sky glows
-  float skyIrradiance = 0.0f;            ///< of the built-in sky on level ground; 0 without it
+  glm::vec3 towardSun{0.0f, 1.0f, 0.0f}; ///< direction of the sun in the built-in sky
+  float skyIrradiance = 0.0f; ///< irradiance of the built-in sky on level ground; 0 without it
 };
 
-/// Files state light in lux and candela, exporters in units of their own, so only ratios are kept:
-/// the strongest light's irradiance at the subject becomes kKeyIrradiance. Without any light there
-/// is a default sun, unless an environment file brings the light.
+/// glTF states light in lux and candela, but exporters use units of their own, so only ratios
+/// matter: the strongest light's irradiance at the subject becomes kKeyIrradiance. A scene without
+/// lights gets a default sun, unless an environment file lights it.
 [[nodiscard]] Lighting arrangeLights(const Scene& scene, const Sphere& subject,
                                      bool environmentFile);
 

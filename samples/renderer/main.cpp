@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen-render: a glTF scene -> a picture.
+// lichen-render: renders a glTF scene to a picture.
 #include "command_line.h"
 #include "environment.h"
 #include "picture.h"
@@ -28,7 +28,7 @@ Result<void> listDevices(bool json) {
 }
 
 void note(const Command& command, const std::vector<std::string>& lines) {
-  if (!command.quiet && !command.json) // there they are part of the report
+  if (!command.quiet && !command.json) // the JSON report contains them
     writeNotes(lines);
 }
 
@@ -63,8 +63,8 @@ void report(const Command& command, const std::string& device, const Scene& scen
   }
 }
 
-Result<Picture> drawn(const Command& command, VulkanDevice& device, const Scene& scene,
-                      RenderSettings settings) {
+Result<Picture> render(const Command& command, VulkanDevice& device, const Scene& scene,
+                       RenderSettings settings) {
   cli::SharedOptions shared;
   shared.quiet = command.quiet;
   cli::ProgressLine progress("render", shared);
@@ -103,7 +103,7 @@ Result<void> run(const Command& command) {
   Result<std::unique_ptr<VulkanDevice>> device = VulkanDevice::create(options);
   if (!device)
     return device.error();
-  Result<Picture> picture = drawn(command, *device.value(), scene.value(), settings);
+  Result<Picture> picture = render(command, *device.value(), scene.value(), settings);
   if (!picture)
     return picture.error();
   note(command, picture.value().notes);
@@ -111,9 +111,9 @@ Result<void> run(const Command& command) {
     return written;
   const std::string deviceName = device.value()->properties().deviceName;
   const std::shared_ptr<const ValidationMessages> messages = device.value()->keptMessages();
-  device.value().reset(); // the layers report what was never destroyed
-  if (Result<void> silent = checkMessages(*messages); !silent)
-    return silent;
+  device.value().reset(); // so that the layers report leaked objects
+  if (Result<void> checked = checkMessages(*messages); !checked)
+    return checked;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(command, deviceName, scene.value(), picture.value(), seconds.count());
   return {};

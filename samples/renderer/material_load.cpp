@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0, sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength.
+// Materials and textures [glTF 2.0, sections 3.8 and 3.9], KHR_texture_transform,
+// KHR_materials_emissive_strength, and what the renderer needs of LICHEN_materials_exemplar_noise.
 #include "material_load.h"
 
 #include <lichen/bundle.h>
@@ -57,7 +58,7 @@ glm::vec2 pairIn(const tinygltf::Value& object, const char* key, glm::vec2 absen
   return {float(pair.Get(0).GetNumberAsDouble()), float(pair.Get(1).GetNumberAsDouble())};
 }
 
-/// Members and elements of a value that may be anything; a null value where there is none.
+/// A member or an element of a value of any type; a null value if it does not exist.
 const tinygltf::Value& at(const tinygltf::Value& value, const char* key) {
   static const tinygltf::Value kNull;
   return value.Has(key) ? value.Get(key) : kNull;
@@ -67,8 +68,8 @@ const tinygltf::Value& at(const tinygltf::Value& value, int index) {
   return index >= 0 && std::size_t(index) < value.ArrayLen() ? value.Get(index) : kNull;
 }
 
-/// The noise that a material uses. The extension is the plugin's to check, later: here a fault
-/// counts as absence, and so does a method or a revision that the plugin ignores.
+/// The noise that a material uses. The plugin validates the extension later; until then, this file
+/// treats faults and unknown methods or revisions as absence.
 const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Value& use) {
   static const tinygltf::Value kNull;
   const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
@@ -84,14 +85,13 @@ const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Val
   return isRead ? noise : kNull;
 }
 
-/// Of the mappings in space: uv is the default. The extension is the plugin's to check: here and
-/// below a fault counts as absence.
-bool isMapped(const tinygltf::Value& use, Mapping expected) {
+/// Whether a material states this mapping; not meant for uv, the default.
+bool hasMapping(const tinygltf::Value& use, Mapping expected) {
   const tinygltf::Value& mapping = at(use, "mapping");
   return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
 }
 
-/// Where the normals of a material's noise take their texture coordinates; nothing without normals.
+/// The texture coordinate set of a noise with normals; nullopt without normals.
 std::optional<int> normalTexCoord(const tinygltf::Value& noise, const tinygltf::Value& use) {
   const tinygltf::Value& maps = at(noise, "maps");
   for (int m = 0; m < int(maps.ArrayLen()); ++m) {
@@ -104,8 +104,7 @@ std::optional<int> normalTexCoord(const tinygltf::Value& noise, const tinygltf::
   return std::nullopt;
 }
 
-/// Where a material's noise has the weight of its mix, if the renderer is to give it. As above, a
-/// fault counts as absence.
+/// Reads the source of a mix's weight, if that is a texture or vertex colours.
 void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material& result) {
   const tinygltf::Value& mix = at(use, "mix");
   const tinygltf::Value& source = at(mix, "source");
@@ -147,7 +146,8 @@ void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material&
   slot.texCoord = integer(other.IsInt() ? other : at(info, "texCoord"), 1);
 }
 
-/// Info is one of tinygltf's three textureInfo structs. An image's index stays that of the file.
+/// Info is one of tinygltf's three textureInfo structs. The image index refers to the file's
+/// images; readMaterials() replaces it.
 template <class Info>
 TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
   TextureSlot slot;
@@ -155,7 +155,7 @@ TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
     return slot;
   const tinygltf::Texture& texture = model.textures[std::size_t(info.index)];
   if (texture.source < 0)
-    return slot; // an extension that is ignored would have named the image
+    return slot; // only an unsupported extension names the image
   slot.image = std::size_t(texture.source);
   slot.sampler = readSampler(model, texture.sampler);
   slot.texCoord = info.texCoord;
@@ -197,16 +197,16 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
     const tinygltf::Value& noise = noiseOf(model, *use);
-    if (isMapped(*use, Mapping::surface))
+    if (hasMapping(*use, Mapping::surface))
       result.noiseNeedsTangents = noise.IsObject();
-    else if (!isMapped(*use, Mapping::triplanar)) // whose slopes are gradients in space
+    else if (!hasMapping(*use, Mapping::triplanar)) // triplanar slopes are 3-D gradients
       result.noiseNormalTexCoord = normalTexCoord(noise, *use);
     readMix(model, *use, result);
   }
   return result;
 }
 
-/// Grey, grey + alpha, RGB or RGBA as RGBA bytes.
+/// Converts grey, grey + alpha, RGB or RGBA to RGBA bytes.
 TextureImage asBytes(const SrgbImage& image) {
   TextureImage result;
   result.width = image.width;
@@ -226,7 +226,7 @@ TextureImage asBytes(const SrgbImage& image) {
   return result;
 }
 
-/// An image's file: a view of a buffer, or what the image has loaded itself.
+/// The encoded file of an image: in a bufferView, or loaded by tinygltf.
 std::span<const std::byte> fileOf(const tinygltf::Model& model, const tinygltf::Image& image) {
   if (image.bufferView < 0)
     return std::as_bytes(std::span(image.image));
@@ -239,14 +239,14 @@ Result<TextureImage> decode(const tinygltf::Model& model, std::size_t index) {
   const std::span<const std::byte> bytes = fileOf(model, model.images[index]);
   const std::string name = "/images/" + std::to_string(index);
   if (bytes.empty())
-    return Error{ErrorKind::badInput, name + ": its file cannot be read; a PNG or JPEG inside the "
-                                             "scene's folder is accepted"};
+    return Error{ErrorKind::badInput, name + ": cannot read the file; it must be a PNG or JPEG in "
+                                             "the scene's folder"};
   Result<ImageFile> file = decodeImage(bytes, name);
   if (!file)
     return file.error();
   const auto* pixels = std::get_if<SrgbImage>(&file.value().pixels);
   if (pixels == nullptr)
-    return Error{ErrorKind::badInput, name + ": an EXR is not accepted, PNG or JPEG is"};
+    return Error{ErrorKind::badInput, name + ": is an EXR; expected a PNG or JPEG"};
   return asBytes(*pixels);
 }
 
@@ -257,8 +257,8 @@ Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
     scene.materials.push_back(readMaterial(model, material));
   scene.materials.push_back(Material());
 
-  // Only images that a material uses are decoded; each gets its place in scene.images.
-  std::vector<std::optional<std::size_t>> placeOf(model.images.size());
+  // Decode only images that a material uses, each once.
+  std::vector<std::optional<std::size_t>> indexOf(model.images.size());
   std::size_t texels = 0;
   for (Material& material : scene.materials) {
     for (TextureSlot* slot :
@@ -266,8 +266,8 @@ Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
           &material.occlusionTexture, &material.emissiveTexture, &material.mixTexture}) {
       if (!slot->image)
         continue;
-      std::optional<std::size_t>& place = placeOf[*slot->image];
-      if (!place) {
+      std::optional<std::size_t>& index = indexOf[*slot->image];
+      if (!index) {
         Result<TextureImage> image = decode(model, *slot->image);
         if (!image)
           return image.error();
@@ -275,11 +275,11 @@ Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
         if (texels > kMaxSceneTexels)
           return Error{ErrorKind::resources, "/images: more than " +
                                                  std::to_string(kMaxSceneTexels) +
-                                                 " texels in all; smaller images are accepted"};
-        place = scene.images.size();
+                                                 " texels in total; use smaller images"};
+        index = scene.images.size();
         scene.images.push_back(std::move(image).value());
       }
-      slot->image = place;
+      slot->image = index;
     }
   }
   return {};

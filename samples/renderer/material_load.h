@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Materials, textures and images of a glTF model. Private to scene loading: the model has been
-// validated.
+// Reads the materials, textures and images of a glTF model. Private to scene loading, which has
+// validated the model.
 #pragma once
 
 #include "scene.h"
@@ -9,8 +9,8 @@
 
 namespace lichen::renderer {
 
-/// Fills scene.materials (with glTF's default material last) and scene.images, decoding each image
-/// that a material uses; image bytes are in tinygltf::Image::image as the file holds them.
+/// Fills scene.materials (glTF's default material comes last) and scene.images. Decodes each image
+/// that a material uses; tinygltf::Image::image holds the encoded file.
 [[nodiscard]] Result<void> readMaterials(const tinygltf::Model& model, Scene& scene);
 
 } // namespace lichen::renderer

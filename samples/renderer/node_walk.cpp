@@ -8,7 +8,7 @@
 #include "geometry.h"
 #include "orthonormal_frame.h"
 #include "printable.h"
-#include "world_place.h"
+#include "relative_to.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -22,7 +22,7 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr std::size_t kMatrix = 16; // numbers in one
+constexpr std::size_t kMatrix = 16; // numbers in a 4 x 4 matrix
 constexpr double kLargest = std::numeric_limits<float>::max();
 
 glm::dmat4 localMatrix(const tinygltf::Node& node) {
@@ -45,7 +45,7 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
   return matrix;
 }
 
-/// Position and rotation of a node, without its scale: cameras and lights ignore that.
+/// Position and rotation of a node without its scale, which cameras and lights ignore.
 glm::dmat4 rigid(const glm::dmat4& m) {
   const auto back = glm::dvec3(m[2]);
   const glm::dvec3 z = glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0, 0, 1);
@@ -73,7 +73,8 @@ Light readLight(const tinygltf::Light& source, const glm::dmat4& world) {
   return light;
 }
 
-/// Walks the default scene's forest with a stack of its own, so that depth costs no call stack.
+/// Walks the default scene's nodes with an explicit stack, so that deep hierarchies cannot overflow
+/// the call stack.
 class NodeWalk {
 public:
   NodeWalk(const tinygltf::Model& model, Scene& scene)
@@ -82,7 +83,7 @@ public:
 
   Result<void> run() {
     if (model_.scenes.empty())
-      return Error{ErrorKind::badInput, "has no scene; a scene with a mesh is accepted"};
+      return Error{ErrorKind::badInput, "has no scene; add a scene with a mesh"};
     const int chosen = model_.defaultScene >= 0 ? model_.defaultScene : 0;
     push(model_.scenes[std::size_t(chosen)].nodes, glm::dmat4(1.0));
     while (!pending_.empty()) {
@@ -91,12 +92,12 @@ public:
       if (Result<void> visited = visit(std::size_t(index), parent); !visited)
         return visited;
     }
-    for (const std::size_t node : skinnedNodes_) // now that all joints have their place
+    for (const std::size_t node : skinnedNodes_) // after the transforms of all joints are known
       if (Result<void> added = addSkinned(model_.nodes[node]); !added)
         return added;
     if (scene_.instances.empty())
       return Error{ErrorKind::badInput,
-                   "its scene has no triangles, lines or points; at least one is accepted"};
+                   "its scene has nothing to draw; add a mesh with triangles, lines or points"};
     return {};
   }
 
@@ -106,7 +107,7 @@ private:
     const glm::dmat4 world = parent * localMatrix(node);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
-        if (!(std::abs(world[column][row]) <= kLargest)) // NaN neither
+        if (!(std::abs(world[column][row]) <= kLargest)) // also true for NaN
           return Error{ErrorKind::badInput, "/nodes: the transform of node \"" +
                                                 printable(node.name) + "\" is not finite"};
     if (node.camera >= 0)
@@ -125,13 +126,13 @@ private:
     return {};
   }
 
-  /// Without a skin.
+  /// The pose of a node's morph targets, without a skin.
   [[nodiscard]] RestPose restPose(const tinygltf::Node& node) const {
     const std::vector<double>& ofMesh = model_.meshes[std::size_t(node.mesh)].weights;
     return {node.weights.empty() ? std::span(ofMesh) : std::span(node.weights), {}};
   }
 
-  /// The first is visited next.
+  /// Pushes nodes so that the first one is visited next.
   void push(const std::vector<int>& nodes, const glm::dmat4& parent) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
       pending_.push_back({*node, parent});
@@ -143,7 +144,7 @@ private:
     scene_.cameras.push_back(std::move(camera));
   }
 
-  /// A skin's joints place a mesh in the world, whatever the place of its own node.
+  /// A skinned mesh follows its joints and ignores its own node's transform.
   Result<void> addSkinned(const tinygltf::Node& node) {
     const auto skin = std::size_t(node.skin);
     if (!jointsOfSkin_[skin]) {
@@ -154,12 +155,13 @@ private:
     }
     RestPose pose = restPose(node);
     pose.jointMatrices = jointsOfSkin_[skin]->matrices;
-    return addMesh(node, glm::translate(glm::dmat4(1.0), jointsOfSkin_[skin]->place), pose);
+    return addMesh(node, glm::translate(glm::dmat4(1.0), jointsOfSkin_[skin]->origin), pose);
   }
 
-  /// Of a skin: from the bind pose to the pose at rest, around a place in the world.
+  /// Joint matrices of a skin, from the bind pose to the rest pose, relative to `origin` in the
+  /// world.
   struct Joints {
-    glm::dvec3 place{0.0};
+    glm::dvec3 origin{0.0};
     std::vector<glm::mat4> matrices;
   };
 
@@ -179,26 +181,26 @@ private:
         return Error{ErrorKind::badInput,
                      "/skins/" + std::to_string(index) + "/joints/" + std::to_string(j) +
                          ": node " + std::to_string(skin.joints[j]) +
-                         " is not in the scene that is drawn; joints in the scene of their mesh "
-                         "are accepted"};
+                         " is not in the scene to draw; joints must be in the same scene as their "
+                         "mesh"};
       const glm::mat4 bind =
           inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBind[kMatrix * j]);
       joints.push_back(*joint * glm::dmat4(bind));
     }
-    return around(glm::dvec3(joints.front()[3]), joints);
+    return relativeJoints(glm::dvec3(joints.front()[3]), joints);
   }
 
-  /// Vertices are floats, so they are kept small.
-  static Joints around(const glm::dvec3& place, const std::vector<glm::dmat4>& joints) {
+  /// Places the joints relative to `origin`, so that vertices, which are floats, stay small.
+  static Joints relativeJoints(const glm::dvec3& origin, const std::vector<glm::dmat4>& joints) {
     Joints result;
-    if (glm::length(place) < double(kMaxSceneReach)) // farther, nothing is drawn
-      result.place = place;
+    if (glm::length(origin) < double(kMaxSceneReach)) // the loader rejects anything farther
+      result.origin = origin;
     for (const glm::dmat4& joint : joints)
-      result.matrices.push_back(relativeTo(result.place, joint));
+      result.matrices.push_back(relativeTo(result.origin, joint));
     return result;
   }
 
-  /// Nodes share a mesh's primitives, but for those that its pose makes other ones.
+  /// Nodes share the primitives of a mesh, except nodes whose pose deforms it.
   Result<void> addMesh(const tinygltf::Node& node, const glm::dmat4& world, const RestPose& pose) {
     const auto mesh = std::size_t(node.mesh);
     if (deforms(pose)) {
@@ -218,7 +220,7 @@ private:
     return Error{ErrorKind::resources, "/nodes: the scene draws more than " +
                                            std::to_string(kMaxSceneInstances) + " primitives, or " +
                                            std::to_string(kMaxDrawnVertices) +
-                                           " vertices and indices; a smaller scene is accepted"};
+                                           " vertices and indices; use a smaller scene"};
   }
 
   Result<void> addInstances(const std::vector<std::size_t>& primitives, const glm::dmat4& world) {
@@ -232,7 +234,7 @@ private:
     return {};
   }
 
-  /// Indices of a mesh's primitives, which are appended to the scene's.
+  /// Appends a mesh's primitives to the scene and returns their indices.
   Result<std::vector<std::size_t>> loadMesh(std::size_t mesh, const RestPose& pose) {
     std::vector<std::size_t> primitives;
     for (const tinygltf::Primitive& source : model_.meshes[mesh].primitives) {
@@ -255,14 +257,16 @@ private:
 
   void noteMissingTangents(std::size_t mesh, const tinygltf::Primitive& source,
                            const Material& material) {
-    const TextureSlot& normals = material.normalTexture; // from which tangents are made
+    // tangents can be generated for this texture
+    const TextureSlot& normals = material.normalTexture;
     const bool makesTangents =
         normals.image && source.attributes.contains("TEXCOORD_" + std::to_string(normals.texCoord));
     if (material.noiseNeedsTangents && !makesTangents && !source.attributes.contains("TANGENT"))
       scene_.notes.push_back(
           "/meshes/" + std::to_string(mesh) + " \"" + printable(model_.meshes[mesh].name) +
-          "\" has no TANGENT, along which the noise of its material \"" + printable(material.name) +
-          "\" lies; any direction is taken, lichen apply finds good ones");
+          "\" has no TANGENT attribute, which the noise of its material \"" +
+          printable(material.name) +
+          "\" follows; an arbitrary direction is used; add tangents with lichen apply");
   }
 
   Result<std::optional<Primitive>> loadPrimitive(const tinygltf::Primitive& source,
@@ -272,7 +276,7 @@ private:
     vertices_ += expandedSize(model_, source, scene_.materials[material], pose);
     if (vertices_ > kMaxSceneVertices)
       return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
-                                             " vertices and indices; a smaller scene is accepted"};
+                                             " vertices and indices; use a smaller scene"};
     Result<std::optional<Primitive>> primitive =
         readPrimitive(model_, source, scene_.materials[material], pose);
     if (primitive && primitive.value())
@@ -286,14 +290,15 @@ private:
   };
   const tinygltf::Model& model_;
   Scene& scene_;
-  std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_; ///< as stored
-  std::vector<std::optional<glm::dmat4>> worldOfNode_;                    ///< of those in the scene
+  /// not deformed by a pose
+  std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_;
+  std::vector<std::optional<glm::dmat4>> worldOfNode_; ///< only for nodes of the scene
   std::vector<std::size_t> skinnedNodes_;
   std::vector<std::optional<Joints>> jointsOfSkin_;
-  std::size_t loaded_ = 0; ///< primitives; one for each node that deforms it
+  std::size_t loaded_ = 0; ///< loaded primitives, once more for each node that deforms them
   std::vector<Pending> pending_;
-  std::size_t vertices_ = 0; ///< and indices, of the primitives loaded so far
-  std::size_t drawn_ = 0;    ///< the same, of the instances
+  std::size_t vertices_ = 0; ///< vertices and indices of the primitives loaded so far
+  std::size_t drawn_ = 0;    ///< vertices and indices of the instances so far
 };
 
 } // namespace

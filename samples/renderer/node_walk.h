@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nodes of a glTF scene. Private to scene loading: the model has been validated.
+// Reads the nodes of a glTF scene. Private to scene loading, which has validated the model.
 #pragma once
 
 #include "scene.h"
@@ -8,10 +8,10 @@
 
 namespace lichen::renderer {
 
-/// Appends to `scene`, whose materials are read already, what stands in the model's default scene,
-/// or else in its first: primitives and their instances, cameras and lights. Errors: badInput for a
-/// scene without anything to draw, or with values that are not finite; resources for one larger
-/// than the bounds in scene.h.
+/// Appends the primitives, instances, cameras and lights of the model's default scene (or else its
+/// first scene) to `scene`, whose materials are already read. Errors: badInput for a scene without
+/// anything to draw or with values that are not finite; resources for a scene beyond the bounds in
+/// scene.h.
 [[nodiscard]] Result<void> walkNodes(const tinygltf::Model& model, Scene& scene);
 
 } // namespace lichen::renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What someone who looks at a scene changes about all its noises at once.
+// Changes that the viewer's user makes to all noises of a scene at once.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,23 @@ namespace lichen::renderer {
 
 enum class NoiseMapping { uv, triplanar, surface };
 
-/// NoiseChanges::tileRotation of any angle: as many steps of a turn as the format has.
+/// NoiseChanges::tileRotation for any angle; the format's largest number of steps per full turn.
 inline constexpr std::uint32_t kFreeTileRotation = 65536;
 
-/// Relative to what each material says, and kept within what the plugin accepts. The default
+/// Relative to each material's own values, and clamped to the ranges of the plugin. The default
 /// changes nothing.
 struct NoiseChanges {
-  std::optional<std::uint32_t> noise;  ///< of the bundle, in place of each material's own
-  std::optional<NoiseMapping> mapping; ///< uv or triplanar, in place of each material's own
-  std::optional<bool> inObjectSpace;   ///< of mappings in space, in place of each material's own
-  std::uint32_t seedStep = 0;          ///< added to the seed, modulo 2^32
+  /// index into the bundle's noises, replaces each material's own
+  std::optional<std::uint32_t> noise;
+  std::optional<NoiseMapping> mapping; ///< uv or triplanar, replaces each material's own
+  /// for triplanar and surface mapping, replaces each material's own
+  std::optional<bool> inObjectSpace;
+  std::uint32_t seedStep = 0; ///< added to each seed, modulo 2^32
   double scaleFactor = 1.0;
   double blendSharpnessFactor = 1.0;
   double planeSharpnessFactor = 1.0;
   double contrastFactor = 1.0;
-  std::optional<std::uint32_t> tileRotation; ///< in place of each material's own
+  std::optional<std::uint32_t> tileRotation; ///< replaces each material's own
   [[nodiscard]] bool operator==(const NoiseChanges&) const = default;
 };
 

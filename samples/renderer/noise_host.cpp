@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundle -> plugin objects -> a descriptor set for each material; see noise_host.h.
+// Bundle -> plugin objects -> a descriptor set per material; see noise_host.h.
 #include "noise_host.h"
 
 #include "failure.h"
@@ -13,7 +13,7 @@
 namespace lichen::renderer {
 namespace {
 
-/// The role of a map in the shaders; nothing for the height, which is not drawn.
+/// The role of a map in the shaders; nullopt for height, which is not rendered.
 std::optional<std::size_t> roleOf(std::uint32_t target) {
   switch (target) {
   case LICHEN_TARGET_BASE_COLOR:
@@ -67,7 +67,7 @@ ErrorKind kindOf(LichenResult result) {
   }
 }
 
-/// The plugin's result as the renderer's error; `file` where the diagnostic does not name it.
+/// Throws the plugin's error as a Failure. `file` names the file if the diagnostic does not.
 void check(LichenResult result, const LichenDiagnostic& diagnostic, const std::string& file = "") {
   if (result != LICHEN_SUCCESS)
     throw Failure{{kindOf(result), (file.empty() ? "" : file + ": ") + diagnostic.text}};
@@ -75,7 +75,7 @@ void check(LichenResult result, const LichenDiagnostic& diagnostic, const std::s
 
 void check(LichenResult result) {
   check(result, LichenDiagnostic{LICHEN_STRUCTURE_DIAGNOSTIC, sizeof(LichenDiagnostic), nullptr,
-                                 "the noise plugin refused a query"});
+                                 "the noise plugin failed to answer a query"});
 }
 
 } // namespace
@@ -132,21 +132,22 @@ void NoiseHost::readMaterials(const Scene& scene) {
     auto material = initialized<LichenMaterialProperties>(LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
     check(lichenGetMaterialProperties(bundle_.get(), m, &material));
     materials_.push_back(material);
-    const std::string place = "/materials/" + std::to_string(m);
+    const std::string pointer = "/materials/" + std::to_string(m);
     if (material.unknownRevision != 0)
-      fileNotes_.insert(place + ": this version does not know its noise's method or revision (" +
+      fileNotes_.insert(pointer + ": this version does not know its noise's method or revision (" +
                         std::to_string(material.unknownRevision) +
-                        "); the core textures are drawn");
+                        "); its core textures are used instead");
     if (material.noise == LICHEN_NO_NOISE)
       continue;
     if (material.texCoord > 1)
-      throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
+      throw Failure{{ErrorKind::badInput, scene.name + ": " + pointer + ": texCoord " +
                                               std::to_string(material.texCoord) +
-                                              " of the noise is not accepted, 0 or 1 is"}};
+                                              " of the noise is out of range; expected 0 or 1"}};
     if (material.mixSource == LICHEN_MIX_TEXTURE && material.mixSet > 1)
-      throw Failure{{ErrorKind::badInput, scene.name + ": " + place + ": texCoord " +
+      throw Failure{{ErrorKind::badInput, scene.name + ": " + pointer + ": texCoord " +
                                               std::to_string(material.mixSet) +
-                                              " of the mix's mask is not accepted, 0 or 1 is"}};
+                                              " of the mix's mask is out of range; expected 0 "
+                                              "or 1"}};
   }
 }
 
@@ -165,7 +166,8 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
     if (const std::optional<std::size_t> role = roleOf(map.target))
       roles.map[*role] = int(m);
     else
-      drawnNotes_.insert("the height of the noise " + printable(properties.name) + " is not drawn");
+      changeNotes_.insert("the height map of the noise " + printable(properties.name) +
+                          " is ignored");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&
@@ -181,7 +183,7 @@ void NoiseHost::createPlaceholders(VulkanDevice& device, ObjectOwner& objects) {
   DeviceImageInfo info;
   info.format = VK_FORMAT_R8G8B8A8_UNORM;
   placeholder2d_ = uploadImage(device, info, bytes.first(4), false);
-  info.extent.depth = 2; // a depth of 1 would be a 2-D image
+  info.extent.depth = 2; // createImage() makes a 2-D image for a depth of 1
   placeholder3d_ = uploadImage(device, info, bytes, false);
   VkSamplerCreateInfo sampler{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   placeholderSampler_ = objects.sampler(sampler);
@@ -220,7 +222,7 @@ void NoiseHost::createSets(VulkanDevice& device, ObjectOwner& objects, std::size
     sets_.push_back(objects.set(pool, setLayout_));
 }
 
-/// What a material's noise is drawn with: without a change, the file's own.
+/// Uniform values of a material's noise: the file's own where there are no changes.
 LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material) const {
   const LichenMaterialProperties& own = materials_[material];
   const NoiseChanges& changes = changes_;
@@ -241,7 +243,7 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material) const {
   info.tileRotation = changes.tileRotation.value_or(own.tileRotation);
   LichenMapping mapping = changes.mapping ? codeOf(*changes.mapping) : own.mapping;
   if (changes.noise && *changes.noise != own.noise) {
-    // Nothing of the material is read then.
+    // With another noise, the plugin reads nothing of the material: pass its values.
     info.overrides |= LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
                       LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS;
     info.noise = *changes.noise;
@@ -253,7 +255,7 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material) const {
     auto noise = initialized<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
     check(lichenGetNoiseProperties(bundle_.get(), info.noise, &noise));
     if (mapping == LICHEN_MAPPING_SURFACE && noise.method != LICHEN_NOISE_TEXTON)
-      mapping = LICHEN_MAPPING_TRIPLANAR; // the other one that needs no texture coordinates
+      mapping = LICHEN_MAPPING_TRIPLANAR; // also needs no texture coordinates
   }
   if (changes.mapping || info.overrides & LICHEN_OVERRIDE_NOISE) {
     info.overrides |= LICHEN_OVERRIDE_MAPPING;
@@ -265,13 +267,13 @@ LichenUniformInfo NoiseHost::uniformInfo(std::uint32_t material) const {
 void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
   if (changes.noise && *changes.noise >= names_.size())
     throw Failure{{ErrorKind::usage, "noise " + std::to_string(*changes.noise) +
-                                         " is not in the bundle, which has " +
+                                         " does not exist; the bundle has " +
                                          std::to_string(names_.size())}};
   hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
       hasOtherMappings_ = hasMixes_ = hasObjectSpaces_ = hasTileRotation_ = false;
   changes_ = changes;
-  drawnNotes_.clear();
-  placeNotes_.clear();
+  changeNotes_.clear();
+  originNotes_.clear();
   for (std::uint32_t m = 0; m < sets_.size(); ++m) {
     if (m < materials_.size() && materials_[m].noise != LICHEN_NO_NOISE) {
       noises_[m] = changes.noise.value_or(materials_[m].noise);
@@ -292,9 +294,9 @@ void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
   }
 }
 
-void NoiseHost::place(const glm::dvec3& origin) {
+void NoiseHost::setOrigin(const glm::dvec3& origin) {
   origin_ = origin;
-  placeNotes_.clear();
+  originNotes_.clear();
   for (std::uint32_t m = 0; m < materials_.size(); ++m)
     if (materials_[m].noise != LICHEN_NO_NOISE)
       fillUniforms(m);
@@ -302,8 +304,8 @@ void NoiseHost::place(const glm::dvec3& origin) {
 
 std::vector<std::string> NoiseHost::notes() const {
   std::vector<std::string> all;
-  for (const std::set<std::string>* some : {&fileNotes_, &drawnNotes_, &placeNotes_})
-    all.insert(all.end(), some->begin(), some->end());
+  for (const std::set<std::string>* notes : {&fileNotes_, &changeNotes_, &originNotes_})
+    all.insert(all.end(), notes->begin(), notes->end());
   return all;
 }
 
@@ -326,7 +328,7 @@ double NoiseHost::tileSide(std::size_t material) const {
   return hasNoise(material) ? tileSide(uniformInfo(std::uint32_t(material))) : 0.0;
 }
 
-/// docs/integration.md, "Precision": of a noise in the world.
+/// Sets the tile origin of a noise in world space; see docs/integration.md, "Precision".
 void NoiseHost::setTileOrigin(LichenUniformInfo& info) {
   NoiseRoles& roles = roles_[info.material];
   roles.fromTileOrigin = glm::vec3(0.0f);
@@ -335,16 +337,16 @@ void NoiseHost::setTileOrigin(LichenUniformInfo& info) {
     return;
   constexpr double kFarthest = 1099511627776; // 2^40 tiles, as LichenUniformInfo states
   const glm::dvec3 tiles = glm::floor(origin_ / side);
-  const glm::dvec3 held = glm::clamp(tiles, -kFarthest, kFarthest);
-  if (held != tiles)
-    placeNotes_.insert(
-        "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
-        "/materials/" +
-        std::to_string(info.material) + " is beyond them is coarse");
-  roles.fromTileOrigin = glm::vec3(origin_ - side * held);
-  info.tileOrigin[0] = std::int64_t(held.x);
-  info.tileOrigin[1] = std::int64_t(held.y);
-  info.tileOriginZ = std::int64_t(held.z);
+  const glm::dvec3 clamped = glm::clamp(tiles, -kFarthest, kFarthest);
+  if (clamped != tiles)
+    originNotes_.insert(
+        "/materials/" + std::to_string(info.material) +
+        ": the camera is more than 2^40 tiles of its noise from the world's origin; the noise "
+        "there lacks detail");
+  roles.fromTileOrigin = glm::vec3(origin_ - side * clamped);
+  info.tileOrigin[0] = std::int64_t(clamped.x);
+  info.tileOrigin[1] = std::int64_t(clamped.y);
+  info.tileOriginZ = std::int64_t(clamped.z);
 }
 
 void NoiseHost::fillUniforms(std::uint32_t material) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer as a host of the engine plugin: the noises of a scene's materials on the device.
+// The renderer as a host of the engine plugin: keeps the noises of a scene's materials on the
+// device.
 #pragma once
 
 #include "gpu_objects.h"
@@ -18,64 +19,69 @@
 
 namespace lichen::renderer {
 
-/// What the shaders must know of a material's noise beside the uniform block.
+/// What the shaders need to know about a material's noise besides the uniform block.
 struct NoiseRoles {
-  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1, -1}; ///< of each role; -1 for none
-  /// Which component of the ORM map's value is occlusion, roughness, metallic; -1 for none.
+  /// index of the map of each role; -1 for none
+  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1, -1};
+  /// Component of the ORM map's value for occlusion, roughness, metallic; -1 for none.
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
   bool inObjectSpace = false;
-  /// What a place relative to the renderer's origin is farther from the noise's, which is a whole
-  /// number of tiles from the world's: 0 for a noise that does not lie in the world.
+  /// Vector from the noise's tile origin to the renderer's origin, added to positions relative to
+  /// the latter. The tile origin is a whole number of tiles from the world's origin. 0 for a noise
+  /// that is not placed in world space.
   glm::vec3 fromTileOrigin{0.0f};
 };
 
 class NoiseHost {
 public:
-  /// Throws a Failure: badInput for a bundle that the plugin refuses, environment for a device that
-  /// lacks a format. Without noise materials in the scene the plugin is not called.
+  /// Throws a Failure: badInput if the plugin rejects the bundle; environment if the device lacks a
+  /// format. Does not call the plugin if the scene has no noise materials.
   NoiseHost(VulkanDevice& device, ObjectOwner& objects, const Scene& scene);
 
-  /// Draws the scene's noises with these changes in place of earlier ones. All that is told below
-  /// may be different then. No frame may be in flight. Throws a Failure: usage for a noise that the
-  /// bundle does not have.
+  /// Replaces the changes applied to the scene's noises. The results of all functions below may
+  /// change. No frame may be in flight. Throws a Failure: usage for a noise that the bundle does
+  /// not contain.
   void change(VkDevice device, const NoiseChanges& changes);
 
-  /// Draws noises that lie in the world for places relative to `origin`; at first it is the
-  /// world's. No frame may be in flight.
-  void place(const glm::dvec3& origin);
+  /// Sets the point that device positions are relative to, for noises in world space; initially the
+  /// world's origin. No frame may be in flight.
+  void setOrigin(const glm::dvec3& origin);
 
-  /// Whether a material is drawn with a noise: some are not, though they carry the extension.
+  /// Whether a material renders with a noise. Some materials with the extension do not, for example
+  /// for an unknown revision.
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return noises_[material] != LICHEN_NO_NOISE;
   }
-  /// Whether some tiling noise that is drawn has another table than a joint one.
+  /// Whether any of the rendered noises is a tiling noise without a joint table.
   [[nodiscard]] bool hasOtherTables() const { return hasOtherTables_; }
-  /// Whether some noise that is drawn is one of tiling, of textons.
+  /// Whether any of the rendered noises is a tiling noise, or a texton noise.
   [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
-  /// Whether some noise that is drawn is mapped onto a surface, without texture coordinates.
+  /// Whether any of the rendered noises uses surface mapping.
   [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
-  /// Whether some noise that is drawn is mapped onto three planes, and whether some is otherwise.
+  /// Whether any of the rendered noises uses triplanar mapping, and whether any uses another
+  /// mapping.
   [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
   [[nodiscard]] bool hasOtherMappings() const { return hasOtherMappings_; }
-  /// Whether some noise that is drawn is placed in the space of its objects.
+  /// Whether any of the rendered noises is placed in object space.
   [[nodiscard]] bool hasObjectSpaces() const { return hasObjectSpaces_; }
-  /// Whether some texton noise that is drawn is a mix.
+  /// Whether any of the rendered texton noises is a mix.
   [[nodiscard]] bool hasMixes() const { return hasMixes_; }
-  /// Whether some noise that is drawn turns its tiles.
+  /// Whether any of the rendered noises rotates its tiles.
   [[nodiscard]] bool hasTileRotation() const { return hasTileRotation_; }
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
-  /// The set of a material; of one without noise, a set of 1 x 1 images.
+  /// The descriptor set of a material. Without a noise, its images are 1 x 1 placeholders.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
-  /// Of the bundle's noises, as the file has them; may be empty.
+  /// Names of the bundle's noises as stored in the file; may be empty strings.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
-  /// Side of the tiles of a noise that lies in space, in its units; 0 for others.
+  /// Side of the tiles for triplanar and surface mapping, in the units of the noise's space; 0
+  /// otherwise.
   [[nodiscard]] double tileSide(std::size_t material) const;
 
-  /// What of the materials' noises is not drawn, or coarse where they are placed, one sentence
-  /// each.
+  /// What is not rendered of the materials' noises, or lacks precision at the current origin; one
+  /// sentence each.
   [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
@@ -101,7 +107,7 @@ private:
   [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
   imageInfos(std::uint32_t noise, const NoiseRoles& roles) const;
 
-  // In the order in which they depend on one another.
+  // In order of dependency: destroyed last to first.
   Owned<LichenBundle> bundle_;
   Owned<LichenVulkanContext> context_;
   Owned<LichenVulkanAssets> assets_;
@@ -112,12 +118,14 @@ private:
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
   std::vector<std::string> names_;
   std::vector<LichenMaterialProperties> materials_; ///< of the bundle
-  std::vector<std::uint32_t> noises_; ///< drawn, of each material; LICHEN_NO_NOISE for none
+  /// index of the noise that each material renders with, or LICHEN_NO_NOISE
+  std::vector<std::uint32_t> noises_;
   std::vector<NoiseRoles> roles_;
   std::vector<VkDescriptorSet> sets_;
   NoiseChanges changes_;
   glm::dvec3 origin_{0.0};
-  std::set<std::string> fileNotes_, drawnNotes_, placeNotes_; ///< of what the last call has set
+  /// notes of the file, of the last change() and of the last setOrigin()
+  std::set<std::string> fileNotes_, changeNotes_, originNotes_;
   bool hasOtherTables_ = false;
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two directions across a third.
+// Completes a direction to an orthonormal frame.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,9 +8,9 @@
 
 namespace lichen::renderer {
 
-/// Right-handed and orthonormal, the third column being `z`, a unit vector.
+/// A right-handed orthonormal frame whose third column is the unit vector `z`.
 [[nodiscard]] inline glm::mat3 frameAlong(glm::vec3 z) {
-  constexpr float kSteep = 0.9f; // far enough from 1 for the cross product to keep its digits
+  constexpr float kSteep = 0.9f; // far enough from 1 that the cross product keeps its precision
   const glm::vec3 axis = std::abs(z.y) < kSteep ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 x = glm::normalize(glm::cross(axis, z));
   return {x, glm::cross(z, x), z};

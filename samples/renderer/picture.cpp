@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linear pixels -> EXR, or sRGB code with a dither -> PNG.
+// Linear pixels -> EXR, or dithered sRGB -> PNG.
 #include "picture.h"
 
 #include <lichen/image_io.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kCodes = 255.0f;
 
-/// Uniform in [-1/2, 1/2), the same for a pixel's channels in every run.
+/// Uniform in [-1/2, 1/2), from a hash of position and channel, so runs are reproducible.
 float dither(std::uint32_t x, std::uint32_t y, std::uint32_t channel) {
   const std::uint32_t word = pcg3d({x, y, channel})[0];
   constexpr float kTwoToMinus24 = 1.0f / 16777216.0f;
@@ -28,7 +28,7 @@ Result<void> writePicture(const std::filesystem::path& path, const LinearImage& 
   for (int y = 0; y < code.height; ++y)
     for (int x = 0; x < code.width; ++x)
       for (int c = 0; c < code.channels; ++c) {
-        // Black and white stay pure.
+        // Leave pure black and white undithered.
         float& value = code.pixel(x, y)[c];
         if (value > 0.0f && value < 1.0f)
           value = std::clamp(value + dither(std::uint32_t(x), std::uint32_t(y), std::uint32_t(c)) /

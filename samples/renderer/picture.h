@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finished picture into a file.
+// Writes a finished picture to a file.
 #pragma once
 
 #include <lichen/image.h>
@@ -9,8 +9,8 @@
 
 namespace lichen::renderer {
 
-/// .png: sRGB code of 8 bits with a dither of one code value, so that a sky has no bands; .exr:
-/// light. Errors as writeImage().
+/// .png: 8-bit sRGB with a dither of one code value, which prevents banding in the sky. .exr:
+/// linear light. Errors as writeImage().
 [[nodiscard]] Result<void> writePicture(const std::filesystem::path& path,
                                         const LinearImage& pixels);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pipeline state of each pass; surfaces vary by specialization constants. Depth is reversed toward
-// the camera, and not toward a light.
+// Pipeline state of each pass. Specialization constants select the surface variants. Depth is
+// reversed for the camera, but not for lights.
 #include "pipelines.h"
 
 #include "scene.h"
@@ -28,13 +28,13 @@
 namespace lichen::renderer {
 namespace {
 
-// Depth of a light's map is moved away from it by this many times its own slope over a texel.
+// Slope factor of the depth bias in a light's depth map.
 constexpr float kSlopeBias = 2.0f;
 
 struct Description {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkShaderModule vertex = VK_NULL_HANDLE;
-  VkShaderModule fragment = VK_NULL_HANDLE; ///< null for depth alone
+  VkShaderModule fragment = VK_NULL_HANDLE; ///< null for depth-only passes
   const VkSpecializationInfo* specialization = nullptr;
   std::span<const VkVertexInputAttributeDescription> attributes;
   bool color = true;
@@ -57,7 +57,7 @@ constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat 
   return {location, binding, format, std::uint32_t(offset)};
 }
 
-constexpr std::uint32_t kUndeformed = 1; // binding of the vertices before morph targets and skins
+constexpr std::uint32_t kUndeformed = 1; // binding of vertices before morph targets and skinning
 
 constexpr std::array kAttributes{
     at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
@@ -144,7 +144,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-/// The specialization constants of surface.glsl, world_frame.glsl and scene.frag.
+/// Specialization constants of surface.glsl, world_frame.glsl and scene.frag.
 struct Constants {
   VkBool32 hasNoise = VK_FALSE;
   VkBool32 hasNormalMap = VK_FALSE;
@@ -174,7 +174,7 @@ VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-/// The shaders' variants that have all that a scene needs, and little more.
+/// The smallest shader variants that support everything a scene needs.
 struct FragmentCode {
   std::span<const std::uint32_t> surface;
   std::span<const std::uint32_t> depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The renderer's pipelines: depth from a light, surfaces, sky, and the sum of frames.
+// The renderer's pipelines: depth maps of lights, surfaces, sky, and accumulation of frames.
 #pragma once
 
 #include "gpu_objects.h"
@@ -29,8 +29,8 @@ struct SurfaceKind {
   }
 };
 
-/// Of the pipelines that vary by material, those that a scene draws with. A driver spends most of
-/// the time that a small picture takes on compiling these.
+/// Which of the pipelines that vary by material a scene uses. Compiling these takes a driver most
+/// of the time of a small picture.
 struct PipelinesUsed {
   std::array<bool, 8> surfaces{};      ///< by SurfaceKind::index()
   std::array<bool, 2> depthWithGaps{}; ///< as Pipelines::depthWithGaps
@@ -40,11 +40,12 @@ struct Pipelines {
   VkPipelineLayout sceneLayout = VK_NULL_HANDLE; ///< sets: frame, material, noise
   VkPipelineLayout depthLayout = VK_NULL_HANDLE; ///< sets: frame (unused), material, noise
   VkPipelineLayout accumulateLayout = VK_NULL_HANDLE;
-  VkPipeline depthOpaque = VK_NULL_HANDLE;   ///< reads no set
-  std::array<VkPipeline, 2> depthWithGaps{}; ///< of masks and blends; without and with a noise
+  VkPipeline depthOpaque = VK_NULL_HANDLE; ///< reads no set
+  /// for masked and blended materials; [0] without noise, [1] with noise
+  std::array<VkPipeline, 2> depthWithGaps{};
   VkPipeline sky = VK_NULL_HANDLE;
   VkPipeline accumulate = VK_NULL_HANDLE;
-  std::array<VkPipeline, 8> surfaces{}; ///< by SurfaceKind::index(); null where it is not used
+  std::array<VkPipeline, 8> surfaces{}; ///< by SurfaceKind::index(); null if unused
 
   [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const { return surfaces[kind.index()]; }
 };
@@ -56,22 +57,22 @@ struct PipelineLayouts {
   VkDescriptorSetLayout accumulate = VK_NULL_HANDLE;
 };
 
-/// What all surfaces of a scene share at compile time.
+/// Specialization constants that all surfaces of a scene share.
 struct SurfaceConstants {
-  int debugView = 0;          ///< one of the shaders' DEBUG_ constants
-  bool otherTables = false;   ///< some tiling noise has a separable table, or none
-  bool tilingNoises = false;  ///< some noise is one of tiling
-  bool textonNoises = false;  ///< some noise is one of textons
-  bool surfaceNoises = false; ///< some noise is mapped onto a surface, without texture coordinates
-  bool triplanarNoises = false; ///< some noise is mapped onto three planes
-  bool otherMappings = false;   ///< some noise is mapped otherwise
+  int debugView = 0;            ///< one of the shaders' DEBUG_ constants
+  bool otherTables = false;     ///< some tiling noise has a separable table, or none
+  bool tilingNoises = false;    ///< some noise is a tiling noise
+  bool textonNoises = false;    ///< some noise is a texton noise
+  bool surfaceNoises = false;   ///< some noise uses surface mapping
+  bool triplanarNoises = false; ///< some noise uses triplanar mapping
+  bool otherMappings = false;   ///< some noise uses another mapping
   bool mixedTextons = false;    ///< some noise is a mix of textons
-  bool objectSpaces = false;    ///< some noise is placed in the space of its objects
-  bool tileRotation = false;    ///< some noise turns its tiles
+  bool objectSpaces = false;    ///< some noise is placed in object space
+  bool tileRotation = false;    ///< some noise rotates its tiles
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
-/// Culling and front face are dynamic.
+/// Cull mode and front face are dynamic state.
 [[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
                                         const SurfaceConstants& constants,
                                         const PipelinesUsed& used);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Escapes and cuts; see printable.h.
+// Escaping and truncation; see printable.h.
 #include "printable.h"
 
 #include <lichen/escaped.h>
@@ -9,7 +9,7 @@
 namespace lichen::renderer {
 namespace {
 
-/// As its bytes 10xxxxxx do [RFC 3629].
+/// Whether `c` is a UTF-8 continuation byte, 10xxxxxx [RFC 3629].
 bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text from a file or a user, fit for a message.
+// Text from a file or a user, made safe for a message.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace lichen::renderer {
 
-/// escaped() of `text`, of a longer text its first `maxLength` bytes, down to a whole character of
-/// UTF-8.
+/// `text` in escaped() form. Text beyond `maxLength` bytes is cut at a UTF-8 character and ends in
+/// "...".
 [[nodiscard]] std::string printable(const std::string& text, std::size_t maxLength = 60);
 
 } // namespace lichen::renderer

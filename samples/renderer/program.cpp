@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arguments in the words of the lichen command, messages on one line, exit codes of result.h.
+// Arguments in the style of the lichen command, one-line messages, and the exit codes of result.h.
 #include "program.h"
 
 #include "failure.h"
@@ -18,7 +18,7 @@
 namespace lichen::renderer {
 namespace {
 
-/// What the parser found wrong, in the words of the command line.
+/// Rewrites a parser error in the style of the lichen command.
 Error usage(const CLI::App& app, const CLI::ParseError& fault) {
   const std::string text = fault.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
@@ -80,7 +80,7 @@ Result<void> checkMessages(const ValidationMessages& messages) {
   for (const std::string& text : texts)
     std::fprintf(stderr, "%s\n", text.c_str());
   return Error{ErrorKind::environment, std::to_string(texts.size()) +
-                                           " messages of the Vulkan validation layers; please "
+                                           " messages from the Vulkan validation layers; please "
                                            "report them"};
 }
 
@@ -94,7 +94,7 @@ int runProgram(const char* name, const std::function<Result<void>()>& run) {
   } catch (const Failure& failure) {
     return fail(name, failure.error);
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: not enough memory\n", name); // needs none itself
+    std::fprintf(stderr, "%s: not enough memory\n", name); // allocates nothing
     return int(ErrorKind::resources);
   } catch (const std::exception& fault) {
     return fail(name, {ErrorKind::environment, fault.what()});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the renderer's programs have in common: how they read arguments, speak, and end.
+// Argument parsing, messages and exit codes shared by the renderer's programs.
 #pragma once
 
 #include <lichen/result.h>
@@ -16,25 +16,25 @@ class App;
 
 namespace lichen::renderer {
 
-/// Adds --help and --version to an app named as its program, and parses. Returns the text that one
-/// of the two asked for, or nothing. Errors: usage.
+/// Adds --help and --version to `app`, which is named after its program, and parses the arguments.
+/// Returns the text that --help or --version prints, or nullopt. Errors: usage.
 [[nodiscard]] Result<std::optional<std::string>> parseArguments(CLI::App& app, int argc,
                                                                 const char* const* argv);
 
-/// A usage error that points at the program's help.
+/// A usage error whose message refers to the program's --help.
 [[nodiscard]] Error usageError(const std::string& program, const std::string& message);
 
-/// The text on one line, whatever names of files it holds.
+/// `text` with control characters escaped, so that it stays on one line.
 [[nodiscard]] std::string oneLine(const std::string& text);
 
-/// Each on a line of standard error, after "note: ".
+/// Writes each note to standard error as a line that starts with "note: ".
 void writeNotes(const std::vector<std::string>& notes);
 
-/// Errors: environment where there are messages, which are then on standard error.
+/// Errors: environment if there are any messages, after writing them to standard error.
 [[nodiscard]] Result<void> checkMessages(const ValidationMessages& messages);
 
-/// Runs it; one line on standard error where it fails or standard output cannot be written. Returns
-/// the exit code.
+/// Calls `run` and returns the exit code. Writes one line to standard error if `run` fails or
+/// standard output cannot be written.
 [[nodiscard]] int runProgram(const char* name, const std::function<Result<void>()>& run);
 
 } // namespace lichen::renderer

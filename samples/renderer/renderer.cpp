@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's renderer for one picture, and how long it takes.
+// Renders one picture with a SceneRenderer and times it.
 #include "renderer.h"
 
 #include "failure.h"
@@ -43,7 +43,7 @@ Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
   } catch (const Failure& failure) {
     return failure.error;
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, scene.name + ": not enough memory to draw it"};
+    return Error{ErrorKind::resources, scene.name + ": not enough memory to render the scene"};
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene on a Vulkan device -> a picture: the average of frames that differ in where in the pixel
-// they look, in the point of the sun that they are lit from, and in the parts of the sky that they
-// find unhidden.
+// Renders a scene to a picture: the average of frames with different subpixel offsets, points on
+// the sun and sky directions.
 #pragma once
 
 #include "debug_views.h"
@@ -26,23 +25,24 @@ struct RenderSettings {
   std::uint32_t frames = 16; ///< at least 1
   std::string camera;        ///< see chooseCamera()
   float exposureEv = 0.0f;   ///< stops
-  bool toneMap = true;       ///< false: light as it is, for EXR
-  std::string debugView;     ///< empty, or one of debugViewNames(); those are never tone-mapped
+  bool toneMap = true;       ///< false: linear light, for EXR
+  std::string debugView;     ///< empty, or one of debugViewNames(), which are never tone-mapped
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
-  SkyCache* skies = nullptr; ///< the caller's, for several pictures; null: each makes its own
-  std::function<void(std::uint32_t frames)> frameDone; ///< called with how many are done, or empty
+  SkyCache* skies = nullptr; ///< shared between several pictures; null: the renderer uses its own
+  /// called after each frame with the number of finished frames; may be empty
+  std::function<void(std::uint32_t frames)> frameDone;
 };
 
 struct Picture {
-  LinearImage pixels;             ///< RGB; tone-mapped values are the light of a display, in [0, 1]
-  std::vector<std::string> notes; ///< what was left out or changed, one sentence each
+  LinearImage pixels;             ///< RGB; tone-mapped values are linear display light in [0, 1]
+  std::vector<std::string> notes; ///< what was ignored or changed, one sentence each
   double setupSeconds = 0.0;
   double medianFrameSeconds = 0.0;
 };
 
-/// Errors: usage for a camera or view that does not exist or a size beyond the device's; badInput
-/// for the scene's noise; environment and resources for what the device lacks. Waits for the
-/// device; leaves nothing on it.
+/// Errors: usage for an unknown camera or debug view, or a size beyond the device's limit; badInput
+/// for invalid noise data; environment and resources for what the device lacks. Blocks until the
+/// device has finished, and frees all its objects.
 [[nodiscard]] Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                                           const RenderSettings& settings);
 

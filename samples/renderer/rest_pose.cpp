@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linear blending of morph targets and of joints [glTF 2.0, sections 3.7.2.2 and 3.7.3].
+// Linear blending of morph targets and joints [glTF 2.0, sections 3.7.2.2 and 3.7.3].
 #include "rest_pose.h"
 
 #include "accessor.h"
@@ -19,7 +19,8 @@ namespace {
 
 using Attributes = std::map<std::string, int>;
 
-/// Calls `add(vertex, delta)` with the weighted values of a target's attribute, if it has that one.
+/// Calls `add(vertex, delta)` for each vertex with the weighted delta of a morph target's
+/// attribute; does nothing if the target lacks the attribute.
 template <class Add>
 Result<void> addDeltas(const tinygltf::Model& model, const Attributes& morphTarget,
                        const char* name, float weight, std::vector<Vertex>& vertices, Add add) {
@@ -55,13 +56,13 @@ Result<void> applyMorphs(const tinygltf::Model& model, const tinygltf::Primitive
   return {};
 }
 
-/// A weighted sum of joints for each vertex.
+/// Weighted sum of joint matrices per vertex.
 struct BlendedJoints {
   std::vector<glm::mat4> sums;
-  std::vector<float> weights; ///< what the weights of each add up to
+  std::vector<float> weights; ///< sum of the weights
 };
 
-/// Adds one set of attributes: four joints of each vertex.
+/// Adds one attribute set: four joints per vertex.
 Result<void> addJoints(const tinygltf::Model& model, int jointsAccessor, int weightsAccessor,
                        std::span<const glm::mat4> joints, BlendedJoints& blended) {
   const Result<std::vector<float>> indices = readAccessor(model, jointsAccessor);
@@ -74,19 +75,19 @@ Result<void> addJoints(const tinygltf::Model& model, int jointsAccessor, int wei
     const float weight = weights.value()[k];
     if (weight == 0.0f)
       continue;
-    const auto joint = std::size_t(indices.value()[k]); // of 8 or 16 bits, exact as a float
+    const auto joint = std::size_t(indices.value()[k]); // 8 or 16 bits, exact as a float
     if (joint >= joints.size())
       return Error{ErrorKind::badInput, "/accessors/" + std::to_string(jointsAccessor) +
                                             ": joint " + std::to_string(joint) +
-                                            " is not accepted, 0 to " +
-                                            std::to_string(joints.size() - 1) + " of the skin is"};
+                                            " is not in the skin; expected 0 to " +
+                                            std::to_string(joints.size() - 1)};
     blended.sums[k / 4] += weight * joints[joint];
     blended.weights[k / 4] += weight;
   }
   return {};
 }
 
-/// The accessors of a set of four joints for each vertex, and of their weights.
+/// Accessors of one attribute set: joints and their weights.
 std::optional<std::pair<int, int>> jointSet(const tinygltf::Primitive& source, std::size_t set) {
   const auto joints = source.attributes.find("JOINTS_" + std::to_string(set));
   const auto weights = source.attributes.find("WEIGHTS_" + std::to_string(set));
@@ -103,14 +104,15 @@ Result<BlendedJoints> blendJoints(const tinygltf::Model& model, const tinygltf::
     if (Result<void> added = addJoints(model, accessors->first, accessors->second, joints, blended);
         !added)
       return added.error();
-  // Weights are to add up to one. A vertex that none holds is held by the first joint.
+  // Normalise the weights to a sum of 1. Vertices without weights follow the first joint.
   for (std::size_t i = 0; i < vertexCount; ++i)
     blended.sums[i] =
         blended.weights[i] > 0.0f ? blended.sums[i] / blended.weights[i] : joints.front();
   return blended;
 }
 
-/// By how much space is stretched along a unit normal: as shaders/world_frame.glsl has it.
+/// Factor by which `matrix` stretches space along a unit normal; same as in
+/// shaders/world_frame.glsl.
 float stretchAlong(glm::vec3 normal, const glm::mat4& matrix) {
   const glm::mat3 linear(matrix);
   const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
@@ -119,7 +121,7 @@ float stretchAlong(glm::vec3 normal, const glm::mat4& matrix) {
   return area > 0.0f ? std::abs(glm::dot(linear[0], cofactors[0])) / area : 0.0f;
 }
 
-/// As shaders/world_frame.glsl does it. Returns whether the matrix mirrors.
+/// Same transform as in shaders/world_frame.glsl. Returns whether the matrix mirrors.
 bool transformVertex(Vertex& v, const glm::mat4& matrix) {
   const glm::mat3 linear(matrix);
   const glm::mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Morph targets and skins as a file has them before any animation.
+// Applies a file's morph targets and skins as they are before any animation.
 #pragma once
 
 #include "scene.h"
@@ -12,21 +12,21 @@
 namespace lichen::renderer {
 
 struct RestPose {
-  std::span<const double> morphWeights;     ///< one for each target; those beyond the end are 0
+  std::span<const double> morphWeights;     ///< one per target; missing ones are 0
   std::span<const glm::mat4> jointMatrices; ///< from the bind pose; empty without a skin
 };
 
-/// Whether a mesh stands otherwise in this pose than as its vertices are stored.
+/// Whether this pose changes the stored vertices of a mesh.
 [[nodiscard]] bool deforms(const RestPose& pose);
 
-/// How often applyRestPose() goes over the vertices.
+/// Number of passes that applyRestPose() makes over the vertices.
 [[nodiscard]] std::size_t restPosePasses(const tinygltf::Primitive& source, const RestPose& pose);
 
-/// Moves positions, normals and tangents, which are those of `source` in its order, by the morph
-/// targets and then by the skin, after which they are where its joints put them. Triangles that a
-/// skin mirrors are turned round, and normals of `undeformed`, where it has vertices, get the
-/// length that Primitive states. Errors: badInput for a joint outside the skin, or values that are
-/// not finite.
+/// Applies the morph targets, then the skin, to positions, normals and tangents. `target` has the
+/// vertices of `source` in its order; with a skin they end up where the joints put them. Flips the
+/// winding of triangles that the skin mirrors. If `undeformed` has vertices, scales their normals
+/// as Primitive states. Errors: badInput for a joint outside the skin, or values that are not
+/// finite.
 [[nodiscard]] Result<void> applyRestPose(const tinygltf::Model& model,
                                          const tinygltf::Primitive& source, const RestPose& pose,
                                          Primitive& target);

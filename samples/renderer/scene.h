@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A glTF scene as the renderer draws it: plain arrays in world units, no Vulkan, no JSON. Places in
-// the world are doubles, as they are in the file; what is drawn is relative to one near the camera.
+// A glTF scene as the renderer draws it: plain arrays in world units, no Vulkan, no JSON. World
+// positions are doubles, as in the file; the device gets floats relative to an origin near the
+// camera.
 #pragma once
 
 #include <lichen/result.h>
@@ -23,16 +24,17 @@ struct Vertex {
   glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; unset without a normal map
   glm::vec2 texCoord0{0.0f};
   glm::vec2 texCoord1{0.0f};
-  glm::vec4 color{1.0f};    ///< linear
-  float mixWeight = 0.0f;   ///< of a noise's mix, where its material takes it from vertex colours
-  std::uint32_t stored = 0; ///< its place among those of the file's accessors
+  glm::vec4 color{1.0f};  ///< linear
+  float mixWeight = 0.0f; ///< weight of a noise's mix, if its material takes it from vertex colours
+  std::uint32_t stored = 0; ///< index of the vertex in the file's accessors
 };
 
 /// Triangles of one material. Never empty; every index is below vertices.size().
 struct Primitive {
   std::vector<Vertex> vertices;
-  /// As many, before morph targets and skins, where these move them and the material has a noise;
-  /// else none. The length of a normal is by how much the skin stretches space along it.
+  /// The same vertices before morph targets and skinning; empty unless those move vertices and the
+  /// material has a noise. The length of a normal is the factor by which the skin stretches space
+  /// along it.
   std::vector<Vertex> undeformed;
   std::vector<std::uint32_t> indices; ///< three per triangle
   std::size_t material = 0;           ///< into Scene::materials
@@ -57,8 +59,8 @@ struct Sampler {
   [[nodiscard]] bool operator==(const Sampler&) const = default;
 };
 
-/// 8-bit RGBA, row 0 at the top, as the file stores it: whether the bytes are sRGB code or data is
-/// decided by the slot that samples them.
+/// 8-bit RGBA as stored in the file, row 0 at the top. The texture slot decides whether the bytes
+/// are sRGB or data.
 struct TextureImage {
   int width = 1;
   int height = 1;
@@ -93,16 +95,17 @@ struct Material {
   TextureSlot normalTexture;
   TextureSlot occlusionTexture;
   TextureSlot emissiveTexture;
-  /// Carries LICHEN_materials_exemplar_noise; NoiseHost tells whether it is drawn with a noise.
+  /// The material has the extension LICHEN_materials_exemplar_noise; NoiseHost::hasNoise() says
+  /// whether it renders with a noise.
   bool hasNoise = false;
-  /// Where the noise's mix has its weight, if from a mask or from vertex colours COLOR_n: the
-  /// image is then none, or nothing is here.
+  /// Source of the weight of the noise's mix: the mask mixTexture, or the vertex colours COLOR_n
+  /// with n = mixColorSet. Without an image and a set, the uniform block holds the weight.
   TextureSlot mixTexture;
   std::optional<int> mixColorSet;
-  int mixChannel = 0; ///< of either, 0 to 3
-  /// Texture coordinates of the noise, where it lies along them and has normals.
+  int mixChannel = 0; ///< channel of the mask or the vertex colours, 0 to 3
+  /// Texture coordinate set of the noise, if the noise has normals and uses uv mapping.
   std::optional<int> noiseNormalTexCoord;
-  bool noiseNeedsTangents = false; ///< of the mesh: it is noise on the surface
+  bool noiseNeedsTangents = false; ///< surface mapping, which follows the mesh's tangents
 };
 
 enum class LightKind { directional, point, spot };
@@ -114,59 +117,62 @@ struct Light {
   float intensity = 1.0f;
   float range = 0.0f;                     ///< 0 for unlimited
   glm::dvec3 position{0.0};               ///< not for directional
-  glm::vec3 direction{0.0f, 0.0f, -1.0f}; ///< the way the light travels, unit; not for point
+  glm::vec3 direction{0.0f, 0.0f, -1.0f}; ///< unit vector in which the light travels; not for point
   float innerConeCosine = 1.0f;
   float outerConeCosine = 0.0f;
 };
 
 struct Camera {
   std::string name;
-  std::string nodeName; ///< of the node that holds it, which is what Blender's users named
-  glm::dmat4 worldFromCamera{1.0}; ///< rigid: looks along -z, +y up
+  /// name of the node that holds the camera; this is the name that Blender users set
+  std::string nodeName;
+  glm::dmat4 worldFromCamera{1.0}; ///< rigid; the camera looks along -z, with +y up
   bool perspective = true;
   float verticalFieldOfView = 0.7f; ///< radians; perspective
-  float aspectRatio = 0.0f;         ///< of the file, 0 when it leaves it to the viewer
+  float aspectRatio = 0.0f;         ///< 0 if the file does not state one
   float halfHeight = 1.0f;          ///< world units; orthographic
   float near = 0.1f;
   float far = 0.0f;  ///< 0 for infinite; perspective only
-  std::string fault; ///< why it cannot be looked through, or empty
+  std::string fault; ///< why the camera is unusable; empty if it is usable
 };
 
 struct Scene {
-  std::string name; ///< of the file, for messages
+  std::string name; ///< the file's path, for messages
   std::vector<Primitive> primitives;
   std::vector<Instance> instances;
   std::vector<Material> materials; ///< glTF's, in order, then glTF's default material
   std::vector<TextureImage> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  /// A GLB for the noise plugin, empty when no material has a noise.
+  /// A GLB for the noise plugin; empty if no material has a noise.
   std::vector<std::byte> noiseBundle;
   std::vector<std::string> notes; ///< what was ignored, one sentence each, for the user
 };
 
-/// Reads and checks a .gltf or .glb. Errors: badInput for every fault of the file, with the JSON
-/// pointer of the place; resources when the scene is larger than the bounds below.
+/// Reads and validates a .gltf or .glb. Errors: badInput for every fault in the file, with its JSON
+/// pointer; resources if the scene exceeds the bounds below.
 [[nodiscard]] Result<Scene> readScene(const std::filesystem::path& path);
-/// As above of bytes in memory, which stand for the file at `path`: messages name it, and what the
-/// scene refers to is looked for beside it.
+/// Like readScene(), but from bytes in memory. Messages name `path`, and files that the scene
+/// refers to are read from its folder.
 [[nodiscard]] Result<Scene> parseScene(std::vector<std::byte> bytes,
                                        const std::filesystem::path& path);
 
-/// Vertices and indices of all primitives after their expansion: 64 Mi, at most 5 GiB of memory.
+/// Maximum of vertices and indices of all primitives after expansion: 64 Mi, at most 5 GiB of
+/// memory.
 inline constexpr std::size_t kMaxSceneVertices = std::size_t(1) << 26;
-/// Of vertices from the origin of their mesh and of the world: squares, times a few, are floats.
+/// Maximum distance of vertices from the origin of their mesh and of the world. Sums of a few
+/// squared distances must fit a float.
 inline constexpr float kMaxSceneReach = 1e15f;
-/// Primitives placed in the world, each a draw call a pass.
+/// Maximum number of instances; each is one draw call per pass.
 inline constexpr std::size_t kMaxSceneInstances = std::size_t(1) << 18;
-/// Vertices and indices of all instances together: a small file may ask for a mesh many times.
+/// Maximum of vertices and indices of all instances: a small file may instance one mesh many times.
 inline constexpr std::size_t kMaxDrawnVertices = std::size_t(1) << 28;
-/// Texels of all images together, 1 GiB of memory before mip levels.
+/// Maximum of texels of all images: 1 GiB of memory before mip levels.
 inline constexpr std::size_t kMaxSceneTexels = std::size_t(1) << 28;
-/// Bytes of all buffers together, however many of them name one file: what one GLB can hold, which
-/// the noise bundle is.
+/// Maximum of bytes of all buffers, even if several refer to the same file. This is what one GLB,
+/// such as the noise bundle, can hold.
 inline constexpr std::size_t kMaxBufferBytes = (std::size_t(1) << 32) - 1;
-/// Bytes of all image files and data URIs together: two for each of kMaxSceneTexels.
+/// Maximum of bytes of all image files and data URIs: two per texel of kMaxSceneTexels.
 inline constexpr std::size_t kMaxImageBytes = std::size_t(1) << 29;
 
 } // namespace lichen::renderer

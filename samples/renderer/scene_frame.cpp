@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One frame: depth maps of the sun and of a few directions toward the sky, surfaces and the sky,
-// and the frame added to the sum of frames.
+// Records one frame: depth maps for the sun and some sky directions, then surfaces and sky, then
+// accumulation.
 #include "failure.h"
+#include "relative_to.h"
 #include "scene_renderer.h"
-#include "world_place.h"
 
 #include <cmath>
 #include <cstring>
@@ -83,9 +83,9 @@ const Material& SceneRenderer::materialOf(const Instance& instance) const {
 }
 
 SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
-  const Material& drawn = scene_.materials[material];
-  return {noises_.hasNoise(material), drawn.normalTexture.image.has_value(),
-          drawn.alphaMode == AlphaMode::blend};
+  const Material& properties = scene_.materials[material];
+  return {noises_.hasNoise(material), properties.normalTexture.image.has_value(),
+          properties.alphaMode == AlphaMode::blend};
 }
 
 void SceneRenderer::bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout,
@@ -146,7 +146,7 @@ void SceneRenderer::drawOpaque(VkCommandBuffer commands, const Instance& instanc
   drawSurface(commands, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
-/// Of two sides the back comes first, which in a convex body is the far one.
+/// Draws the back faces of a double-sided material first: on a convex body they are farther away.
 void SceneRenderer::drawBlended(VkCommandBuffer commands, const Instance& instance) const {
   if (materialOf(instance).doubleSided)
     drawSurface(commands, instance, VK_CULL_MODE_FRONT_BIT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A validated glTF file through tinygltf into the renderer's scene.
+// Loads a validated glTF file with tinygltf into the renderer's scene.
 #include "gltf_file.h"
 #include "material_load.h"
 #include "node_walk.h"
@@ -22,10 +22,11 @@ namespace {
 
 // ---- tinygltf's callbacks --------------------------------------------------------------------
 
-/// Keeps the bytes of a file or data URI, whose sum over all images is `total`: which of them are
-/// decoded, and as what, is decided by the materials. Those of a bufferView stay in their buffer.
-bool keepImageBytes(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                    const unsigned char* bytes, int size, void* total) {
+/// Stores the encoded bytes of an image file or data URI, and adds their size to `total`, the sum
+/// over all images. Decoding waits until the materials say which images they use, and as what.
+/// Images in a bufferView stay there.
+bool storeImageBytes(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+                     const unsigned char* bytes, int size, void* total) {
   image->as_is = true;
   if (image->bufferView >= 0)
     return true;
@@ -37,13 +38,13 @@ bool keepImageBytes(tinygltf::Image* image, const int, std::string*, std::string
   return true;
 }
 
-/// The file beside the scene that a decoded URI names.
-std::optional<std::filesystem::path> fileBeside(void* scenePath, const std::string& name) {
+/// The file in the scene's folder that a decoded URI names.
+std::optional<std::filesystem::path> fileInSceneFolder(void* scenePath, const std::string& name) {
   return fileInside(folderOf(*static_cast<const std::filesystem::path*>(scenePath)), name);
 }
 
 bool fileExists(const std::string& name, void* scenePath) {
-  const auto file = fileBeside(scenePath, name);
+  const auto file = fileInSceneFolder(scenePath, name);
   std::error_code ignored;
   return file && std::filesystem::is_regular_file(*file, ignored);
 }
@@ -52,11 +53,11 @@ std::string sameName(const std::string& name, void*) { return name; }
 
 bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const std::string& name,
                    void* scenePath) {
-  const auto file = fileBeside(scenePath, name);
-  // tinygltf counts bytes with int in its callbacks.
+  const auto file = fileInSceneFolder(scenePath, name);
+  // tinygltf's callbacks take sizes as int.
   Result<std::vector<std::byte>> bytes =
       file ? readFile(*file, std::numeric_limits<int>::max())
-           : Error{ErrorKind::badInput, printable(name) + ": leads out of the scene's folder"};
+           : Error{ErrorKind::badInput, printable(name) + ": is outside the scene's folder"};
   if (!bytes) {
     *error += bytes.error().message;
     return false;
@@ -66,8 +67,8 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const st
   return true;
 }
 
-/// tinygltf's report of why it could not load a scene, lines of text, as one sentence.
-std::string whyNotLoaded(std::string report) {
+/// Converts tinygltf's multi-line error report into one sentence.
+std::string loadFailure(std::string report) {
   constexpr std::string_view kAbsent = "File not found : ";
   if (const std::size_t at = report.find(kAbsent); at != std::string::npos) {
     const std::size_t name = at + kAbsent.size();
@@ -78,13 +79,13 @@ std::string whyNotLoaded(std::string report) {
     report.pop_back();
   for (std::size_t at; (at = report.find('\n')) != std::string::npos;)
     report.replace(at, 1, "; ");
-  return "cannot be loaded: " + printable(report, 160);
+  return "cannot load the scene: " + printable(report, 160);
 }
 
 Result<tinygltf::Model> loadModel(GltfFile& file) {
   tinygltf::TinyGLTF loader;
   std::size_t imageBytes = 0;
-  loader.SetImageLoader(keepImageBytes, &imageBytes);
+  loader.SetImageLoader(storeImageBytes, &imageBytes);
   loader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &file.path});
   tinygltf::Model model;
   std::string error;
@@ -92,23 +93,23 @@ Result<tinygltf::Model> loadModel(GltfFile& file) {
   const auto size = static_cast<unsigned int>(file.bytes.size());
   const auto* text = reinterpret_cast<const char*>(file.bytes.data());
   const auto* bytes = reinterpret_cast<const unsigned char*>(file.bytes.data());
-  // The callbacks find files beside the scene, so tinygltf is given no folder of its own.
+  // The callbacks resolve file names themselves, so tinygltf gets no base folder.
   const bool loaded = file.container.isGlb
                           ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, "")
                           : loader.LoadASCIIFromString(&model, &error, &warning, text, size, "");
   if (imageBytes > kMaxImageBytes)
     return Error{ErrorKind::resources, "/images: more than " + std::to_string(kMaxImageBytes) +
-                                           " bytes of files in all; smaller images are accepted"};
+                                           " bytes of image files in total; use smaller images"};
   if (!loaded)
-    return Error{ErrorKind::badInput, whyNotLoaded(error)};
+    return Error{ErrorKind::badInput, loadFailure(error)};
   for (const tinygltf::BufferView& view : model.bufferViews)
     if (view.byteOffset + view.byteLength > model.buffers[std::size_t(view.buffer)].data.size())
       return Error{ErrorKind::badInput, "a buffer is shorter than its byteLength"};
   return model;
 }
 
-/// What the noise plugin reads: the file itself when it holds all its buffers, or else a GLB of its
-/// JSON and its buffers one behind the other.
+/// The bundle for the noise plugin: the file itself if it contains all its buffers, else a GLB of
+/// its JSON with all buffers concatenated.
 std::vector<std::byte> noiseBundle(GltfFile& file, const tinygltf::Model& model) {
   if (file.container.isGlb && model.buffers.size() == 1 && model.buffers[0].uri.empty())
     return std::move(file.bytes);
@@ -119,7 +120,7 @@ std::vector<std::byte> noiseBundle(GltfFile& file, const tinygltf::Model& model)
     offsets.push_back(binary.size());
     const auto bytes = std::as_bytes(std::span(buffer.data));
     binary.insert(binary.end(), bytes.begin(), bytes.end());
-    constexpr std::size_t kAlignment = 16; // of anything that a view may hold
+    constexpr std::size_t kAlignment = 16; // bytes; enough for any type in a bufferView
     binary.resize((binary.size() + kAlignment - 1) / kAlignment * kAlignment);
   }
   for (nlohmann::json& view : json["bufferViews"]) {
@@ -155,9 +156,9 @@ Result<Scene> loadScene(GltfFile& file) {
   return scene;
 }
 
-/// Of a file that `open` gives; whatever is thrown on the way is a result too.
-Result<Scene> sceneOf(const std::filesystem::path& path,
-                      const std::function<Result<GltfFile>()>& open) {
+/// Loads the file that `open` returns, and converts exceptions into errors.
+Result<Scene> loadFrom(const std::filesystem::path& path,
+                       const std::function<Result<GltfFile>()>& open) {
   try {
     Result<GltfFile> file = open();
     if (!file)
@@ -165,20 +166,20 @@ Result<Scene> sceneOf(const std::filesystem::path& path,
     return loadScene(file.value());
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::resources, path.string() + ": not enough memory for the scene"};
-  } catch (const std::exception& fault) { // nlohmann's and the containers' inside tinygltf
+  } catch (const std::exception& fault) { // from nlohmann::json and from containers inside tinygltf
     return Error{ErrorKind::badInput,
-                 path.string() + ": cannot be loaded: " + printable(fault.what(), 160)};
+                 path.string() + ": cannot load the scene: " + printable(fault.what(), 160)};
   }
 }
 
 } // namespace
 
 Result<Scene> readScene(const std::filesystem::path& path) {
-  return sceneOf(path, [&] { return readGltfFile(path); });
+  return loadFrom(path, [&] { return readGltfFile(path); });
 }
 
 Result<Scene> parseScene(std::vector<std::byte> bytes, const std::filesystem::path& path) {
-  return sceneOf(path, [&] { return openGltfFile(std::move(bytes), path); });
+  return loadFrom(path, [&] { return openGltfFile(std::move(bytes), path); });
 }
 
 } // namespace lichen::renderer

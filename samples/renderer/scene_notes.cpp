@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user is told about a scene that is drawn otherwise than they may expect.
+// Notes to the user about a scene that renders differently than expected.
 #include "scene_renderer.h"
 
 #include <fmt/format.h>
@@ -13,12 +13,13 @@
 namespace lichen::renderer {
 namespace {
 
-// A vertex this many tiles from its node is rounded by half a texel of tiles of 512.
+// At this many tiles from its node, a vertex is rounded by half a texel for tiles of 512 texels.
 constexpr double kMostTilesFromNode = 16384.0;
-// Of an exemplar's width: in fewer, its mips have next to no variation left.
+// Smallest useful width of an exemplar on screen; below it, its mip levels have almost no variation
+// left.
 constexpr double kFewestPixels = 4.0;
 
-/// The farthest vertex from the origin of its mesh, of those that place the noise.
+/// Largest distance of a vertex from its mesh's origin, among the vertices that place the noise.
 float reachOf(const Primitive& primitive, bool inObjectSpace) {
   float reach = 0.0f;
   const bool isUndeformed = inObjectSpace && !primitive.undeformed.empty();
@@ -27,7 +28,7 @@ float reachOf(const Primitive& primitive, bool inObjectSpace) {
   return reach;
 }
 
-/// The most that an instance's node stretches its mesh.
+/// The largest scale factor of an instance's transform.
 double scaleOf(const Instance& instance) {
   const glm::dmat4& world = instance.worldFromObject;
   return std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
@@ -35,40 +36,41 @@ double scaleOf(const Instance& instance) {
 
 } // namespace
 
-/// Where vertices themselves are far from their node, in floats, no origin helps.
+/// Notes materials whose vertices are so far from their node that float vertices lack precision,
+/// which no choice of origin can fix.
 void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
-  std::map<std::size_t, float> reaches; // of primitives
-  std::set<std::size_t> noted;
+  std::map<std::size_t, float> reaches; // by primitive
+  std::set<std::size_t> notedMaterials;
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const double side = noises_.tileSide(m);
-    if (side == 0.0 || noted.contains(m))
+    if (side == 0.0 || notedMaterials.contains(m))
       continue;
     const bool inObjectSpace = noises_.roles(m).inObjectSpace;
-    const auto [known, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
+    const auto [entry, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
     if (isNew)
-      known->second = reachOf(scene_.primitives[instance.primitive], inObjectSpace);
+      entry->second = reachOf(scene_.primitives[instance.primitive], inObjectSpace);
     const double scale = inObjectSpace ? 1.0 : scaleOf(instance);
-    const double reach = scale * double(known->second);
+    const double reach = scale * double(entry->second);
     if (reach <= kMostTilesFromNode * side)
       continue;
-    noted.insert(m);
+    notedMaterials.insert(m);
     const double spacing =
         std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
     notes.push_back(fmt::format(
-        "/materials/{}: vertices are {:.3g} units from their node, where floats are "
-        "{:.2g} apart, in tiles of {:.2g}: its noise may be coarse there; vertices near "
-        "their node are drawn fine wherever it is",
+        "/materials/{}: vertices are {:.3g} units from their node's origin, where floats are "
+        "{:.2g} apart; its noise, with tiles of {:.2g}, may lack detail there; move the node's "
+        "origin closer to its vertices",
         m, reach, spacing, side));
   }
 }
 
-/// Of a noise that lies in space, as the camera stands.
-void SceneRenderer::noteUnseenNoise(std::vector<std::string>& notes) const {
+/// Notes noises with triplanar or surface mapping that are too small to be visible from the camera.
+void SceneRenderer::noteInvisibleNoise(std::vector<std::string>& notes) const {
   const Camera& camera = inputs_.camera;
   const float aspect = float(inputs_.width) / float(inputs_.height);
   const double wholeHeight = 2.0 * double(halfHeightOf(camera, aspect));
-  std::map<std::size_t, double> widest; // pixels of an exemplar, by material
+  std::map<std::size_t, double> widest; // largest width of an exemplar in pixels, by material
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const double side =
@@ -88,19 +90,19 @@ void SceneRenderer::noteUnseenNoise(std::vector<std::string>& notes) const {
       std::max_element(widest.begin(), widest.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::string others =
-      widest.size() > 1 ? fmt::format(", and of {} more materials less", widest.size() - 1) : "";
-  notes.push_back(fmt::format("/materials/{}: an exemplar's width of its noise is {:.2g} pixels at "
-                              "most{}: little but the mean is seen; a larger scale or a nearer "
-                              "camera shows the noise",
+      widest.size() > 1 ? fmt::format(" (less for {} more materials)", widest.size() - 1) : "";
+  notes.push_back(fmt::format("/materials/{}: an exemplar of its noise is at most {:.2g} pixels "
+                              "wide{}, so little more than the mean is visible; use a larger "
+                              "scale or move the camera closer",
                               first->first, first->second, others));
 }
 
-/// A noise by texture coordinates that a mesh does not have, or that are all alike.
+/// Notes noises with uv mapping on a mesh whose texture coordinates are missing or all equal.
 void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const {
-  std::set<std::size_t> noted;
+  std::set<std::size_t> notedMaterials;
   for (const Primitive& primitive : scene_.primitives) {
     const std::size_t m = primitive.material;
-    if (!noises_.hasNoise(m) || noises_.tileSide(m) != 0.0 || noted.contains(m))
+    if (!noises_.hasNoise(m) || noises_.tileSide(m) != 0.0 || notedMaterials.contains(m))
       continue;
     const std::uint32_t set = noises_.roles(m).texCoord;
     const auto coordinates = set == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1;
@@ -108,10 +110,10 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
     if (std::any_of(primitive.vertices.begin(), primitive.vertices.end(),
                     [&](const Vertex& vertex) { return vertex.*coordinates != first; }))
       continue;
-    noted.insert(m);
-    notes.push_back(fmt::format("/materials/{}: its noise lies by TEXCOORD_{}, of which a mesh has "
-                                "none or one value, so that one value of the noise is seen; the "
-                                "mapping triplanar needs none",
+    notedMaterials.insert(m);
+    notes.push_back(fmt::format("/materials/{}: its noise is mapped by TEXCOORD_{}, which a mesh "
+                                "lacks or has with a single value, so the noise is constant "
+                                "there; triplanar mapping needs no texture coordinates",
                                 m, set));
   }
 }
@@ -119,16 +121,16 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
 std::vector<std::string> SceneRenderer::notes() const {
   std::vector<std::string> notes = noises_.notes();
   noteCoarseVertices(notes);
-  noteUnseenNoise(notes);
+  noteInvisibleNoise(notes);
   noteMissingTexCoords(notes);
-  std::set<std::string> faults; // one camera may stand in several places
+  std::set<std::string> faults; // several nodes may share a camera
   for (const Camera& camera : scene_.cameras)
     if (!camera.fault.empty() && faults.insert(camera.fault).second)
-      notes.push_back(camera.fault + "; this camera is not looked through");
+      notes.push_back(camera.fault + "; the camera is ignored");
   if (inputs_.lighting.dropped > 0)
     notes.push_back("the scene has " +
                     std::to_string(inputs_.lighting.lights.size() + inputs_.lighting.dropped) +
-                    " lights; the " + std::to_string(MAX_LIGHTS) + " that light it most are drawn");
+                    " lights; only the " + std::to_string(MAX_LIGHTS) + " strongest are used");
   notes.insert(notes.end(), environmentNotes_.begin(), environmentNotes_.end());
   return notes;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Set-up of a scene's renderer and changes to it; scene_frame.cpp draws with it, scene_notes.cpp
-// tells of it.
+// Setup of the renderer and changes to it. scene_frame.cpp renders frames, scene_notes.cpp writes
+// the notes.
 #include "scene_renderer.h"
 
 #include "debug_views.h"
 #include "environment.h"
 #include "failure.h"
 #include "lighting.h"
+#include "relative_to.h"
 #include "sky_cache.h"
-#include "world_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@
 namespace lichen::renderer {
 namespace {
 
-// Haze takes 63 % of what is this many times as far as the subject, whatever the scene's unit: it
-// joins a ground to the sky and leaves the subject alone.
+// Haze absorbs 63 % of the light over this many times the distance to the subject, whatever the
+// scene's unit: it blends ground into sky and leaves the subject clear.
 constexpr float kHazeDistance = 80.0f;
 
 } // namespace
@@ -36,9 +36,9 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (materialOf(scene.instances[i]).alphaMode == AlphaMode::blend)
       blended_.emplace_back(i, centerOf(scene, scene.instances[i]));
-  hasHaze_ = !settings.environment; // a panorama shows itself what is far away
+  hasHaze_ = !settings.environment; // a panorama has its own background
   setCamera(take(chooseCamera(scene, inputs_.subject, settings.camera, aspect)));
-  environment_ = lightAround(settings);
+  environment_ = prepareLight(settings);
   const VkFilter filter = depthFilter(device);
   targets_ = createFrameTargets(device, settings.width, settings.height);
   lightMaps_ = createLightMaps(device, objects_);
@@ -48,26 +48,27 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
   makePipelines();
 }
 
-/// The environment file's, or the built-in sky, whose white balance the lights then take too.
-GpuEnvironment SceneRenderer::lightAround(const RenderSettings& settings) {
+/// Uploads the environment file, or else the built-in sky, and applies the sky's white balance to
+/// the lights.
+GpuEnvironment SceneRenderer::prepareLight(const RenderSettings& settings) {
   if (settings.environment) {
     const int longestSide = int(device_.properties().limits.maxImageDimension2D);
-    GpuEnvironment around = uploadEnvironment(
-        device_, objects_, prepareEnvironment(fitted(*settings.environment, longestSide)));
-    const VkExtent3D drawn = around.panorama.info.extent;
-    if (drawn.width != std::uint32_t(settings.environment->width) ||
-        drawn.height != std::uint32_t(settings.environment->height))
+    GpuEnvironment environment = uploadEnvironment(
+        device_, objects_, prepareEnvironment(fitInto(*settings.environment, longestSide)));
+    const VkExtent3D uploaded = environment.panorama.info.extent;
+    if (uploaded.width != std::uint32_t(settings.environment->width) ||
+        uploaded.height != std::uint32_t(settings.environment->height))
       environmentNotes_.push_back(
-          "the environment is larger than this device accepts; it is drawn at " +
-          std::to_string(drawn.width) + " x " + std::to_string(drawn.height));
-    return around;
+          "the environment exceeds the device's image size; it is reduced to " +
+          std::to_string(uploaded.width) + " x " + std::to_string(uploaded.height));
+    return environment;
   }
   Lighting& lighting = inputs_.lighting;
   const glm::vec3 sunlight =
       lighting.hasSun ? lighting.lights[0].color * lighting.lights[0].intensity : glm::vec3(0.0f);
-  SkyCache own;
-  SkyCache& skies = settings.skies ? *settings.skies : own;
-  const PreparedSky& sky = skies.under(lighting.towardSun, sunlight, lighting.skyIrradiance);
+  SkyCache ownCache;
+  SkyCache& skies = settings.skies ? *settings.skies : ownCache;
+  const PreparedSky& sky = skies.prepare(lighting.towardSun, sunlight, lighting.skyIrradiance);
   for (Light& light : lighting.lights)
     light.color *= sky.balance;
   return uploadEnvironment(device_, objects_, sky.environment);
@@ -101,7 +102,7 @@ std::array<Descriptor, 2> SceneRenderer::accumulateDescriptors() const {
           storageImage(targets_.sum.view)};
 }
 
-/// A set of these, of a layout of its own.
+/// Creates a layout, a pool and a set for the descriptors.
 VkDescriptorSet SceneRenderer::createSet(std::span<const Descriptor> descriptors,
                                          VkShaderStageFlags stages, VkDescriptorSetLayout& layout) {
   std::vector<VkDescriptorType> types;
@@ -146,7 +147,7 @@ void SceneRenderer::makePipelines() {
 }
 
 void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
-  targets_ = FrameTargets(); // their memory first
+  targets_ = FrameTargets(); // free their memory first
   targets_ = createFrameTargets(device_, width, height);
   inputs_.width = width;
   inputs_.height = height;
@@ -157,10 +158,10 @@ void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
   const glm::dvec3 origin = originNear(camera, inputs_.subject.center);
   if (origin != std::exchange(inputs_.origin, origin)) {
-    noises_.place(origin);
+    noises_.setOrigin(origin);
     writeMaterials(scene_, noises_, gpu_);
   }
-  if (hasHaze_) // from within the subject no nearer than from its border
+  if (hasHaze_) // a camera inside the subject counts as on its border
     inputs_.hazeDistance =
         kHazeDistance * std::max(glm::length(relativeTo(inputs_.subject.center, eyeOf(camera))),
                                  inputs_.subject.radius);
@@ -193,14 +194,15 @@ void SceneRenderer::setNoise(const NoiseChanges& changes) {
     makePipelines();
 }
 
-/// Indices of the blended instances, the farthest first, by the middles of their boxes: nodes of
-/// many a file all have their origin in one place.
+/// Indices of the blended instances, farthest first. Compares the centres of bounding boxes,
+/// because in many files all nodes have the same origin.
 std::vector<std::size_t> SceneRenderer::blendedOrder() const {
   const glm::dmat4& camera = inputs_.camera.worldFromCamera;
   std::vector<std::pair<float, std::size_t>> order;
   for (const auto& [instance, center] : blended_) {
     const glm::vec3 fromCamera = relativeTo(eyeOf(inputs_.camera), center);
-    order.emplace_back(glm::dot(fromCamera, glm::vec3(camera[2])), instance); // looks along -z
+    // the camera looks along -z
+    order.emplace_back(glm::dot(fromCamera, glm::vec3(camera[2])), instance);
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> indices;

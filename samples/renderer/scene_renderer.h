@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene on a Vulkan device that is drawn again and again: what stays from frame to frame, what
-// may change between two frames, and the sum of frames since the last change.
+// Renders a scene repeatedly: owns what stays the same from frame to frame, applies changes between
+// frames, and accumulates the frames since the last change.
 #pragma once
 
 #include "frame_data.h"
@@ -20,42 +20,44 @@
 
 namespace lichen::renderer {
 
-/// Every function that is not const may throw a Failure, with renderScene()'s errors, after which
-/// the object is only good to be destroyed. Not for several threads at once. The device is idle
-/// whenever no function runs, so that what frames read may be changed between them.
+/// Every non-const function may throw a Failure with the errors of renderScene(); after that the
+/// object may only be destroyed. Not thread-safe. The device is idle whenever no function runs, so
+/// data that frames read may change between calls.
 class SceneRenderer {
 public:
-  /// Device and scene must outlive it. Of the settings, `frames` may be changed later, as may the
-  /// size, the camera, the debug view and the exposure.
+  /// The device and the scene must outlive the object. The setters below can change `frames`, size,
+  /// camera, debug view and exposure later.
   SceneRenderer(VulkanDevice& device, const Scene& scene, const RenderSettings& settings);
 
-  /// What is left out or changed, with the camera and the noise as they are, one sentence each.
+  /// What is ignored or changed with the current camera and noise, one sentence each.
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] const Camera& camera() const { return inputs_.camera; }
   [[nodiscard]] const Sphere& subject() const { return inputs_.subject; }
-  /// Of the bundle's noises, as the file has them; may be empty.
+  /// Names of the bundle's noises as stored in the file; may be empty strings.
   [[nodiscard]] const std::vector<std::string>& noiseNames() const { return noises_.names(); }
 
-  // After any of these the next frame is to be frame 0.
+  // After any of these calls, continue with frame 0.
   void setSize(std::uint32_t width, std::uint32_t height);
   void setFrames(std::uint32_t frames); ///< at least 1
-  void setPreview();                    ///< one frame that is soon followed by others: quicker
+  void setPreview();                    ///< one quick frame, soon replaced by others
   void setCamera(const Camera& camera);
   void setExposure(float exposureEv) { exposureEv_ = exposureEv; } ///< stops
   void setDebugView(const std::string& name);                      ///< see RenderSettings
   void setNoise(const NoiseChanges& changes);
 
-  /// Draws frame `index`, below `frames`, and adds it to the sum, which frame 0 starts. Waits.
+  /// Renders frame `index`, below `frames`, and adds it to the sum; frame 0 starts a new sum.
+  /// Blocks until the device has finished.
   void drawFrame(std::uint32_t index);
-  /// The sum of frames, in GENERAL; its values divided by their number are those of a Picture.
+  /// The sum of frames, in GENERAL. Divided by the number of frames, it has the values of a
+  /// Picture.
   [[nodiscard]] const DeviceImage& sum() const { return targets_.sum; }
-  /// The average of that many frames, RGB.
+  /// The sum divided by `frames`, RGB.
   [[nodiscard]] LinearImage average(std::uint32_t frames);
 
 private:
-  [[nodiscard]] GpuEnvironment lightAround(const RenderSettings& settings);
+  [[nodiscard]] GpuEnvironment prepareLight(const RenderSettings& settings);
   void noteCoarseVertices(std::vector<std::string>& notes) const;
-  void noteUnseenNoise(std::vector<std::string>& notes) const;
+  void noteInvisibleNoise(std::vector<std::string>& notes) const;
   void noteMissingTexCoords(std::vector<std::string>& notes) const;
   void createFrameSet(VkFilter depthFilter);
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
@@ -91,7 +93,8 @@ private:
   GpuScene gpu_;
   FrameInputs inputs_;
   bool hasHaze_ = false;
-  std::vector<std::pair<std::size_t, glm::dvec3>> blended_; ///< instances and their middles
+  /// instances and the centres of their bounding boxes
+  std::vector<std::pair<std::size_t, glm::dvec3>> blended_;
   std::vector<std::size_t> blendedOrder_;
   GpuEnvironment environment_;
   FrameTargets targets_;
@@ -102,7 +105,8 @@ private:
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
   std::vector<std::string> environmentNotes_;
-  std::unique_ptr<ObjectOwner> pipelineObjects_; ///< of pipelines_, which a change makes anew
+  /// owns the objects of pipelines_, which changes re-create
+  std::unique_ptr<ObjectOwner> pipelineObjects_;
   Pipelines pipelines_;
 };
 

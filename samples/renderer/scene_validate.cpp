@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0 rules, in the order in which a document's parts depend on one another
-// [glTF 2.0, sections 3.5 to 3.11 and 5].
+// Checks of glTF 2.0 rules, in order of dependency [glTF 2.0, sections 3.5 to 3.11 and 5].
 #include "scene_validate.h"
 
 #include "json_place.h"
@@ -61,9 +60,10 @@ public:
     noCycles();
     root_.each("skins", [&](const Place& p, std::size_t) { skin(p); });
     root_.each("scenes", [&](const Place& p, std::size_t) { scene(p); });
-    root_.each("animations", [](const Place&, std::size_t) {}); // loaded, but not used
+    // tinygltf loads them, the renderer ignores them
+    root_.each("animations", [](const Place&, std::size_t) {});
     if (root_.find("animations"))
-      notes_.push_back("animations are not played: all stands as the file's nodes and weights are");
+      notes_.push_back("animations are ignored; the scene is rendered in its rest pose");
     (void)root_.index("scene", root_.countOf("scenes"));
   }
 
@@ -74,15 +74,15 @@ private:
                                     ? *place.string("version")
                                     : std::string("not a string");
     if (!version.starts_with("2."))
-      place.fail("version " + printable(version) + " is not accepted, 2.0 is");
+      place.fail("version " + printable(version) + " is not supported; expected 2.0");
     if (const auto minimum = place.string("minVersion"); minimum && *minimum != "2.0")
-      place.fail("minVersion " + printable(*minimum) + " is not accepted, 2.0 is");
+      place.fail("minVersion " + printable(*minimum) + " is not supported; expected 2.0");
   }
 
   void extensions() {
     root_.each("extensionsRequired", [&](const Place& place, std::size_t) {
       if (!place.json().is_string())
-        place.fail("a string is accepted");
+        place.fail("expected a string");
       if (const auto name = place.json().get<std::string>(); !isSupported(name)) {
         std::string list;
         for (const char* supported : kSupportedExtensions)
@@ -93,7 +93,7 @@ private:
     });
     root_.each("extensionsUsed", [&](const Place& place, std::size_t) {
       if (!place.json().is_string())
-        place.fail("a string is accepted");
+        place.fail("expected a string");
       if (const auto name = place.json().get<std::string>(); !isSupported(name))
         notes_.push_back("the extension " + printable(name) + " is ignored");
     });
@@ -104,15 +104,15 @@ private:
     const std::optional<std::string> uri = place.string("uri");
     const auto& chunk = file_.container.binaryChunk;
     if (!uri && (!chunk || index != 0))
-      place.fail("a buffer without uri is accepted only as the first of a .glb with a BIN chunk");
+      place.fail("only the first buffer of a .glb with a BIN chunk may lack a uri");
     if (!uri && length > chunk->size())
-      place.fail("byteLength " + std::to_string(length) + " is more than the BIN chunk's " +
-                 std::to_string(chunk->size()));
+      place.fail("byteLength " + std::to_string(length) + " exceeds the " +
+                 std::to_string(chunk->size()) + " bytes of the BIN chunk");
     bufferLengths_.push_back(length);
     bufferBytes_ += length;
     if (bufferBytes_ > kMaxBufferBytes)
       throw Fault{"/buffers: more than " + std::to_string(kMaxBufferBytes) +
-                      " bytes in all; a smaller scene is accepted",
+                      " bytes in total; use a smaller scene",
                   ErrorKind::resources};
   }
 
@@ -123,15 +123,15 @@ private:
     const std::uint64_t length = place.integer("byteLength", 1, kMaxBytes);
     if (offset + length > bufferLengths_[buffer])
       place.fail("bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) +
-                 " lie outside their buffer of " + std::to_string(bufferLengths_[buffer]));
+                 " exceed their buffer of " + std::to_string(bufferLengths_[buffer]) + " bytes");
     const std::uint64_t stride = place.integer("byteStride", 4, 252, 0);
     if (stride % 4 != 0)
       place.fail("byteStride " + std::to_string(stride) +
-                 " is not accepted, a multiple of 4 from 4 to 252 is");
+                 " is invalid; expected a multiple of 4 from 4 to 252");
     views_.push_back({length, stride});
   }
 
-  /// `count` elements of `size` bytes from `offset` of a view lie inside it.
+  /// Fails unless `count` elements of `size` bytes from `offset` fit into the view.
   void fits(const Place& place, std::size_t view, std::uint64_t offset, std::uint64_t count,
             std::uint64_t size, bool mayStride) const {
     const auto [length, stride] = views_[view];
@@ -139,8 +139,8 @@ private:
     if (step < size || offset > length || length - offset < size ||
         (length - offset - size) / step < count - 1)
       place.fail(std::to_string(count) + " elements of " + std::to_string(size) +
-                 " bytes from offset " + std::to_string(offset) +
-                 " do not fit their bufferView of " + std::to_string(length) + " bytes");
+                 " bytes from offset " + std::to_string(offset) + " exceed their bufferView of " +
+                 std::to_string(length) + " bytes");
   }
 
   void accessor(const Place& place) {
@@ -153,20 +153,21 @@ private:
     const std::size_t components = componentCount(result.type);
     if (components == 0)
       place.fail("type " + printable(result.type) +
-                 " is not accepted, SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4 is");
+                 " is invalid; expected SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4");
     result.count = place.integer("count", 1, kMaxBytes);
     place.boolean("normalized");
     const std::optional<Place> normalized = place.find("normalized");
     result.normalized = normalized && normalized->json().get<bool>();
-    // Matrices of small components have padded columns; only float matrices are read here.
+    // Matrices of 8- and 16-bit components have padded columns, but the loader reads only float
+    // matrices.
     const std::uint64_t size = components * componentBytes(result.componentType);
     const std::uint64_t offset = place.integer("byteOffset", 0, kMaxBytes, 0);
     if (const auto view = place.index("bufferView", views_.size()))
       fits(place, *view, offset, result.count, size, true);
     else if (result.count > kMaxImplicitCount)
       place.fail("count " + std::to_string(result.count) +
-                 " without a bufferView is not accepted, up to " +
-                 std::to_string(kMaxImplicitCount) + " is");
+                 " without a bufferView is too large; the limit is " +
+                 std::to_string(kMaxImplicitCount));
     if (const auto patch = place.find("sparse"))
       sparse(*patch, result, size);
     accessors_.push_back(result);
@@ -190,7 +191,7 @@ private:
     const auto view = place.index("bufferView", views_.size());
     const auto uri = place.string("uri");
     if (view.has_value() == uri.has_value())
-      place.fail("exactly one of uri and bufferView is accepted");
+      place.fail("expected exactly one of uri and bufferView");
     (void)place.string("mimeType");
   }
 
@@ -238,7 +239,7 @@ private:
     place.extension("KHR_materials_emissive_strength").number("emissiveStrength", 0, kLargest, 1);
     if (const auto mode = place.string("alphaMode");
         mode && *mode != "OPAQUE" && *mode != "MASK" && *mode != "BLEND")
-      place.fail("alphaMode " + printable(*mode) + " is not accepted, OPAQUE, MASK or BLEND is");
+      place.fail("alphaMode " + printable(*mode) + " is invalid; expected OPAQUE, MASK or BLEND");
     place.number("alphaCutoff", 0, kLargest, 0.5);
     place.boolean("doubleSided");
   }
@@ -246,21 +247,21 @@ private:
   void attribute(const Place& place, const std::string& name, std::uint64_t vertices) const {
     const Accessor& accessor = accessors_[place.asIndex(accessors_.size())];
     if (accessor.count != vertices)
-      place.fail("has " + std::to_string(accessor.count) + " elements, POSITION has " +
+      place.fail("has " + std::to_string(accessor.count) + " elements, but POSITION has " +
                  std::to_string(vertices));
     const bool isFloat = accessor.componentType == kFloatComponent;
     const auto require = [&](bool typeFits, const char* accepted) {
       if (!typeFits)
         place.fail(accessor.type + " of componentType " + std::to_string(accessor.componentType) +
-                   " is not accepted for " + name + ", " + accepted + " is");
+                   " is invalid for " + name + "; expected " + accepted);
     };
-    const bool notWord = accessor.componentType != 5125;
+    const bool notUint32 = accessor.componentType != 5125;
     if (name == "POSITION" || name == "NORMAL")
-      require(accessor.type == "VEC3" && notWord, "VEC3 of float, byte or short");
+      require(accessor.type == "VEC3" && notUint32, "VEC3 of float, byte or short");
     else if (name == "TANGENT")
-      require(accessor.type == "VEC4" && notWord, "VEC4 of float, byte or short");
+      require(accessor.type == "VEC4" && notUint32, "VEC4 of float, byte or short");
     else if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
-      require(accessor.type == "VEC2" && notWord, "VEC2 of float, byte or short");
+      require(accessor.type == "VEC2" && notUint32, "VEC2 of float, byte or short");
     else if (name.starts_with("COLOR_"))
       require((accessor.type == "VEC3" || accessor.type == "VEC4") &&
                   (isFloat || accessor.componentType == 5121 || accessor.componentType == 5123),
@@ -270,10 +271,10 @@ private:
                   (accessor.componentType == 5121 || accessor.componentType == 5123),
               "VEC4 of unsigned byte or unsigned short");
     else if (name.starts_with("WEIGHTS_"))
-      require(accessor.type == "VEC4" && notWord, "VEC4 of float, byte or short");
+      require(accessor.type == "VEC4" && notUint32, "VEC4 of float, byte or short");
   }
 
-  /// What a morph target adds to each vertex has three components, that to tangents too.
+  /// Deltas of morph targets have three components, even those of TANGENT.
   void morphTarget(const Place& place, std::uint64_t vertices) const {
     for (const auto& [name, value] : place.json().items()) {
       const Place entry = place.member(name.c_str());
@@ -307,13 +308,13 @@ private:
              accessor.componentType != 5125))
           primitive.fail("indices are " + accessor.type + " of componentType " +
                          std::to_string(accessor.componentType) +
-                         ", SCALAR of 5121, 5123 or 5125 is accepted");
+                         "; expected SCALAR of 5121, 5123 or 5125");
       }
     });
     weights(place);
   }
 
-  /// Of morph targets.
+  /// Default weights of morph targets.
   static void weights(const Place& place) {
     place.each("weights",
                [](const Place& weight, std::size_t) { weight.asNumber(-kLargest, kLargest); });
@@ -324,9 +325,10 @@ private:
     const std::string type = *place.string("type");
     const bool perspective = type == "perspective";
     if (!perspective && type != "orthographic")
-      place.fail("type " + printable(type) + " is not accepted, perspective or orthographic is");
+      place.fail("type " + printable(type) + " is invalid; expected perspective or orthographic");
     const Place lens = place.member(perspective ? "perspective" : "orthographic");
-    // Numbers: whether a picture can be taken with them matters where it is (camera_load.cpp).
+    // Only checks that these are numbers; camera_load.cpp checks their ranges when a node uses the
+    // camera.
     for (const char* key : {"xmag", "ymag", "yfov", "znear", "zfar", "aspectRatio"})
       (void)lens.number(key, -kLargest, kLargest, 0);
     (void)lens.member("znear");
@@ -335,17 +337,17 @@ private:
       (void)lens.member("xmag");
       (void)lens.member("ymag");
     }
-    for (const char* key : {"zfar", "aspectRatio"}) // of which tinygltf tells only the value
+    for (const char* key : {"zfar", "aspectRatio"}) // tinygltf stores an absent one as 0
       if (perspective && lens.find(key) && lens.number(key, -kLargest, kLargest, 1) == 0.0)
         notes_.push_back("/cameras/" + std::to_string(index) + "/perspective/" + key +
-                         ": 0 is taken as absent; more than 0 is accepted");
+                         ": 0 is invalid and treated as absent; expected more than 0");
   }
 
   static void light(const Place& place) {
     (void)place.member("type");
     const std::string type = *place.string("type");
     if (type != "directional" && type != "point" && type != "spot")
-      place.fail("type " + printable(type) + " is not accepted, directional, point or spot is");
+      place.fail("type " + printable(type) + " is invalid; expected directional, point or spot");
     place.numbers("color", 3, 0, kLargest);
     place.number("intensity", 0, kLargest, 1);
     place.number("range", 0, kLargest, 0);
@@ -362,8 +364,8 @@ private:
     place.each("children", [&](const Place& child, std::size_t) {
       const std::size_t c = child.asIndex(nodes);
       if (parents_[c] != nodes)
-        child.fail("node " + std::to_string(c) + " already is a child of node " +
-                   std::to_string(parents_[c]) + "; one parent is accepted");
+        child.fail("node " + std::to_string(c) + " is already a child of node " +
+                   std::to_string(parents_[c]) + "; a node may have only one parent");
       parents_[c] = index;
     });
     (void)place.index("mesh", root_.countOf("meshes"));
@@ -379,7 +381,7 @@ private:
         .index("light", root_.extension("KHR_lights_punctual").countOf("lights"));
   }
 
-  /// Each node has one parent at most, so a cycle is a chain of parents that has no end.
+  /// Each node has at most one parent, so a cycle is a chain of parents without end.
   void noCycles() const {
     const std::size_t nodes = parents_.size();
     std::vector<bool> reachesRoot(nodes, false);
@@ -389,7 +391,7 @@ private:
       while (at != nodes && !reachesRoot[at]) {
         if (chain.size() == nodes)
           root_.member("nodes").fail("node " + std::to_string(start) +
-                                     " is its own ancestor; a forest is accepted");
+                                     " is its own ancestor; nodes must not form cycles");
         chain.push_back(at);
         at = parents_[at];
       }
@@ -410,19 +412,19 @@ private:
           accessor.count < joints)
         place.fail("inverseBindMatrices are " + std::to_string(accessor.count) + " " +
                    accessor.type + " of componentType " + std::to_string(accessor.componentType) +
-                   ", MAT4 of " + std::to_string(kFloatComponent) + " for each of the " +
-                   std::to_string(joints) + " joints is accepted");
+                   "; expected MAT4 of " + std::to_string(kFloatComponent) +
+                   ", one for each of the " + std::to_string(joints) + " joints");
     }
   }
 
   void scene(const Place& place) const {
-    std::set<std::size_t> seen;
+    std::set<std::size_t> listed;
     place.each("nodes", [&](const Place& entry, std::size_t) {
       const std::size_t node = entry.asIndex(parents_.size());
       if (parents_[node] != parents_.size())
         entry.fail("node " + std::to_string(node) + " is a child of node " +
-                   std::to_string(parents_[node]) + "; a root is accepted");
-      if (!seen.insert(node).second)
+                   std::to_string(parents_[node]) + "; scenes may list only root nodes");
+      if (!listed.insert(node).second)
         entry.fail("node " + std::to_string(node) + " appears twice");
     });
   }
@@ -439,7 +441,7 @@ private:
   std::uint64_t bufferBytes_ = 0; ///< their sum
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
-  std::vector<std::size_t> parents_; ///< the number of nodes for a root
+  std::vector<std::size_t> parents_; ///< parent of each node; the number of nodes for a root
 };
 
 } // namespace
@@ -480,7 +482,8 @@ Result<void> validateScene(const GltfFile& file, std::vector<std::string>& notes
   } catch (const Fault& fault) {
     return Error{fault.kind, file.path.string() + ": " + fault.message};
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::resources, file.path.string() + ": not enough memory to check it"};
+    return Error{ErrorKind::resources,
+                 file.path.string() + ": not enough memory to validate the scene"};
   }
   return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sunlight scattered once in an atmosphere of even density, in closed form: by air molecules
-// (Rayleigh) and by haze [Hoffman and Preetham 2002, Rendering Outdoor Light Scattering in Real
-// Time, "Inscattering"]. Path lengths are relative air masses [Kasten and Young 1989, Revised
+// Single scattering of sunlight in an atmosphere of constant density, in closed form, by air
+// molecules (Rayleigh) and haze [Hoffman and Preetham 2002, Rendering Outdoor Light Scattering in
+// Real Time, "Inscattering"]. Path lengths are relative air masses [Kasten and Young 1989, Revised
 // Optical Air Mass Tables and Approximation Formula].
 #include "sky.h"
 
@@ -13,27 +13,28 @@ namespace lichen::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-// Optical depth of the whole atmosphere, straight up, at 650, 550 and 450 nm: of the air
-// [Bodhaine et al. 1999, table 3, rounded], and of the haze of a clear day.
+// Optical depth of the whole atmosphere toward the zenith at 650, 550 and 450 nm: of air [Bodhaine
+// et al. 1999, table 3, rounded], and of haze on a clear day.
 constexpr glm::vec3 kAirDepth{0.049f, 0.097f, 0.222f};
 constexpr float kHazeDepth = 0.022f;
-constexpr float kHazeForward = 0.76f; // g of Henyey and Greenstein
-// What is scattered again comes from everywhere: a share of the light with no preferred direction.
+constexpr float kHazeForward = 0.76f; // g of the Henyey-Greenstein phase function
+// Share of the light that is scattered more than once and therefore isotropic.
 constexpr float kDiffuseShare = 0.30f;
-// Most light is scattered to the eye high in the air, before the sun's light has crossed all of it.
+// Share of the air mass that sunlight crosses before scattering: most scattering toward the eye
+// happens high in the air.
 constexpr float kSunPath = 0.4f;
-// Scattering more than once deepens the blue; here a factor of the distance from grey stands for
-// it.
+// Multiple scattering deepens the blue; this factor of the distance from grey approximates it.
 constexpr float kSaturation = 1.1f;
-// The horizon is seen as if this much higher (sine): it would be too bright for a display.
+// Sine. The horizon gets the radiance of directions this much higher, because its own is too bright
+// for a display.
 constexpr float kHorizonLift = 0.10f;
 constexpr float kLowestSunHeight = 0.05f; // sine of 3 degrees
-// Light soil; what is seen below the horizon where a scene has no ground of its own.
+// Light soil, visible below the horizon of scenes without a ground of their own.
 constexpr glm::vec3 kGroundAlbedo{0.32f, 0.30f, 0.27f};
-// The horizon is blended into the ground over this range of heights (sine), so that it has no edge.
+// Sine. Sky and ground blend over this range below the horizon, which hides the edge.
 constexpr float kHorizonBlend = 0.035f;
 
-/// Length of the way through the air, in atmospheres, for the sine of a height above the horizon.
+/// Relative air mass for the sine of the height above the horizon.
 float airMass(float sine) {
   const float degrees = std::asin(std::clamp(sine, 0.0f, 1.0f)) * 180.0f / kPi;
   return 1.0f / (sine + 0.50572f * std::pow(degrees + 6.07995f, -1.6364f));
@@ -83,9 +84,9 @@ Sky makeSky(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance, int heigh
         {(float(x) + 0.5f) / float(2 * height), (float(y) + 0.5f) / float(height)});
   };
 
-  // The upper half, and the irradiance that it lays on level ground.
+  // Fill the panorama with sky, and integrate its irradiance on level ground.
   glm::dvec3 level(0.0);
-  const double texelAngle = std::numbers::pi / height; // the same both ways
+  const double texelAngle = std::numbers::pi / height; // radians, in both directions
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < panorama.width; ++x) {
       const glm::vec3 direction = directionAt(x, y);
@@ -97,7 +98,7 @@ Sky makeSky(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance, int heigh
         level += glm::dvec3(value) * (double(direction.y) * sine * texelAngle * texelAngle);
     }
 
-  // Scale and white balance.
+  // Scale to the irradiance, and balance white.
   const auto mean = [](glm::vec3 v) { return (v.x + v.y + v.z) / 3.0f; };
   const glm::vec3 unscaled(level);
   const glm::vec3 fromSun = sunlight * towardSun.y;
@@ -106,7 +107,7 @@ Sky makeSky(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance, int heigh
   sky.balance = mean(total) / total;
   const glm::vec3 factor = scale * sky.balance;
 
-  // The ground gives back what falls on it.
+  // The ground reflects its irradiance.
   const glm::vec3 ground = kGroundAlbedo / kPi * total * sky.balance;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < panorama.width; ++x) {

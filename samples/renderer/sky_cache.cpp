@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Direction and irradiance of the sun, irradiance of the sky -> the sky prepared for shading; see
-// sky_cache.h.
+// Sun direction and irradiance, sky irradiance -> prefiltered sky; see sky_cache.h.
 #include "sky_cache.h"
 
 #include "sky.h"
@@ -14,11 +13,11 @@ constexpr int kPanoramaHeight = 512;
 
 } // namespace
 
-const PreparedSky& SkyCache::under(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance) {
+const PreparedSky& SkyCache::prepare(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance) {
   const Light light{towardSun, sunlight, irradiance};
   if (light_ == light)
     return sky_;
-  light_.reset(); // until the new one is whole
+  light_.reset(); // no valid entry if the preparation throws
   const Sky sky = makeSky(towardSun, sunlight, irradiance, kPanoramaHeight);
   sky_ = {sky.balance, prepareEnvironment(sky.panorama)};
   light_ = light;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built-in sky, prepared for shading, kept from one picture to the next: to prepare it takes
-// longer than to draw a small picture.
+// Caches the prefiltered built-in sky between pictures: preparing it takes longer than rendering a
+// small picture.
 #pragma once
 
 #include "environment.h"
@@ -16,11 +16,12 @@ struct PreparedSky {
   Environment environment;
 };
 
-/// Holds the last sky asked for. Not for several threads at once.
+/// Holds the most recent sky. Not thread-safe.
 class SkyCache {
 public:
-  /// makeSky() of these, prepared; valid until the next call.
-  [[nodiscard]] const PreparedSky& under(glm::vec3 towardSun, glm::vec3 sunlight, float irradiance);
+  /// makeSky() with these arguments, prefiltered; valid until the next call.
+  [[nodiscard]] const PreparedSky& prepare(glm::vec3 towardSun, glm::vec3 sunlight,
+                                           float irradiance);
 
 private:
   struct Light {

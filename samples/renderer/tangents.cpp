@@ -2,14 +2,15 @@
 // Positions, normals and texture coordinates -> tangents [Mikkelsen, Simulation of Wrinkled
 // Surfaces Revisited, 2008, appendices A and B], with the rules of his MikkTSpace, which glTF asks
 // for [glTF 2.0, section 3.7.2.1]:
-//   Vertices that agree in position, normal and texture coordinate are one, whatever their indices.
-//   Around such a vertex, triangles that share an edge and whose texture is not mirrored against
-//   one another are a group, which has one tangent: the sum of their own directions of u, each
-//   brought into the plane of the normal and of length one, weighted by the triangle's angle at the
-//   vertex. A triangle whose texture has no area joins what is beside it, and adds nothing.
-// MikkTSpace leaves the tangents of vertices with nothing but such triangles at (1, 0, 0); here
-// they are at a right angle to the normal. MikkTSpace takes v upwards and glTF has it downwards: v
-// is turned round here, so that the fourth component is glTF's.
+//   Vertices with equal position, normal and texture coordinate are welded, whatever their indices.
+//   Triangles around a welded vertex form a group if they share edges and their textures have the
+//   same handedness. A group has one tangent: the sum of its triangles' u directions, each
+//   projected into the plane of the normal, normalised, and weighted by the triangle's angle at the
+//   vertex. A triangle without area in texture space joins a neighbouring group and adds nothing to
+//   the sum.
+// Deviations: where all triangles at a vertex lack texture area, MikkTSpace sets the tangent to
+// (1, 0, 0); this code chooses one perpendicular to the normal. MikkTSpace's v points up, glTF's
+// down; this code flips v, so the fourth component is glTF's.
 #include "tangents.h"
 
 #include "orthonormal_frame.h"
@@ -28,18 +29,17 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr float kTiny = std::numeric_limits<float>::min();
 constexpr glm::vec3 kNoDirection{0.0f};
 
-/// Corner 3 f + k of the mesh is corner k of its triangle f; edge 3 f + k leads from it to the
-/// next.
+/// Corner 3 f + k is corner k of triangle f. Edge 3 f + k leads from that corner to the next.
 std::uint32_t nextCorner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 std::uint32_t previousCorner(std::uint32_t corner) {
   return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
 struct Face {
-  glm::vec3 alongU{0.0f};    ///< unit, or zero
-  bool mirrored = false;     ///< seen from its front, its part of the image is mirrored
-  bool isDegenerate = false; ///< two of its corners are at one place: no neighbour of any
-  bool joinsAny = false;     ///< it has no area, in the image or in space
+  glm::vec3 alongU{0.0f};     ///< unit, or zero
+  bool mirrored = false;      ///< its texture is mirrored, seen from the front
+  bool isDegenerate = false;  ///< two corners coincide; has no neighbours
+  bool joinsAnyGroup = false; ///< has no area, in texture space or in 3-D
 };
 
 class TangentGroups {
@@ -52,16 +52,16 @@ public:
     measureFaces();
     joinEdges();
     for (std::uint32_t corner = 0; corner < groupOf_.size(); ++corner)
-      if (!faces_[corner / 3].joinsAny && groupOf_[corner] == kNone)
+      if (!faces_[corner / 3].joinsAnyGroup && groupOf_[corner] == kNone)
         grow(corner);
-    adoptTheRest();
-    sumUp();
+    assignRemainingCorners();
+    sumDirections();
     assign();
   }
 
 private:
   struct Group {
-    std::uint32_t vertex; ///< welded
+    std::uint32_t vertex; ///< welded vertex
     bool mirrored;
     glm::vec3 alongU{0.0f};
   };
@@ -70,7 +70,7 @@ private:
     return primitive_.vertices[primitive_.indices[corner]];
   }
 
-  /// The first of equal vertices stands for all of them.
+  /// Maps equal vertices to the first of them.
   void weld() {
     const std::size_t count = primitive_.vertices.size();
     const auto key = [&](std::uint32_t i) {
@@ -93,7 +93,7 @@ private:
       welded_.push_back(first[index]);
   }
 
-  /// [Mikkelsen 2008] eqs. 18 and 19, the direction of u.
+  /// [Mikkelsen 2008] eqs. 18 and 19: the u direction of each triangle.
   void measureFaces() {
     for (std::uint32_t corner = 0; corner < welded_.size(); corner += 3) {
       const Vertex& a = at(corner);
@@ -101,20 +101,21 @@ private:
       const Vertex& c = at(corner + 2);
       const glm::vec2 t1 = b.*texCoord_ - a.*texCoord_;
       const glm::vec2 t2 = c.*texCoord_ - a.*texCoord_;
-      const float area = t1.y * t2.x - t1.x * t2.y; // with v up
+      const float area = t1.y * t2.x - t1.x * t2.y; // with v pointing up
       const glm::vec3 alongU = (c.position - a.position) * t1.y - (b.position - a.position) * t2.y;
       Face face;
       face.mirrored = !(area > 0.0f);
       face.alongU = normalizedOr(face.mirrored ? -alongU : alongU, kNoDirection);
       face.isDegenerate =
           a.position == b.position || b.position == c.position || c.position == a.position;
-      face.joinsAny = face.isDegenerate || std::abs(area) <= kTiny || face.alongU == kNoDirection;
+      face.joinsAnyGroup =
+          face.isDegenerate || std::abs(area) <= kTiny || face.alongU == kNoDirection;
       faces_.push_back(face);
     }
   }
 
-  /// Pairs edges that run in opposite directions between the same vertices, in the order of the
-  /// triangles where there are more than two.
+  /// Pairs edges that connect the same vertices in opposite directions. If there are more than two,
+  /// pairs them in triangle order.
   void joinEdges() {
     std::vector<std::uint32_t> order;
     for (std::uint32_t edge = 0; edge < welded_.size(); ++edge)
@@ -129,24 +130,25 @@ private:
       return std::make_pair(ends(a), a) < std::make_pair(ends(b), b);
     });
     across_.assign(welded_.size(), kNone);
-    std::vector<std::uint32_t> alike; // edges between the same vertices
-    std::size_t waiting = 0; // the first of them without a partner: all after it run its way
+    std::vector<std::uint32_t> unpaired; // edges between the same two vertices
+    // first edge in `unpaired` without a partner; all later ones have the same direction
+    std::size_t firstUnpaired = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t edge = order[i];
       if (i == 0 || ends(edge) != ends(order[i - 1])) {
-        alike.clear();
-        waiting = 0;
+        unpaired.clear();
+        firstUnpaired = 0;
       }
-      if (waiting < alike.size() && welded_[edge] != welded_[alike[waiting]]) {
-        across_[edge] = alike[waiting];
-        across_[alike[waiting++]] = edge;
+      if (firstUnpaired < unpaired.size() && welded_[edge] != welded_[unpaired[firstUnpaired]]) {
+        across_[edge] = unpaired[firstUnpaired];
+        across_[unpaired[firstUnpaired++]] = edge;
       } else {
-        alike.push_back(edge);
+        unpaired.push_back(edge);
       }
     }
   }
 
-  /// A group of a corner and of those that share its vertex across edges.
+  /// Creates a group from a corner and all corners that share its vertex across edges.
   void grow(std::uint32_t start) {
     const auto id = std::uint32_t(groups_.size());
     groups_.push_back({welded_[start], faces_[start / 3].mirrored});
@@ -157,8 +159,8 @@ private:
       if (!joins(corner, groups_[id]))
         continue;
       groupOf_[corner] = id;
-      // The edges at the corner's vertex: across the one the vertex is its end, across the other
-      // its start.
+      // Cross both edges at the corner's vertex. The vertex is the end of the first neighbouring
+      // edge and the start of the second.
       if (const std::uint32_t edge = across_[previousCorner(corner)]; edge != kNone)
         pending.push_back(edge);
       if (const std::uint32_t edge = across_[corner]; edge != kNone)
@@ -173,13 +175,13 @@ private:
     const std::uint32_t first = corner - corner % 3;
     const bool isFree =
         groupOf_[first] == kNone && groupOf_[first + 1] == kNone && groupOf_[first + 2] == kNone;
-    if (face.joinsAny && isFree)
+    if (face.joinsAnyGroup && isFree)
       face.mirrored = group.mirrored;
     return face.mirrored == group.mirrored;
   }
 
-  /// Corners that no group has reached take the first one at their vertex, or have one alone.
-  void adoptTheRest() {
+  /// Corners without a group join the first group at their vertex, or a new one.
+  void assignRemainingCorners() {
     std::vector<std::uint32_t> groupAt(primitive_.vertices.size(), kNone);
     for (std::size_t g = groups_.size(); g-- > 0;)
       groupAt[groups_[g].vertex] = std::uint32_t(g);
@@ -195,11 +197,11 @@ private:
     }
   }
 
-  /// [Mikkelsen 2008] appendix A: weighted by angles in the plane of the normal.
-  void sumUp() {
+  /// [Mikkelsen 2008] appendix A: sums u directions, weighted by angles in the plane of the normal.
+  void sumDirections() {
     for (std::uint32_t corner = 0; corner < groupOf_.size(); ++corner) {
       const Face& face = faces_[corner / 3];
-      if (face.joinsAny)
+      if (face.joinsAnyGroup)
         continue;
       const Vertex& v = at(corner);
       const auto inPlane = [&](glm::vec3 direction) {
@@ -212,7 +214,7 @@ private:
     }
   }
 
-  /// Gives each vertex the tangent of its group, and copies of it those of its other groups.
+  /// Gives each vertex the tangent of its group; splits vertices that belong to several groups.
   void assign() {
     std::vector<Vertex>& vertices = primitive_.vertices;
     std::vector<std::uint32_t> order(groupOf_.size());
@@ -240,7 +242,8 @@ private:
         vertex = indices[order[i]];
       if (isCopy(i)) {
         vertex = std::uint32_t(vertices.size());
-        vertices.push_back(vertices[indices[order[i]]]); // reserved: does not move what it copies
+        // reserved above, so this does not reallocate
+        vertices.push_back(vertices[indices[order[i]]]);
       }
       primitive_.indices[order[i]] = vertex;
       vertices[vertex].tangent = tangentOf(groups_[groupOf_[order[i]]], vertices[vertex].normal);
@@ -254,9 +257,9 @@ private:
 
   Primitive& primitive_;
   glm::vec2 Vertex::*texCoord_;
-  std::vector<std::uint32_t> welded_;  ///< vertex of each corner
-  std::vector<std::uint32_t> across_;  ///< edge beside each edge, or kNone
-  std::vector<std::uint32_t> groupOf_; ///< of each corner
+  std::vector<std::uint32_t> welded_;  ///< welded vertex of each corner
+  std::vector<std::uint32_t> across_;  ///< opposite edge of each edge, or kNone
+  std::vector<std::uint32_t> groupOf_; ///< group of each corner
   std::vector<Face> faces_;
   std::vector<Group> groups_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments -> rods; see thin_solids.h. glTF leaves the width of points and lines to the viewer.
+// Segments -> rods; see thin_solids.h. glTF does not define the width of points and lines.
 #include "thin_solids.h"
 
 #include "orthonormal_frame.h"
@@ -10,8 +10,8 @@
 namespace lichen::renderer {
 namespace {
 
-// Of the box around the primitive, from corner to corner: 2 pixels thick where it fills a picture
-// of 250, and a grid of 32 x 32 points has two thirds of its spacing open.
+// Share of the bounding box's diagonal. The rods are 2 pixels thick if the box fills a picture of
+// 250 pixels, and leave two thirds of the spacing open in a grid of 32 x 32 points.
 constexpr float kRadiusShare = 0.004f;
 constexpr std::uint32_t kSides = 4;
 
@@ -26,7 +26,7 @@ float radiusOf(const std::vector<Vertex>& vertices, const std::vector<std::uint3
   return kRadiusShare * (diagonal > 0.0f ? diagonal : 1.0f);
 }
 
-/// Four corners around an end, and its tip.
+/// Adds four corners around an end, and its tip.
 void addEnd(std::vector<Vertex>& vertices, const Vertex& end, const glm::mat3& frame, float radius,
             float outward) {
   for (std::uint32_t side = 0; side < kSides; ++side) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and lines as something that can be lit and cast a shadow.
+// Converts points and lines into solids that can be lit and cast shadows.
 #pragma once
 
 #include "scene.h"
@@ -10,9 +10,10 @@ namespace lichen::renderer {
 inline constexpr std::size_t kThinSolidVertices = 10;
 inline constexpr std::size_t kThinSolidIndices = 48;
 
-/// Replaces segments, two indices each, by square rods with pointed ends; a segment from a vertex
-/// to itself is a point and becomes an octahedron. They are as thick as a share of what all of the
-/// primitive spans. Normals are their own; the rest of a vertex is that of the segment's end.
+/// Replaces segments (two indices each) with square rods with pointed ends. A segment from a vertex
+/// to itself is a point and becomes an octahedron. The thickness is a fixed share of the
+/// primitive's extent. The solids have their own normals and take the other attributes from the
+/// segment's ends.
 void makeThinSolids(Primitive& segments);
 
 } // namespace lichen::renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directions that may have none.
+// Normalises vectors that may be zero.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace lichen::renderer {
 
-/// `v` at length one, or `fallback` where its length is 0 or not finite.
+/// `v` normalised, or `fallback` if its length is 0 or not finite.
 [[nodiscard]] inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
   const float length = glm::length(v);
   const bool usable =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lichen-view was asked to do.
+// The command line of lichen-view.
 #pragma once
 
 #include <lichen/result.h>
@@ -10,10 +10,10 @@
 
 namespace lichen::renderer {
 
-/// The defaults stand in the options' declarations.
+/// The option declarations in command_line.cpp set the defaults.
 struct ViewCommand {
   std::string scene;
-  std::string output;        ///< folder of screenshots
+  std::string output;        ///< folder for screenshots
   std::array<int, 2> size{}; ///< width and height in pixels
   std::string camera;
   std::string environment; ///< empty for the built-in sky
@@ -23,8 +23,8 @@ struct ViewCommand {
   bool validate = false;
 };
 
-/// The command, or the text that --help or --version asked for. Errors: usage; environment for an
-/// output folder that does not exist.
+/// The command, or the text to print for --help or --version. Errors: usage; environment if the
+/// output folder does not exist.
 [[nodiscard]] Result<std::variant<ViewCommand, std::string>>
 parseViewCommand(int argc, const char* const* argv);
 

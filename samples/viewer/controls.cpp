@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of each quantity, and their words.
+// Step sizes of each quantity, and the texts that describe them.
 #include "controls.h"
 
 #include "debug_views.h"
@@ -15,23 +15,24 @@
 namespace lichen::renderer {
 namespace {
 
-// Four presses double or halve; whole powers so that as many presses back are back.
+// Four presses double or halve a factor. Factors are whole powers, so pressing back as often
+// restores the value exactly.
 constexpr double kStepsToDouble = 4.0;
-constexpr double kMostSteps = 24.0; // 64 times, which is the range of every sharpness
+constexpr double kMostSteps = 24.0; // a factor of 64, the range of every sharpness
 constexpr float kExposureStep = 0.25f;
 constexpr float kMostExposure = 20.0f;
 
-/// The factor that is one step from `factor`.
+/// The factor one step away from `factor`.
 double stepped(double factor, int step) {
   const double steps = std::round(std::log2(factor) * kStepsToDouble) + step;
   return std::exp2(std::clamp(steps, -kMostSteps, kMostSteps) / kStepsToDouble);
 }
 
-/// The one after `current` of none and `count` others, around a circle.
-std::optional<std::size_t> around(std::optional<std::size_t> current, std::size_t count, int step) {
-  const auto places = std::ptrdiff_t(count) + 1;
-  const std::ptrdiff_t place = current ? std::ptrdiff_t(*current) + 1 : 0;
-  const std::ptrdiff_t next = (place + step + places) % places;
+/// Cycles through "none" and `count` choices: the choice `step` after `current`.
+std::optional<std::size_t> cycle(std::optional<std::size_t> current, std::size_t count, int step) {
+  const auto states = std::ptrdiff_t(count) + 1;
+  const std::ptrdiff_t state = current ? std::ptrdiff_t(*current) + 1 : 0;
+  const std::ptrdiff_t next = (state + step + states) % states;
   return next == 0 ? std::nullopt : std::optional(std::size_t(next - 1));
 }
 
@@ -100,7 +101,7 @@ void Controls::setNoises(std::vector<std::string> noises) {
 }
 
 void Controls::nextNoise(int step) {
-  const std::optional<std::size_t> next = around(look_.noise.noise, noises_.size(), step);
+  const std::optional<std::size_t> next = cycle(look_.noise.noise, noises_.size(), step);
   look_.noise.noise = next ? std::optional(std::uint32_t(*next)) : std::nullopt;
 }
 
@@ -110,15 +111,15 @@ void Controls::nextMapping(int step) {
   if (look_.noise.mapping)
     current = std::size_t(std::find(kMappings.begin(), kMappings.end(), *look_.noise.mapping) -
                           kMappings.begin());
-  const std::optional<std::size_t> next = around(current, kMappings.size(), step);
+  const std::optional<std::size_t> next = cycle(current, kMappings.size(), step);
   look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
 }
 
 void Controls::nextSpace(int step) {
-  std::optional<std::size_t> current; // the world's, the object's
+  std::optional<std::size_t> current; // 0: world, 1: object
   if (look_.noise.inObjectSpace)
     current = *look_.noise.inObjectSpace ? 1 : 0;
-  const std::optional<std::size_t> next = around(current, 2, step);
+  const std::optional<std::size_t> next = cycle(current, 2, step);
   look_.noise.inObjectSpace = next ? std::optional(*next == 1) : std::nullopt;
 }
 
@@ -128,7 +129,7 @@ void Controls::nextTileRotation(int step) {
   if (look_.noise.tileRotation)
     current = std::size_t(std::find(kSteps.begin(), kSteps.end(), *look_.noise.tileRotation) -
                           kSteps.begin());
-  const std::optional<std::size_t> next = around(current, kSteps.size(), step);
+  const std::optional<std::size_t> next = cycle(current, kSteps.size(), step);
   look_.noise.tileRotation = next ? std::optional(kSteps[*next]) : std::nullopt;
 }
 
@@ -137,7 +138,7 @@ void Controls::nextDebugView(int step) {
   std::optional<std::size_t> current;
   if (!look_.debugView.empty())
     current = std::size_t(std::find(names.begin(), names.end(), look_.debugView) - names.begin());
-  const std::optional<std::size_t> next = around(current, names.size(), step);
+  const std::optional<std::size_t> next = cycle(current, names.size(), step);
   look_.debugView = next ? std::string(names[*next]) : std::string();
 }
 
@@ -174,24 +175,24 @@ std::string Controls::summary() const {
 }
 
 std::string_view Controls::help() {
-  return "Keys; with Shift the other way:\n"
-         "  N  the next seed\n"
-         "  S  a larger scale\n"
-         "  B  sharper borders between tiles\n"
-         "  P  sharper borders between the planes of triplanar mapping\n"
+  return "Keys (Shift reverses the direction):\n"
+         "  N  next seed\n"
+         "  S  larger scale\n"
+         "  B  sharper blending between tiles\n"
+         "  P  sharper blending between the planes of triplanar mapping\n"
          "  C  more contrast\n"
-         "  A  tiles turned: as in the file, not, by half turns, quarter turns, freely\n"
-         "  M  mapping: the file's, uv, triplanar\n"
-         "  O  space of triplanar and surface: the file's, world, object\n"
-         "  T  noise: the file's, then each of the bundle's\n"
-         "  D  the next debug view\n"
+         "  A  tile rotation: from the file, none, half turns, quarter turns, any angle\n"
+         "  M  mapping: from the file, uv, triplanar\n"
+         "  O  space of triplanar and surface mapping: from the file, world, object\n"
+         "  T  noise: from the file, then each noise of the bundle\n"
+         "  D  next debug view\n"
          "  E  more exposure\n"
-         "  R  all of these as they were\n"
-         "  F  the camera as it was; with Shift one that frames the scene\n"
-         "  W  write the picture, once all its frames are drawn\n"
-         "  H  this help\n"
-         "  Q  or Escape: close\n"
-         "Mouse: left button turns, middle or right one moves, wheel zooms\n";
+         "  R  reset all of these\n"
+         "  F  reset the camera; with Shift, frame the scene\n"
+         "  W  write a screenshot once all frames are rendered\n"
+         "  H  print this help\n"
+         "  Q  quit, like Escape\n"
+         "Mouse: left button orbits, middle or right button pans, wheel zooms\n";
 }
 
 } // namespace lichen::renderer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys -> what is shown and what is to be done. No window, no device.
+// Maps keys to changes of the view and to requests. No window, no device.
 #pragma once
 
 #include "noise_changes.h"
@@ -10,7 +10,7 @@
 
 namespace lichen::renderer {
 
-/// What keys change of how the scene is shown.
+/// The settings of the view that keys change.
 struct Look {
   NoiseChanges noise;
   std::string debugView; ///< empty, or one of debugViewNames()
@@ -18,32 +18,32 @@ struct Look {
   [[nodiscard]] bool operator==(const Look&) const = default;
 };
 
-/// What a key asks of the viewer beside a change of the look.
+/// What a key asks the viewer to do besides changing the look.
 enum class Request { none, fit, screenshot, help, close };
 
 inline constexpr char kEscape = '\x1b';
 
-/// A key: its letter in upper case, or kEscape.
+/// A key: its upper-case letter, or kEscape.
 struct Key {
   char letter = 0;
-  bool shift = false; ///< the other way
+  bool shift = false; ///< reverses the direction of the change
 };
 
 class Controls {
 public:
-  /// `noises` are the names of the bundle's.
+  /// `noises`: names of the bundle's noises.
   Controls(std::vector<std::string> noises, const Look& start)
       : noises_(std::move(noises)), start_(start), look_(start) {}
 
-  /// Changes the look or returns what to do. A key without a meaning does nothing.
+  /// Changes the look, or returns a request. Unassigned keys do nothing.
   Request press(Key key);
   [[nodiscard]] const Look& look() const { return look_; }
-  /// For a file that has changed: a noise that is no longer there is no longer chosen.
+  /// Replaces the noises after a reload. Deselects a noise that no longer exists.
   void setNoises(std::vector<std::string> noises);
 
-  /// What differs from the file, such as "seed +1, scale x1.19"; empty where nothing does.
+  /// Differences from the file, such as "seed +1, scale x1.19"; empty if there are none.
   [[nodiscard]] std::string summary() const;
-  /// A line for each key.
+  /// The help text, with one line per key.
   [[nodiscard]] static std::string_view help();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One compute shader, and the image that it writes.
+// The compute pass of display.comp and its output image.
 #include "display_pass.h"
 
 #include "failure.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sum of frames -> a picture of 8 bits for the window.
+// Converts the sum of frames into an 8-bit picture for the window.
 #pragma once
 
 #include "gpu_objects.h"
@@ -11,8 +11,8 @@ class DisplayPass {
 public:
   explicit DisplayPass(VulkanDevice& device);
 
-  /// The average of `frames` frames in sRGB code, without a format of sRGB; in
-  /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, ready to be copied from. Valid until the next call.
+  /// The average of `frames` frames, sRGB-encoded in a UNORM format, in
+  /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL and ready to copy. Valid until the next call.
   const DeviceImage& show(const DeviceImage& sum, std::uint32_t frames);
 
 private:

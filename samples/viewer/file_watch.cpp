@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polling: an editor that replaces the file, and a folder on a network, are seen like any other.
+// Polling also works for editors that replace the file and for network folders.
 #include "file_watch.h"
 
 namespace lichen::renderer {

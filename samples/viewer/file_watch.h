@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a file has changed since it was read, once whoever writes it has done.
+// Detects that a file has changed since it was read, once its writer has finished.
 #pragma once
 
 #include <chrono>
@@ -9,28 +9,30 @@
 
 namespace lichen::renderer {
 
-/// What of a file changes when it is written.
+/// The properties of a file that a write changes.
 struct FileStamp {
   std::filesystem::file_time_type time;
   std::uintmax_t bytes = 0;
   [[nodiscard]] bool operator==(const FileStamp&) const = default;
 };
 
-/// Nothing where there is no file.
+/// nullopt if the file does not exist.
 [[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& path);
 
 class FileWatch {
 public:
   using Clock = std::chrono::steady_clock;
-  /// Between two looks at the file; a file is being written until two looks in turn see it alike.
+  /// Interval between polls. A file counts as completely written when two polls in a row find the
+  /// same stamp.
   static constexpr std::chrono::milliseconds kInterval{200};
 
   explicit FileWatch(std::optional<FileStamp> read) : read_(read), seen_(read) {}
 
-  /// Whether a look is due.
+  /// Whether the next poll is due.
   [[nodiscard]] bool isDue(Clock::time_point now) const { return now >= nextLook_; }
   enum class Change { none, written, gone };
-  /// A look at the file. Tells each change once, when two looks in turn have seen it.
+  /// Evaluates one poll. Reports each change once, after two polls in a row have found the same
+  /// stamp.
   [[nodiscard]] Change look(std::optional<FileStamp> stamp, Clock::time_point now);
 
 private:

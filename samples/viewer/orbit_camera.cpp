@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The pose is kept as a point, a distance and two angles, so that no drift can tilt it.
+// Stores the pose as a point, a distance and two angles, so that rounding cannot tilt the camera.
 #include "orbit_camera.h"
 
-#include "world_place.h"
+#include "relative_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@ namespace lichen::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kHighest = 0.49f * kPi; // short of the pole, where the azimuth has no meaning
-constexpr float kZoomStep = 1.1f;       // of a notch of a mouse's wheel: seven double the size
-// Of the subject's radius: closer, single texels fill the window; farther, the subject is a pixel.
+constexpr float kHighest = 0.49f * kPi; // short of the pole, where the azimuth is undefined
+constexpr float kZoomStep = 1.1f; // per notch of the mouse wheel: seven notches double the size
+// In subject radii. Closer, single texels fill the window; farther, the subject is one pixel.
 constexpr float kLeastDistance = 1e-3f;
 constexpr float kMostDistance = 1e3f;
-// Of the distance: as near as the near plane comes when the camera does.
+// Near plane as a share of the distance, when the camera moves close.
 constexpr float kNearShare = 0.02f;
 
 } // namespace
@@ -27,7 +27,8 @@ OrbitCamera::OrbitCamera(const Camera& start, const Sphere& subject)
       mostDistance_(kMostDistance * subject.radius) {
   const glm::vec3 backwards = glm::normalize(glm::vec3(start.worldFromCamera[2]));
   const float along = glm::dot(relativeTo(subject.center, eyeOf(start)), backwards);
-  // A camera that looks away from the subject, as in a room, turns around a point before it.
+  // A camera that looks away from the subject, for example inside a room, orbits a point in front
+  // of it.
   distance_ = std::clamp(along > 0.0f ? along : subject.radius, leastDistance_, mostDistance_);
   target_ = eyeOf(start) - glm::dvec3(backwards * distance_);
   azimuth_ = std::atan2(backwards.x, backwards.z);
@@ -42,7 +43,7 @@ glm::mat3 OrbitCamera::axes() const {
   return {right, glm::cross(backwards, right), backwards};
 }
 
-/// In the world, at the distance of the target.
+/// Half the view's height at the distance of the target, in world units.
 float OrbitCamera::halfHeight() const {
   return start_.perspective ? distance_ * std::tan(start_.verticalFieldOfView / 2)
                             : start_.halfHeight;

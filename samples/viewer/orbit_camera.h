@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A camera that turns around a point: a drag of the mouse -> a pose.
+// A camera that orbits a point: mouse drags -> a pose.
 #pragma once
 
 #include "framing.h"
 
 namespace lichen::renderer {
 
-/// Is exactly the camera that it started from until it is moved; then it has that camera's lens and
-/// stands upright, with +y up. Lengths of drags are in heights of the window, x to the right and y
-/// downwards.
+/// Returns exactly the camera it started from until it moves; after that it keeps the lens and
+/// stays upright, with +y up. Drags are in window heights, x to the right and y down.
 class OrbitCamera {
 public:
-  /// Turns around the point of the line of sight that is nearest to the subject's middle.
+  /// Orbits the point on the viewing axis that is closest to the subject's centre.
   OrbitCamera(const Camera& start, const Sphere& subject);
 
-  /// A drag of a whole height turns by half a circle. The pole is never reached.
+  /// A drag of one window height turns by half a circle. The elevation stops short of the poles.
   void turn(glm::vec2 drag);
-  /// What is as far as the point that it turns around follows the mouse.
+  /// Points at the distance of the orbit's centre follow the mouse.
   void pan(glm::vec2 drag);
-  /// Positive steps come closer, each by the same factor.
+  /// Positive steps move closer, each by the same factor.
   void zoom(float steps);
 
   [[nodiscard]] Camera camera() const;

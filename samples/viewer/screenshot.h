@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a picture of the window goes.
+// File names of screenshots.
 #pragma once
 
 #include <lichen/result.h>
@@ -8,8 +8,8 @@
 
 namespace lichen::renderer {
 
-/// FOLDER/SCENE_001.png for a scene of any SCENE.glb, or the first number without a file. Errors:
-/// environment where all are taken.
+/// FOLDER/SCENE_001.png for a scene SCENE.glb, or the first number whose file does not exist.
+/// Errors: environment if all numbers are taken.
 [[nodiscard]] Result<std::filesystem::path> screenshotPath(const std::filesystem::path& folder,
                                                            const std::filesystem::path& scene);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One picture at a time: the host waits for each copy, so that one semaphore for acquiring is
-// enough. Presentation in order of arrival (FIFO) is what every surface has.
+// One picture at a time: the host waits for each copy, so one acquire semaphore is enough. Every
+// surface supports the present mode FIFO.
 #include "swapchain.h"
 
 #include "failure.h"
@@ -13,10 +13,10 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr std::uint32_t kWhateverTheWindow = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint32_t kExtentOfWindow = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kNoTimeout = std::numeric_limits<std::uint64_t>::max();
 
-// The stage is that of the wait for the semaphore, so that the barrier comes after it.
+// The same stage as the semaphore wait, so that the barrier happens after it.
 constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0};
 constexpr ImageState kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
 constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
@@ -24,18 +24,18 @@ constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0
 VkSemaphore makeSemaphore(VkDevice device) {
   const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
   VkSemaphore semaphore = VK_NULL_HANDLE;
-  check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "no semaphore");
+  check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "cannot create a semaphore");
   return semaphore;
 }
 
 } // namespace
 
 Swapchain::Swapchain(VulkanDevice& device, VkSurfaceKHR surface)
-    : Swapchain(device, surface, Nothing()) {
+    : Swapchain(device, surface, SurfaceOnly()) {
   VkBool32 presents = VK_FALSE;
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physicalDevice(), device.queueFamily(), surface,
                                              &presents),
-        "no presentation");
+        "cannot query presentation support");
   if (presents == VK_FALSE)
     throw Failure{{ErrorKind::environment, "Vulkan device \"" +
                                                std::string(device.properties().deviceName) +
@@ -43,16 +43,18 @@ Swapchain::Swapchain(VulkanDevice& device, VkSurfaceKHR surface)
   chooseFormat();
   acquired_ = makeSemaphore(device.device());
   const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  check(vkCreateFence(device.device(), &fence, nullptr, &done_), "no fence");
+  check(vkCreateFence(device.device(), &fence, nullptr, &done_), "cannot create a fence");
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   pool.queueFamilyIndex = device.queueFamily();
-  check(vkCreateCommandPool(device.device(), &pool, nullptr, &pool_), "no command pool");
+  check(vkCreateCommandPool(device.device(), &pool, nullptr, &pool_),
+        "cannot create a command pool");
   VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   commands.commandPool = pool_;
   commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   commands.commandBufferCount = 1;
-  check(vkAllocateCommandBuffers(device.device(), &commands, &commands_), "no command buffer");
+  check(vkAllocateCommandBuffers(device.device(), &commands, &commands_),
+        "cannot allocate a command buffer");
 }
 
 Swapchain::~Swapchain() {
@@ -65,28 +67,28 @@ Swapchain::~Swapchain() {
   vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
 }
 
-/// A format that keeps sRGB code as it is, and that a copy may convert to.
+/// Chooses a format that stores sRGB-encoded values unchanged and can be the target of a blit.
 void Swapchain::chooseFormat() {
   std::uint32_t count = 0;
   check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physicalDevice(), surface_, &count, nullptr),
-        "no formats of the window");
+        "cannot query the window's formats");
   std::vector<VkSurfaceFormatKHR> formats(count);
   check(vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physicalDevice(), surface_, &count,
                                              formats.data()),
-        "no formats of the window");
+        "cannot query the window's formats");
   for (const VkSurfaceFormatKHR& format : formats) {
     VkFormatProperties properties{};
     vkGetPhysicalDeviceFormatProperties(device_.physicalDevice(), format.format, &properties);
-    const bool holdsCode = format.format == VK_FORMAT_B8G8R8A8_UNORM ||
-                           format.format == VK_FORMAT_R8G8B8A8_UNORM ||
-                           format.format == VK_FORMAT_A8B8G8R8_UNORM_PACK32;
-    if (holdsCode && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR &&
+    const bool isUnorm8 = format.format == VK_FORMAT_B8G8R8A8_UNORM ||
+                          format.format == VK_FORMAT_R8G8B8A8_UNORM ||
+                          format.format == VK_FORMAT_A8B8G8R8_UNORM_PACK32;
+    if (isUnorm8 && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR &&
         (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_BLIT_DST_BIT) != 0) {
       format_ = format;
       return;
     }
   }
-  throw Failure{{ErrorKind::environment, "the window has no format of 8 bits a channel"}};
+  throw Failure{{ErrorKind::environment, "the window supports no format with 8 bits per channel"}};
 }
 
 void Swapchain::destroyImages() {
@@ -99,11 +101,11 @@ void Swapchain::destroyImages() {
 bool Swapchain::resize(VkExtent2D window) {
   VkSurfaceCapabilitiesKHR can{};
   check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physicalDevice(), surface_, &can),
-        "no capabilities of the window");
+        "cannot query the window's capabilities");
   if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0)
-    throw Failure{{ErrorKind::environment, "the window's images cannot be copied to"}};
+    throw Failure{{ErrorKind::environment, "the window's images do not support copying to them"}};
   extent_ = can.currentExtent;
-  if (extent_.width == kWhateverTheWindow)
+  if (extent_.width == kExtentOfWindow)
     extent_ = {std::clamp(window.width, can.minImageExtent.width, can.maxImageExtent.width),
                std::clamp(window.height, can.minImageExtent.height, can.maxImageExtent.height)};
   if (extent_.width == 0 || extent_.height == 0)
@@ -125,27 +127,29 @@ bool Swapchain::resize(VkExtent2D window) {
   info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_;
-  vkDeviceWaitIdle(device_.device()); // presentation of the old images
-  VkSwapchainKHR made = VK_NULL_HANDLE;
-  const VkResult result = vkCreateSwapchainKHR(device_.device(), &info, nullptr, &made);
+  vkDeviceWaitIdle(device_.device()); // finish presenting the old images
+  VkSwapchainKHR created = VK_NULL_HANDLE;
+  const VkResult result = vkCreateSwapchainKHR(device_.device(), &info, nullptr, &created);
   vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
-  swapchain_ = made;
-  check(result, "no images of the window");
+  swapchain_ = created;
+  check(result, "cannot create the window's images");
   destroyImages();
   std::uint32_t count = 0;
-  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, nullptr), "no images");
+  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, nullptr),
+        "cannot query the window's images");
   images_.resize(count);
-  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, images_.data()), "no images");
+  check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, images_.data()),
+        "cannot query the window's images");
   for (std::uint32_t i = 0; i < count; ++i)
     copied_.push_back(makeSemaphore(device_.device()));
   return true;
 }
 
-/// A blit and no copy, for the order of the channels may differ.
+/// Blits instead of copying, because the order of the channels may differ.
 void Swapchain::recordCopy(const DeviceImage& picture, VkImage target) {
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands_, &begin), "a command buffer cannot be begun");
+  check(vkBeginCommandBuffer(commands_, &begin), "cannot begin a command buffer");
   transition(commands_, target, kWholeImage, kAcquired, kCopyTarget);
   VkImageBlit region{};
   region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -155,7 +159,7 @@ void Swapchain::recordCopy(const DeviceImage& picture, VkImage target) {
   vkCmdBlitImage(commands_, picture.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
                  kCopyTarget.layout, 1, &region, VK_FILTER_NEAREST);
   transition(commands_, target, kWholeImage, kCopyTarget, kPresented);
-  check(vkEndCommandBuffer(commands_), "a command buffer cannot be ended");
+  check(vkEndCommandBuffer(commands_), "cannot end a command buffer");
 }
 
 void Swapchain::submitCopy(std::uint32_t index) {
@@ -166,26 +170,27 @@ void Swapchain::submitCopy(std::uint32_t index) {
   wait.stageMask = kAcquired.stages;
   VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
   signal.semaphore = copied_[index];
-  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; // the change of layout included
+  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; // includes the layout transition
   VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   submit.waitSemaphoreInfoCount = submit.signalSemaphoreInfoCount = 1;
   submit.pWaitSemaphoreInfos = &wait;
   submit.pSignalSemaphoreInfos = &signal;
   submit.commandBufferInfoCount = 1;
   submit.pCommandBufferInfos = &commands;
-  check(vkQueueSubmit2(device_.queue(), 1, &submit, done_), "a picture cannot be submitted");
-  check(vkWaitForFences(device_.device(), 1, &done_, VK_TRUE, kForever), "the device is lost");
-  check(vkResetFences(device_.device(), 1, &done_), "a fence cannot be reset");
+  check(vkQueueSubmit2(device_.queue(), 1, &submit, done_), "cannot submit a picture");
+  check(vkWaitForFences(device_.device(), 1, &done_, VK_TRUE, kNoTimeout),
+        "cannot wait for a picture");
+  check(vkResetFences(device_.device(), 1, &done_), "cannot reset a fence");
 }
 
 bool Swapchain::present(const DeviceImage& picture) {
   std::uint32_t index = 0;
-  VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kForever, acquired_,
+  VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kNoTimeout, acquired_,
                                           VK_NULL_HANDLE, &index);
   if (result == VK_ERROR_OUT_OF_DATE_KHR)
     return false;
   if (result != VK_SUBOPTIMAL_KHR)
-    check(result, "no image of the window");
+    check(result, "cannot acquire an image of the window");
   recordCopy(picture, images_[index]);
   submitCopy(index);
   VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
@@ -197,7 +202,7 @@ bool Swapchain::present(const DeviceImage& picture) {
   result = vkQueuePresentKHR(device_.queue(), &info);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
     return false;
-  check(result, "a picture cannot be presented");
+  check(result, "cannot present a picture");
   return true;
 }
 

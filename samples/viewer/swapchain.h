@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images of a window, and the way of a finished picture into one of them.
+// The images of a window, and copying finished pictures into them.
 #pragma once
 
 #include <lichen/vulkan_device.h>
@@ -9,28 +9,29 @@
 namespace lichen::renderer {
 
 /// Functions throw a Failure: environment for a surface that cannot be copied to. The device is
-/// idle whenever no function runs, but for what the window system does with presented images.
+/// idle whenever no function runs, except for presentation by the window system.
 class Swapchain {
 public:
-  /// Owns the surface. The device must outlive it, and the window too.
+  /// Owns the surface. The device and the window must outlive the swapchain.
   Swapchain(VulkanDevice& device, VkSurfaceKHR surface);
   ~Swapchain();
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
 
-  /// Images for a window of that size, in place of earlier ones. False while it has no area.
+  /// Replaces the images to match a window of this size. Returns false while the window has no
+  /// area.
   [[nodiscard]] bool resize(VkExtent2D window);
   [[nodiscard]] VkExtent2D extent() const { return extent_; }
 
-  /// Shows an image of extent() in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, of sRGB code without a
-  /// format of sRGB, that is ready to be copied from. False when the window has changed: resize()
-  /// and show again.
+  /// Presents an image of size extent() in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, sRGB-encoded in a
+  /// UNORM format. Returns false if the window has changed: call resize() and present again.
   [[nodiscard]] bool present(const DeviceImage& picture);
 
 private:
-  struct Nothing {};
-  /// Holds the surface and nothing else, so that a set-up that fails is cleaned up.
-  Swapchain(VulkanDevice& device, VkSurfaceKHR surface, Nothing)
+  struct SurfaceOnly {};
+  /// Owns only the surface. The public constructor delegates to it, so the destructor cleans up if
+  /// the rest of the setup throws.
+  Swapchain(VulkanDevice& device, VkSurfaceKHR surface, SurfaceOnly)
       : device_(device), surface_(surface) {}
 
   void chooseFormat();
@@ -44,7 +45,8 @@ private:
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   VkExtent2D extent_{};
   std::vector<VkImage> images_;
-  std::vector<VkSemaphore> copied_; ///< one per image: presenting waits for it, the host cannot
+  /// one per image; presentation waits for it, and the host cannot tell when that is over
+  std::vector<VkSemaphore> copied_;
   VkSemaphore acquired_ = VK_NULL_HANDLE;
   VkFence done_ = VK_NULL_HANDLE;
   VkCommandPool pool_ = VK_NULL_HANDLE;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Events -> camera and look -> frames. While something changes each picture is one frame, filtered
-// for itself; when nothing does, frames are added up to the finished picture.
+// Events -> camera and look -> frames. While something changes, each picture is a single filtered
+// frame; otherwise frames accumulate into the finished picture.
 #include "viewer.h"
 
 #include "controls.h"
@@ -37,34 +37,34 @@ struct Overloaded : Handlers... {
 template <class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
-/// A scene and what draws it, which keeps a reference to it.
-struct Shown {
+/// A scene with its renderer, which refers to the scene.
+struct LoadedScene {
   Scene scene;
   std::unique_ptr<SceneRenderer> renderer;
 };
 
 class Viewer {
 public:
-  /// `stamp`: that of the scene's file before it was read.
+  /// `stamp`: the file stamp of the scene from before it was read.
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
          RenderSettings settings, VulkanDevice& device, Window& window)
       : command_(command), settings_(std::move(settings)), device_(device), window_(window),
         watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
-        display_(device), shown_(prepare(std::move(scene))),
-        camera_(shown_->renderer->camera(), shown_->renderer->subject()),
-        controls_(shown_->renderer->noiseNames(), startingLook()) {
+        display_(device), current_(prepare(std::move(scene))),
+        camera_(current_->renderer->camera(), current_->renderer->subject()),
+        controls_(current_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
-    settings_.camera = "auto"; // a scene that is read again may have lost the one to start from
-    tellAll();
+    settings_.camera = "auto"; // the camera may be missing after a reload
+    writeAllNotes();
   }
 
   void run() {
     followSize();
     while (!window_.shouldClose()) {
-      const bool isIdle = finished() && !isStale_ && !isOutdated_;
-      const std::chrono::duration<double> patience = FileWatch::kInterval;
-      for (const WindowEvent& event : window_.events(isIdle || !hasArea_ ? patience.count() : 0.0))
-        take(event);
+      const bool isIdle = finished() && !isStale_ && !needsResize_;
+      const std::chrono::duration<double> timeout = FileWatch::kInterval;
+      for (const WindowEvent& event : window_.events(isIdle || !hasArea_ ? timeout.count() : 0.0))
+        handle(event);
       reloadIfChanged();
       followLook();
       followSize();
@@ -80,30 +80,31 @@ private:
     return look;
   }
 
-  std::unique_ptr<Shown> prepare(Scene scene) {
-    auto shown = std::make_unique<Shown>();
-    shown->scene = std::move(scene);
-    shown->renderer = std::make_unique<SceneRenderer>(device_, shown->scene, settings_);
-    return shown;
+  std::unique_ptr<LoadedScene> prepare(Scene scene) {
+    auto loaded = std::make_unique<LoadedScene>();
+    loaded->scene = std::move(scene);
+    loaded->renderer = std::make_unique<SceneRenderer>(device_, loaded->scene, settings_);
+    return loaded;
   }
 
-  /// All notes on the scene that is shown now.
-  void tellAll() {
-    told_.clear();
-    tell(shown_->scene.notes);
-    tell(shown_->renderer->notes());
+  /// Writes all notes about the current scene.
+  void writeAllNotes() {
+    writtenNotes_.clear();
+    writeNewNotes(current_->scene.notes);
+    writeNewNotes(current_->renderer->notes());
   }
 
-  /// Those notes on the scene that have not been told.
-  void tell(std::vector<std::string> notes) {
-    std::erase_if(notes, [&](const std::string& note) { return !told_.insert(note).second; });
+  /// Writes the notes about the current scene that are not written yet.
+  void writeNewNotes(std::vector<std::string> notes) {
+    std::erase_if(notes,
+                  [&](const std::string& note) { return !writtenNotes_.insert(note).second; });
     writeNotes(notes);
   }
 
-  void take(const WindowEvent& event) {
-    std::visit(Overloaded{[&](const Key& key) { answer(controls_.press(key), key.shift); },
-                          [&](const Turned& turned) {
-                            camera_.turn(turned.drag);
+  void handle(const WindowEvent& event) {
+    std::visit(Overloaded{[&](const Key& key) { handleRequest(controls_.press(key), key.shift); },
+                          [&](const Orbited& orbited) {
+                            camera_.turn(orbited.drag);
                             moved_ = true;
                           },
                           [&](const Panned& panned) {
@@ -118,13 +119,13 @@ private:
                event);
   }
 
-  void answer(Request request, bool shift) {
+  void handleRequest(Request request, bool shift) {
     switch (request) {
     case Request::fit:
       fit(shift ? "auto" : command_.camera);
       break;
     case Request::screenshot:
-      screenshotAsked_ = true;
+      screenshotRequested_ = true;
       break;
     case Request::help:
       std::fputs(std::string(Controls::help()).c_str(), stdout);
@@ -139,70 +140,70 @@ private:
   }
 
   void fit(const std::string& choice) {
-    const Sphere& subject = shown_->renderer->subject();
+    const Sphere& subject = current_->renderer->subject();
     const float aspect = float(settings_.width) / float(settings_.height);
-    Result<Camera> camera = chooseCamera(shown_->scene, subject, choice, aspect);
-    if (!camera) // a scene that was read again and has lost it
-      camera = chooseCamera(shown_->scene, subject, "auto", aspect);
+    Result<Camera> camera = chooseCamera(current_->scene, subject, choice, aspect);
+    if (!camera) // the reloaded scene no longer has this camera
+      camera = chooseCamera(current_->scene, subject, "auto", aspect);
     camera_ = OrbitCamera(renderer::take(std::move(camera)), subject);
     moved_ = true;
   }
 
-  /// What cannot be read or drawn leaves the last good scene where it is.
+  /// Reloads a changed scene; on failure, the last good scene stays visible.
   void reloadIfChanged() {
     const auto now = FileWatch::Clock::now();
     if (!watch_.isDue(now))
       return;
     const FileWatch::Change change = watch_.look(stampOf(command_.scene), now);
     if (change == FileWatch::Change::gone)
-      tellLastSceneStays(command_.scene + ": is gone");
+      reportLastSceneStays(command_.scene + ": is gone");
     if (change != FileWatch::Change::written)
       return;
     try {
       settings_.exposureEv = look_.exposureEv;
       show(prepare(renderer::take(readScene(command_.scene))));
     } catch (const Failure& failure) {
-      tellLastSceneStays(failure.error.message);
+      reportLastSceneStays(failure.error.message);
     } catch (const std::bad_alloc&) {
-      tellLastSceneStays(command_.scene + ": not enough memory to draw it");
+      reportLastSceneStays(command_.scene + ": not enough memory to render the scene");
     }
   }
 
-  /// From the same place and with the same look; with what was shown, where that cannot be.
-  void show(std::unique_ptr<Shown> fresh) {
-    fresh->renderer->setCamera(camera_.camera());
-    std::swap(shown_, fresh);
+  /// Replaces the shown scene, keeping camera and look. Restores the previous scene on failure.
+  void show(std::unique_ptr<LoadedScene> next) {
+    next->renderer->setCamera(camera_.camera());
+    std::swap(current_, next);
     const Look last = look_;
     try {
-      controls_.setNoises(shown_->renderer->noiseNames());
-      look_ = startingLook(); // that of a fresh renderer
+      controls_.setNoises(current_->renderer->noiseNames());
+      look_ = startingLook(); // the state of a new renderer
       followLook();
     } catch (...) {
-      std::swap(shown_, fresh);
-      controls_.setNoises(shown_->renderer->noiseNames());
+      std::swap(current_, next);
+      controls_.setNoises(current_->renderer->noiseNames());
       look_ = last;
       throw;
     }
-    tellAll();
+    writeAllNotes();
     restart();
   }
 
-  static void tellLastSceneStays(const std::string& reason) {
-    std::fprintf(stderr, "lichen-view: %s; the last good scene is shown\n",
+  static void reportLastSceneStays(const std::string& reason) {
+    std::fprintf(stderr, "lichen-view: %s; the last good scene stays visible\n",
                  oneLine(reason).c_str());
   }
 
   void followLook() {
-    SceneRenderer& renderer = *shown_->renderer;
-    const Look& wanted = controls_.look();
-    if (look_ != wanted) {
-      renderer.setExposure(wanted.exposureEv);
-      renderer.setDebugView(wanted.debugView);
-      if (look_.noise != wanted.noise) {
-        renderer.setNoise(wanted.noise);
-        tell(renderer.notes());
+    SceneRenderer& renderer = *current_->renderer;
+    const Look& target = controls_.look();
+    if (look_ != target) {
+      renderer.setExposure(target.exposureEv);
+      renderer.setDebugView(target.debugView);
+      if (look_.noise != target.noise) {
+        renderer.setNoise(target.noise);
+        writeNewNotes(renderer.notes());
       }
-      look_ = wanted;
+      look_ = target;
       restart();
     }
     if (std::exchange(moved_, false)) {
@@ -214,12 +215,12 @@ private:
   void followSize() {
     const VkExtent2D size = window_.size();
     const bool changed = size.width != windowSize_.width || size.height != windowSize_.height;
-    if (!changed && !isOutdated_)
+    if (!changed && !needsResize_)
       return;
     windowSize_ = size;
     const bool isOpen = size.width > 0 && size.height > 0;
     hasArea_ = isOpen && swapchain_.resize(size);
-    isOutdated_ = isOpen && !hasArea_;
+    needsResize_ = isOpen && !hasArea_;
     if (!hasArea_)
       return;
     const VkExtent2D extent = swapchain_.extent();
@@ -228,7 +229,7 @@ private:
       return;
     settings_.width = extent.width;
     settings_.height = extent.height;
-    shown_->renderer->setSize(extent.width, extent.height);
+    current_->renderer->setSize(extent.width, extent.height);
     restart();
   }
 
@@ -240,7 +241,7 @@ private:
   [[nodiscard]] bool finished() const { return !isPreview_ && frames_ == settings_.frames; }
 
   void draw() {
-    SceneRenderer& renderer = *shown_->renderer;
+    SceneRenderer& renderer = *current_->renderer;
     std::uint32_t shownFrames = frames_;
     if (isPreview_) {
       renderer.setPreview();
@@ -252,21 +253,21 @@ private:
       renderer.setFrames(settings_.frames);
       renderer.drawFrame(frames_++);
       shownFrames = frames_;
-      // Fewer frames, each sharper than a pixel, are rougher than the preview that is there.
+      // With fewer frames, each with sharper textures, the sum looks noisier than the preview.
       isStale_ = isStale_ || frames_ >= std::min(settings_.frames, kMostSharpeningFrames);
     }
     if (std::exchange(isStale_, false)) {
-      isOutdated_ = !swapchain_.present(display_.show(renderer.sum(), shownFrames));
+      needsResize_ = !swapchain_.present(display_.show(renderer.sum(), shownFrames));
       showTitle(shownFrames);
     }
-    if (finished() && std::exchange(screenshotAsked_, false))
+    if (finished() && std::exchange(screenshotRequested_, false))
       writeScreenshot();
   }
 
   void writeScreenshot() {
     Result<std::filesystem::path> path = screenshotPath(command_.output, command_.scene);
     Result<void> written =
-        path ? writePicture(path.value(), shown_->renderer->average(settings_.frames))
+        path ? writePicture(path.value(), current_->renderer->average(settings_.frames))
              : Result<void>(path.error());
     if (written)
       std::printf("%s\n", oneLine(path.value().string()).c_str());
@@ -285,25 +286,25 @@ private:
   }
 
   const ViewCommand& command_;
-  RenderSettings settings_; ///< size and exposure as they are now
+  RenderSettings settings_; ///< with the current size and exposure
   VulkanDevice& device_;
   Window& window_;
   FileWatch watch_;
   Swapchain swapchain_;
   DisplayPass display_;
-  std::set<std::string> told_; ///< notes
-  std::unique_ptr<Shown> shown_;
+  std::set<std::string> writtenNotes_; ///< about the current scene
+  std::unique_ptr<LoadedScene> current_;
   OrbitCamera camera_;
   Controls controls_;
-  Look look_; ///< that the renderer has
+  Look look_; ///< the look that the renderer shows
   VkExtent2D windowSize_{};
-  std::uint32_t frames_ = 0; ///< in the sum
-  bool isPreview_ = true;    ///< the next frame stands alone
-  bool isStale_ = false;     ///< the window does not show what there is
-  bool isOutdated_ = false;  ///< the window's images are to be made anew
+  std::uint32_t frames_ = 0; ///< frames in the sum
+  bool isPreview_ = true;    ///< the next frame is a preview
+  bool isStale_ = false;     ///< the window does not show the latest picture
+  bool needsResize_ = false; ///< the swapchain must be re-created
   bool hasArea_ = false;
   bool moved_ = false;
-  bool screenshotAsked_ = false;
+  bool screenshotRequested_ = false;
 };
 
 } // namespace
@@ -334,7 +335,7 @@ Result<void> view(const ViewCommand& command) {
   std::unique_ptr<VulkanDevice> device = take(VulkanDevice::create(options));
   Viewer(command, std::move(scene).value(), stamp, std::move(settings), *device, window).run();
   const std::shared_ptr<const ValidationMessages> messages = device->keptMessages();
-  device.reset(); // the layers report what was never destroyed
+  device.reset(); // so that the layers report leaked objects
   return checkMessages(*messages);
 }
 

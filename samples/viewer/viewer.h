@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// lichen-view without its command line: a window that shows a scene until it is closed.
+// lichen-view without its command line: shows a scene in a window until the user closes it.
 #pragma once
 
 #include "command_line.h"
 
 namespace lichen::renderer {
 
-/// Returns when the user closes the window. Errors: badInput for a scene that cannot be read at
-/// the start; environment without a display or a device that presents to it, and, with `validate`,
-/// for messages of the validation layers. Throws a Failure, with errors of the same kinds.
+/// Returns when the user closes the window. Errors: badInput if the scene cannot be read at
+/// startup; environment without a display or a device that can present to it, and, with `validate`,
+/// if the validation layers report anything. Also throws a Failure with errors of these kinds.
 [[nodiscard]] Result<void> view(const ViewCommand& command);
 
 } // namespace lichen::renderer

@@ -11,8 +11,8 @@
 namespace lichen::renderer {
 namespace {
 
-/// With GLFW's own reason.
-Failure noWindow(const std::string& what) {
+/// A Failure with GLFW's reason appended.
+Failure windowFailure(const std::string& what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
   return {{ErrorKind::environment, what + (reason != nullptr ? std::string(": ") + reason : "")}};
@@ -35,7 +35,7 @@ struct Window::Callbacks {
       of(window).events_.emplace_back(Key{letterOf(key), shift});
   }
 
-  /// Of the user's layout: GLFW's keys are places on an American keyboard.
+  /// The letter in the user's keyboard layout: GLFW's key codes refer to the US layout.
   static char letterOf(int key) {
     const char* name = glfwGetKeyName(key, 0);
     if (name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0')
@@ -45,17 +45,17 @@ struct Window::Callbacks {
 
   static void cursor(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
-    const glm::vec2 place(x, y);
+    const glm::vec2 position(x, y);
     int width = 0;
     int height = 0;
     glfwGetWindowSize(window, &width, &height);
-    const glm::vec2 drag = (place - self.cursor_) / float(std::max(height, 1));
-    self.cursor_ = place;
+    const glm::vec2 drag = (position - self.cursor_) / float(std::max(height, 1));
+    self.cursor_ = position;
     const auto isDown = [&](int button) {
       return glfwGetMouseButton(window, button) == GLFW_PRESS;
     };
     if (isDown(GLFW_MOUSE_BUTTON_LEFT))
-      self.events_.emplace_back(Turned{drag});
+      self.events_.emplace_back(Orbited{drag});
     else if (isDown(GLFW_MOUSE_BUTTON_MIDDLE) || isDown(GLFW_MOUSE_BUTTON_RIGHT))
       self.events_.emplace_back(Panned{drag});
   }
@@ -76,16 +76,16 @@ struct Window::Callbacks {
 
 Window::Window(std::uint32_t width, std::uint32_t height, const std::string& title) {
   if (glfwInit() != GLFW_TRUE)
-    throw noWindow("no display");
+    throw windowFailure("no display");
   if (glfwVulkanSupported() != GLFW_TRUE) {
-    const Failure failure = noWindow("no Vulkan for a window");
+    const Failure failure = windowFailure("Vulkan cannot present to windows on this machine");
     glfwTerminate();
     throw failure;
   }
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   window_ = glfwCreateWindow(int(width), int(height), title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
-    const Failure failure = noWindow("no window");
+    const Failure failure = windowFailure("cannot open a window");
     glfwTerminate();
     throw failure;
   }
@@ -106,7 +106,7 @@ std::vector<const char*> Window::instanceExtensions() {
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
   if (names == nullptr)
-    throw noWindow("Vulkan cannot present to this display");
+    throw windowFailure("Vulkan cannot present to this display");
   return {names, names + count};
 }
 
@@ -117,7 +117,7 @@ bool Window::canPresent(VkInstance instance, VkPhysicalDevice device, std::uint3
 VkSurfaceKHR Window::createSurface(VkInstance instance) {
   VkSurfaceKHR surface = VK_NULL_HANDLE;
   if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS)
-    throw noWindow("no surface for the window");
+    throw windowFailure("cannot create a surface for the window");
   return surface;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A window of the desktop, and what its user does in it.
+// A desktop window and its input events.
 #pragma once
 
 #include "controls.h"
@@ -16,7 +16,7 @@ struct GLFWwindow;
 
 namespace lichen::renderer {
 
-struct Turned {
+struct Orbited {
   glm::vec2 drag{0.0f}; ///< see OrbitCamera
 };
 struct Panned {
@@ -25,13 +25,13 @@ struct Panned {
 struct Zoomed {
   float steps = 0.0f;
 };
-/// The window's content is lost.
+/// The window's content must be presented again.
 struct Exposed {};
 
-using WindowEvent = std::variant<Key, Turned, Panned, Zoomed, Exposed>;
+using WindowEvent = std::variant<Key, Orbited, Panned, Zoomed, Exposed>;
 
-/// One at a time, on the thread of main(). Functions throw a Failure: environment where there is no
-/// display or it cannot be presented to.
+/// Only one may exist at a time, on main()'s thread. Functions throw a Failure: environment if
+/// there is no display or it cannot be presented to.
 class Window {
 public:
   Window(std::uint32_t width, std::uint32_t height, const std::string& title);
@@ -39,19 +39,19 @@ public:
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Instance extensions that a surface needs.
+  /// Instance extensions that a surface requires.
   [[nodiscard]] static std::vector<const char*> instanceExtensions();
   [[nodiscard]] static bool canPresent(VkInstance instance, VkPhysicalDevice device,
                                        std::uint32_t queueFamily);
-  /// The caller's to destroy, before the window.
+  /// The caller must destroy the surface before the window.
   [[nodiscard]] VkSurfaceKHR createSurface(VkInstance instance);
 
   void setTitle(const std::string& title);
-  /// In pixels; 0 x 0 while it is minimised.
+  /// Framebuffer size in pixels; 0 x 0 while minimised.
   [[nodiscard]] VkExtent2D size() const;
   [[nodiscard]] bool shouldClose() const;
   void close();
-  /// What has happened since the last call; with `seconds` > 0 it waits that long for something.
+  /// Events since the last call. With `seconds` > 0, waits at most that long for an event.
   [[nodiscard]] std::vector<WindowEvent> events(double seconds);
 
 private:

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A host's shader, for any stage: it has short names of its own before the include and after.
+// A host's shader for any stage, with its own short names before and after the include.
 #define SCALE 2.0
 struct Taps { float weight; };
 struct Noise { vec4 mean; };

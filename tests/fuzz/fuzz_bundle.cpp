@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): what they accept keeps their
-// contract, and reading and checking agree.
+// Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): results satisfy their contract, and
+// parsing and checking agree.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -143,7 +143,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (table)
     checkTable(table.value());
   else
-    require(isOneLine(table.error().message), "a message of more or less than one line");
+    require(isOneLine(table.error().message), "an error message that is not one line");
 
   const Result<Bundle> bundle = parseBundle(file, "file");
   const std::vector<Finding> findings = checkBundle(file);
@@ -156,6 +156,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (bundle)
     checkContract(bundle.value());
   else
-    require(isOneLine(bundle.error().message), "a message of more or less than one line");
+    require(isOneLine(bundle.error().message), "an error message that is not one line");
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// fuzz_bundle_replay CASES SEED: mutations of valid bundles and KTX2 files, the same for the same
-// numbers, through the fuzzer's entry point.
-// fuzz_bundle_replay corpus FOLDER: writes the unmutated files, for libFuzzer to start from.
+// fuzz_bundle_replay CASES SEED: runs mutations of valid bundles and KTX2 files through the
+// fuzzer's entry point; deterministic.
+// fuzz_bundle_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 #include "gltf_mutation.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kGlbSeeds = 5;
 
-/// Two noises with tables of their own, the first of a revision to come.
+/// Two noises with separate tables; the first has a future revision.
 Bytes laterRevision() {
   BundleFile file = example::smallest();
   Bundle& bundle = file.bundle;
@@ -40,7 +40,7 @@ Bytes laterRevision() {
   return parts.join();
 }
 
-/// Small files: mutations then hit what is read, not texels. The GLBs come first.
+/// Small files, so that mutations hit structure instead of texels. The GLBs come first.
 std::vector<Bytes> seeds() {
   BundleFile withScene = example::smallest();
   withScene.previews[0].baseColor = example::tinyPng();
@@ -62,7 +62,7 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
     mutateJson(parts.json["extensions"], random);
     if (random() % 2 == 0)
       mutateJson(parts.json, random);
-    constexpr std::size_t kTableBytes = 600; // the tables lie at the buffer's beginning
+    constexpr std::size_t kTableBytes = 600; // the tables are at the start of the buffer
     if (random() % 2 == 0)
       parts.binary[below(random, std::min(kTableBytes, parts.binary.size()))] ^=
           std::byte(1u << (random() % 8));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes -> decodeImage() and upright(): an image that keeps its contract, or an error that
-// does.
+// Any bytes -> decodeImage() and upright(): the image or the error satisfies its contract.
 #include <lichen/image_io.h>
 
 #include <algorithm>
@@ -47,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto* bytes = reinterpret_cast<const std::byte*>(data);
   Result<ImageFile> result = decodeImage({bytes, size}, "file");
   if (!result) {
-    require(isOneLine(result.error().message), "a message of more or less than one line");
+    require(isOneLine(result.error().message), "an error message that is not one line");
     return 0;
   }
   const ImageFile file = upright(std::move(result).value());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// fuzz_image_replay CASES SEED: mutations of valid files of every kind, the same for the same
-// numbers, through the fuzzer's entry point.
-// fuzz_image_replay corpus FOLDER: writes the unmutated files, for libFuzzer to start from.
+// fuzz_image_replay CASES SEED: runs mutations of valid files of every kind through the fuzzer's
+// entry point; deterministic.
+// fuzz_image_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer.
 #include "image_samples.h"
 
 #include <algorithm>
@@ -18,15 +18,15 @@ using lichen::samples::Bytes;
 
 namespace {
 
-using Random = std::mt19937_64; // the standard fixes its sequence, not that of distributions
+using Random = std::mt19937_64; // the standard defines its sequence, but not those of distributions
 
 std::size_t below(Random& random, std::size_t limit) { return std::size_t(random() % limit); }
 
-std::ptrdiff_t place(Random& random, const Bytes& bytes) {
+std::ptrdiff_t position(Random& random, const Bytes& bytes) {
   return std::ptrdiff_t(below(random, bytes.size()));
 }
 
-/// Values at the edges of the integer types that formats store sides and sizes in.
+/// Edge values of the integer types in which formats store sizes.
 constexpr std::array<std::uint32_t, 10> kEdges = {
     0, 1, 0x7f, 0xff, 0x7fff, 0xffff, 0x4000, 0x7fffffff, 0x80000000, 0xffffffff};
 
@@ -42,7 +42,7 @@ void overwriteWord(Bytes& file, Random& random) {
 void mutateOnce(Bytes& file, const std::vector<Bytes>& files, Random& random) {
   if (file.empty())
     return;
-  const std::ptrdiff_t at = place(random, file);
+  const std::ptrdiff_t at = position(random, file);
   const auto length = std::ptrdiff_t(below(random, std::min<std::size_t>(file.size(), 64)));
   switch (random() % 6) {
   case 0:
@@ -54,7 +54,7 @@ void mutateOnce(Bytes& file, const std::vector<Bytes>& files, Random& random) {
   case 2:
     file.resize(std::size_t(at));
     break;
-  case 3: { // the start of this file, the end of another
+  case 3: { // the start of this file and the end of another
     const Bytes& other = files[below(random, files.size())];
     const std::ptrdiff_t from = std::min(at, std::ptrdiff_t(other.size()));
     file.erase(file.begin() + at, file.end());
@@ -64,7 +64,7 @@ void mutateOnce(Bytes& file, const std::vector<Bytes>& files, Random& random) {
   case 4:
     file.erase(file.begin() + at, std::min(file.begin() + at + length, file.end()));
     break;
-  default: { // a block a second time
+  default: { // repeats a block
     const Bytes block(file.begin() + at, std::min(file.begin() + at + length, file.end()));
     file.insert(file.begin() + at, block.begin(), block.end());
     break;
@@ -78,8 +78,8 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
   const std::size_t count = 1 + below(random, kMostMutations);
   for (std::size_t i = 0; i < count; ++i)
     mutateOnce(file, files, random);
-  if (random() % 4 != 0) // otherwise hardly a mutation of a PNG gets past its checksums
-    lichen::samples::mendPngChecksums(file);
+  if (random() % 4 != 0) // otherwise few mutations of a PNG get past its checksums
+    lichen::samples::correctPngChecksums(file);
   return file;
 }
 
@@ -100,7 +100,7 @@ int main(int argumentCount, char** arguments) {
     std::fprintf(stderr, "usage: fuzz_image_replay CASES SEED | corpus FOLDER\n");
     return 2;
   }
-  const std::vector<Bytes> files = lichen::samples::everyAcceptedKind();
+  const std::vector<Bytes> files = lichen::samples::everySupportedKind();
   if (std::strcmp(arguments[1], "corpus") == 0)
     return writeCorpus(files, arguments[2]);
   const unsigned long long cases = std::strtoull(arguments[1], nullptr, 10);

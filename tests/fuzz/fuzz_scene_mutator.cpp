@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How libFuzzer changes a scene: half of the time a value of the JSON, so that the file stays one;
-// else bytes of the binary chunk or of the whole.
+// Mutates scenes for libFuzzer: half of the time a JSON value, so that the file stays valid glTF;
+// else bytes of the binary chunk or of the whole file.
 #include "gltf_mutation.h"
 
 #include <lichen/gltf_container.h>
@@ -16,7 +16,7 @@ using namespace lichen;
 using namespace lichen::fuzz;
 
 Bytes dumped(const GltfContainer& container, const Bytes& binary) {
-  constexpr auto kReplace = nlohmann::json::error_handler_t::replace; // text may be no UTF-8
+  constexpr auto kReplace = nlohmann::json::error_handler_t::replace; // text may be invalid UTF-8
   const std::string text = container.document.dump(-1, ' ', false, kReplace);
   if (container.isGlb)
     return frameGlb(text, binary, container.otherChunks);
@@ -41,7 +41,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (!binary.empty() && below(random, 3) == 0) {
     const std::size_t bytes = binary.size();
     binary.resize(LLVMFuzzerMutate(reinterpret_cast<std::uint8_t*>(binary.data()), bytes, bytes));
-    binary.resize(bytes); // views still fit
+    binary.resize(bytes); // bufferViews still fit
   } else {
     mutateJson(container->document, random);
   }

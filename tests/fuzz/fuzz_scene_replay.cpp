@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// fuzz_scene_replay CASES SEED REGRESSIONS: through the fuzzer's entry point go the files of a
-// folder, on each of which the loader once failed, and mutations of valid scenes, the same for the
-// same numbers.
-// fuzz_scene_replay corpus FOLDER: writes the unmutated files, for libFuzzer to start from: scenes
-// made here, the glTF files of Debian's assimp-testmodels where they are, and bundles.
+// fuzz_scene_replay CASES SEED REGRESSIONS: runs the files of a folder, on which the loader once
+// failed, and mutations of valid scenes through the fuzzer's entry point; deterministic.
+// fuzz_scene_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer: scenes
+// from this file, the glTF files of Debian's assimp-testmodels if installed, and bundles.
 #include "bundle_example.h"
 #include "gltf_mutation.h"
 #include "render_gltf.h"
@@ -27,11 +26,11 @@ namespace {
 
 const std::filesystem::path kModels = "/usr/share/assimp/models";
 
-/// Of processor time for one small file, with sanitizers, which take about ten times as long: the
-/// loader itself has two seconds.
+/// Maximum processor time for one small file. The loader itself may take two seconds; sanitizers
+/// take about ten times as long.
 constexpr double kMostSeconds = 20.0;
 
-/// A triangle with a skin, a morph target, sparse positions and everything that a node may hold.
+/// A triangle with a skin, a morph target, sparse positions and all members that a node may have.
 Bytes animated() {
   test::GltfScene scene;
   const std::size_t positions = scene.addFloats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3);
@@ -86,7 +85,7 @@ Bytes textured() {
   return scene.glb();
 }
 
-/// One of every mode of primitives, with and without indices.
+/// One primitive of every mode, with and without indices.
 Bytes modes() {
   test::GltfScene scene;
   const std::size_t positions = scene.addFloats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, 3);
@@ -110,7 +109,7 @@ Bytes bundle() {
   return encodeGlb(file).value();
 }
 
-/// Small files: mutations then hit what is read, not vertices.
+/// Small files, so that mutations hit structure instead of vertices.
 std::vector<Bytes> seeds() {
   return {animated(), textured(), modes(), bundle(), encodeGlb(example::textonMix()).value()};
 }
@@ -128,7 +127,7 @@ std::string base64(std::span<const std::byte> bytes) {
   return text;
 }
 
-/// A .gltf with the files beside it that it names taken into its text: a fuzzer's file is alone.
+/// Embeds the files that a .gltf refers to, because a fuzzer's input is a single file.
 Bytes selfContained(const std::filesystem::path& path, const Bytes& file) {
   std::variant<GltfContainer, Finding> opened = openGltf(file);
   auto* container = std::get_if<GltfContainer>(&opened);
@@ -158,7 +157,7 @@ bool write(const std::filesystem::path& path, const Bytes& file) {
 }
 
 int writeCorpus(const std::filesystem::path& folder) {
-  constexpr std::size_t kMostBytes = std::size_t(1) << 18; // larger ones are slow to get through
+  constexpr std::size_t kMostBytes = std::size_t(1) << 18; // larger files are slow
   std::vector<Bytes> files = seeds();
   if (std::filesystem::is_directory(kModels))
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels))
@@ -193,7 +192,7 @@ void run(const Bytes& file) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
 }
 
-/// How many files, or nothing when one is not read or takes too long.
+/// Number of files; nullopt if one cannot be read or takes too long.
 std::optional<std::size_t> replayFolder(const std::string& folder) {
   const auto files = listFolder(folder);
   if (!files)

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::uint32_t, 10> kEdges = {
     0, 1, 3, 0xff, 0xffff, 0x4000, 0x7fffffff, 0x80000000, 0xfffffffc, 0xffffffff};
 
-/// What a member of glTF or of the extension may hold, rightly or not.
+/// Plausible values, valid or not, of members of glTF or of the extension.
 const nlohmann::json& replacement(Random& random) {
   static const std::array<nlohmann::json, 27> values = {nullptr,
                                                         true,
@@ -44,7 +44,7 @@ const nlohmann::json& replacement(Random& random) {
   return values[below(random, values.size())];
 }
 
-/// Walks down to some value of the document.
+/// Descends to a random value of the document.
 nlohmann::json& anyValue(nlohmann::json& root, Random& random) {
   constexpr std::size_t kStopsOneIn = 8;
   nlohmann::json* value = &root;
@@ -64,19 +64,19 @@ void mutateBytes(Bytes& file, Random& random) {
   if (file.size() < 8)
     return;
   const std::size_t at = below(random, file.size() - 4);
-  const auto place = file.begin() + std::ptrdiff_t(at);
+  const auto position = file.begin() + std::ptrdiff_t(at);
   switch (random() % 4) {
   case 0:
-    *place ^= std::byte(1u << (random() % 8));
+    *position ^= std::byte(1u << (random() % 8));
     break;
   case 1:
-    std::memcpy(&*place, &kEdges[below(random, kEdges.size())], 4);
+    std::memcpy(&*position, &kEdges[below(random, kEdges.size())], 4);
     break;
   case 2:
     file.resize(at);
     break;
   default:
-    file.erase(place, place + std::ptrdiff_t(below(random, 4)));
+    file.erase(position, position + std::ptrdiff_t(below(random, 4)));
     break;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small changes to a glTF file, the same for the same random numbers: bytes anywhere, and values
-// of its JSON, which bytes alone hardly reach.
+// Small deterministic mutations of a glTF file: bytes anywhere, and JSON values, which mutated
+// bytes rarely reach.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,14 +12,14 @@
 namespace lichen::fuzz {
 
 using Bytes = std::vector<std::byte>;
-using Random = std::mt19937_64; // the standard fixes its sequence, not that of distributions
+using Random = std::mt19937_64; // the standard defines its sequence, but not those of distributions
 
 [[nodiscard]] std::size_t below(Random& random, std::size_t limit);
 
-/// Flips a bit, writes an edge of the 32-bit integers, cuts the file off or removes a few bytes.
+/// Flips a bit, writes a 32-bit edge value, truncates the file or removes a few bytes.
 void mutateBytes(Bytes& file, Random& random);
 
-/// Replaces, removes or repeats a value of the document, or copies one over another.
+/// Replaces, removes or repeats a JSON value, or copies one over another.
 void mutateJson(nlohmann::json& root, Random& random);
 
 } // namespace lichen::fuzz

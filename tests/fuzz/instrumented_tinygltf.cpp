@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// tinygltf compiled with the fuzzer's sanitizers: Debian's library has none, and this one comes
-// before it. Its image loader is replaced by the renderer and so left out.
+// tinygltf compiled with the fuzzer's sanitizers: Debian's library has none, and the linker prefers
+// this copy. Omits its image loader, which the renderer replaces.
 #define TINYGLTF_IMPLEMENTATION
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE

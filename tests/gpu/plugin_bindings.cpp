@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bindings that begin at 7: the shader is compiled with LICHEN_FIRST_BINDING 7.
+// Bindings that start at 7: the shader is compiled with LICHEN_FIRST_BINDING 7.
 #include "plugin_host.h"
 #include "require_device.h"
 #include "synthetic_noise.h"
@@ -13,7 +13,7 @@
 using namespace lichen;
 using namespace lichen::test;
 
-TEST_CASE("bindings may begin at another number: the values are the oracle's") {
+TEST_CASE("bindings may start at another number: the values match the oracle") {
   constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between the plugin and the device; see plugin_calls.h.
+// Proxies between the plugin and the device; see plugin_calls.h.
 #include "plugin_calls.h"
 
 namespace lichen::test {
@@ -90,7 +90,7 @@ VkResult VKAPI_CALL Proxy::map(VkDevice device, VkDeviceMemory memory, VkDeviceS
 VkResult VKAPI_CALL Proxy::allocateSets(VkDevice device, const VkDescriptorSetAllocateInfo* info,
                                         VkDescriptorSet* sets) {
   if (fails()) {
-    *sets = VK_NULL_HANDLE; // the one call of which Vulkan says what it leaves
+    *sets = VK_NULL_HANDLE; // the only call whose output Vulkan defines on failure
     return VK_ERROR_OUT_OF_POOL_MEMORY;
   }
   const Inside inside;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests put between the plugin and the device: the table of Vulkan functions, one that
-// fails on demand and counts, and a host's own allocator.
+// Proxies between the plugin and the device: the table of Vulkan functions, a table that counts and
+// fails on demand, and a host allocator.
 #pragma once
 
 #include <lichen/lichen_vulkan.h>
@@ -10,18 +10,18 @@
 
 namespace lichen::test {
 
-/// The functions that a host without volk would load one by one.
+/// The functions that a host without volk loads one by one.
 [[nodiscard]] LichenVulkanFunctions loadedFunctions();
 
-/// Counts what a table of functions creates and destroys, and fails the n-th call that may fail. A
-/// failed call leaves garbage in its output, as Vulkan allows.
+/// Counts objects that a function table creates and destroys, and fails the n-th call that may
+/// fail. A failed call leaves garbage in its output, as Vulkan allows.
 struct Proxy {
   static inline int untilFailure = 0; ///< counts down while positive
-  /// Whether memory could not be allocated or mapped: no later allocation can, of whatever type.
+  /// Set after a failed allocation or mapping: all later allocations of any type fail as well.
   static inline bool exhausted = false;
   static inline int alive = 0;            ///< created and not yet destroyed
   static inline int garbageDestroyed = 0; ///< outputs of failed calls that were destroyed
-  /// Called before and after each call of the real function.
+  /// Called before and after each real function.
   static inline void (*enter)() = [] {};
   static inline void (*leave)() = [] {};
 
@@ -61,7 +61,7 @@ struct Proxy {
     alive += result == VK_SUCCESS ? 1 : 0;
     return result;
   }
-  /// Wraps a destroying function; destroying nothing does not count.
+  /// Wraps a destroying function; does not count null handles.
   template <auto* kFunction, class Handle>
   static void VKAPI_CALL destroy(VkDevice device, Handle handle,
                                  const VkAllocationCallbacks* callbacks) {
@@ -96,7 +96,7 @@ struct Proxy {
                                           VkDescriptorSet* sets);
 };
 
-/// A host's own allocator: one VkDeviceMemory for each request, at an offset.
+/// A host allocator: one VkDeviceMemory per request, at an offset.
 struct HostMemory {
   explicit HostMemory(VulkanDevice& d);
   HostMemory(const HostMemory&) = delete;

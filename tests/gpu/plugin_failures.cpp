@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What goes wrong around the plugin: every Vulkan call and host allocation failing in turn, devices
-// that lack something, and hosts that hand in too little. Each gives a code and a message, and
-// leaves nothing behind.
+// Failures around the plugin: every Vulkan call and host allocation fails in turn, devices lack
+// features, and hosts pass incomplete structs. Each gives a result code and a message, and leaks
+// nothing.
 #include "exhausted_memory.h"
 #include "plugin_calls.h"
 #include "plugin_host.h"
@@ -55,7 +55,7 @@ struct Created {
   std::string message;
 };
 
-/// Creates a context, assets and a set, and destroys what there is.
+/// Creates a context, assets and a set, and destroys whatever exists.
 Created createAndDestroy(const Fixture& fixture, const LichenVulkanInfo& info) {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
@@ -84,16 +84,16 @@ Created createWith(const Fixture& fixture, const LichenVulkanFunctions& function
   return createAndDestroy(fixture, info);
 }
 
-/// Functions of a device with two ordinary types of memory, 4 and 5, behind some that only special
-/// uses may take.
+/// Functions of a device with two ordinary memory types, 4 and 5, after several types for special
+/// uses.
 struct ManyMemoryTypes {
   static constexpr std::array<VkMemoryPropertyFlags, 4> kSpecial{
       VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD,
       VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD | VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD,
       VK_MEMORY_PROPERTY_PROTECTED_BIT, VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT};
-  static inline std::vector<std::uint32_t> asked; ///< types of the allocations, in order
-  static inline std::uint32_t full = 0;           ///< the type that has no room
-  static inline std::uint32_t unmappable = 0;     ///< the type that cannot be mapped
+  static inline std::vector<std::uint32_t> requested; ///< memory types of the allocations, in order
+  static inline std::uint32_t full = 0;               ///< a type without free memory
+  static inline std::uint32_t unmappable = 0;         ///< a type that cannot be mapped
 
   static void VKAPI_CALL properties(VkPhysicalDevice device,
                                     VkPhysicalDeviceMemoryProperties* target) {
@@ -116,16 +116,16 @@ struct ManyMemoryTypes {
   static VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
                                       const VkAllocationCallbacks* callbacks,
                                       VkDeviceMemory* memory) {
-    asked.push_back(info->memoryTypeIndex);
+    requested.push_back(info->memoryTypeIndex);
     if (info->memoryTypeIndex == full)
       return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     VkMemoryAllocateInfo real = *info;
-    real.memoryTypeIndex = 0; // the device's own first type
+    real.memoryTypeIndex = 0; // the device's real first type
     return Proxy::create<&vkAllocateMemory>(device, &real, callbacks, memory);
   }
   static VkResult VKAPI_CALL map(VkDevice device, VkDeviceMemory memory, VkDeviceSize offset,
                                  VkDeviceSize size, VkMemoryMapFlags flags, void** data) {
-    if (asked.back() != unmappable)
+    if (requested.back() != unmappable)
       return vkMapMemory(device, memory, offset, size, flags, data);
     Proxy::fillWithGarbage(data);
     return VK_ERROR_MEMORY_MAP_FAILED;
@@ -138,7 +138,7 @@ struct ManyMemoryTypes {
     f.allocateMemory = allocate;
     f.freeMemory = Proxy::destroy<&vkFreeMemory>;
     f.mapMemory = map;
-    asked.clear();
+    requested.clear();
     full = unmappable = VK_MAX_MEMORY_TYPES; // none
     return f;
   }
@@ -146,7 +146,7 @@ struct ManyMemoryTypes {
 
 } // namespace
 
-TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves nothing behind") {
+TEST_CASE("any failing Vulkan call gives a code and a message, and leaks nothing") {
   const Fixture fixture;
   const LichenVulkanFunctions functions = Proxy::functions();
   int failures = 0, ofPool = 0;
@@ -156,7 +156,7 @@ TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves not
     const Created created = createWith(fixture, functions);
     CHECK(Proxy::alive == 0);
     CHECK(Proxy::garbageDestroyed == 0);
-    if (Proxy::untilFailure > 0) { // not reached: everything succeeded
+    if (Proxy::untilFailure > 0) { // not reached, because everything succeeded
       CHECK(created.result == LICHEN_SUCCESS);
       break;
     }
@@ -178,12 +178,12 @@ TEST_CASE("any Vulkan call that fails gives a code and a message, and leaves not
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("any host allocation of the plugin's that fails gives a code and leaves nothing behind") {
+TEST_CASE("any failing host allocation in the plugin gives a code and leaks nothing") {
   const Fixture fixture;
   const LichenVulkanFunctions functions = Proxy::functions();
   LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
   info.functions = &functions;
-  Proxy::enter = ExhaustedMemory::spare; // the layers allocate too, and may not throw
+  Proxy::enter = ExhaustedMemory::spare; // the layers allocate as well, and must not throw
   Proxy::leave = ExhaustedMemory::refuse;
   int failures = 0;
   for (int n = 1;; ++n) {
@@ -216,7 +216,7 @@ TEST_CASE("any host allocation of the plugin's that fails gives a code and leave
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("a host's device allocator that fails gives a code, and gets back what it gave") {
+TEST_CASE("a failing host allocator gives a code and gets its memory back") {
   const Fixture fixture;
   HostMemory memory(*fixture.device);
   LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
@@ -232,7 +232,7 @@ TEST_CASE("a host's device allocator that fails gives a code, and gets back what
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("what a host's device allocator throws stays inside the plugin") {
+TEST_CASE("exceptions of a host allocator do not leave the plugin") {
   const Fixture fixture;
   const LichenVulkanFunctions functions = Proxy::functions();
   HostMemory memory(*fixture.device);
@@ -260,7 +260,7 @@ TEST_CASE("what a host's device allocator throws stays inside the plugin") {
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("a device that cannot filter a table's format or size is refused by the table") {
+TEST_CASE("the error for a device that cannot filter a table's format or size names the table") {
   const Fixture fixture;
   LichenVulkanFunctions functions = loadedFunctions();
   SECTION("no linear filter for the inverse table of slopes") {
@@ -297,7 +297,7 @@ TEST_CASE("a device that cannot filter a table's format or size is refused by th
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("a Vulkan 1.0 device, which reports no transfer features, is accepted") {
+TEST_CASE("a Vulkan 1.0 device, which reports no transfer features, works") {
   const Fixture fixture;
   LichenVulkanFunctions functions = loadedFunctions();
   functions.getPhysicalDeviceFormatProperties = [](VkPhysicalDevice device, VkFormat format,
@@ -309,12 +309,12 @@ TEST_CASE("a Vulkan 1.0 device, which reports no transfer features, is accepted"
   CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
 }
 
-TEST_CASE("only ordinary memory is allocated") {
+TEST_CASE("the plugin allocates ordinary memory only") {
   const Fixture fixture;
   LichenVulkanFunctions functions = ManyMemoryTypes::functions();
   CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-  CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4});
-  ManyMemoryTypes::asked.clear();
+  CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4});
+  ManyMemoryTypes::requested.clear();
   functions.getPhysicalDeviceMemoryProperties = [](VkPhysicalDevice device,
                                                    VkPhysicalDeviceMemoryProperties* target) {
     ManyMemoryTypes::properties(device, target);
@@ -322,36 +322,36 @@ TEST_CASE("only ordinary memory is allocated") {
   };
   const Created created = createWith(fixture, functions);
   CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
-  CHECK(created.message.find("no ordinary type of memory") != std::string::npos);
-  CHECK(ManyMemoryTypes::asked.empty());
+  CHECK(created.message.find("no ordinary memory type") != std::string::npos);
+  CHECK(ManyMemoryTypes::requested.empty());
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("the next type of memory is taken when a heap is full or cannot be mapped") {
+TEST_CASE("the plugin tries the next memory type if a heap is full or cannot be mapped") {
   const Fixture fixture;
   const LichenVulkanFunctions functions = ManyMemoryTypes::functions();
   SECTION("full") {
     ManyMemoryTypes::full = 4;
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 5, 4, 5});
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 5, 4, 5});
   }
   SECTION("cannot be mapped") {
     ManyMemoryTypes::unmappable = 4;
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4, 5});
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 5});
   }
-  SECTION("if none will do, the first one's failure is reported") {
+  SECTION("if all types fail, the error is that of the first") {
     ManyMemoryTypes::unmappable = 4;
     ManyMemoryTypes::full = 5;
     const Created created = createWith(fixture, functions);
-    CHECK(created.message.find("cannot be mapped") != std::string::npos);
-    CHECK(ManyMemoryTypes::asked == std::vector<std::uint32_t>{4, 4, 5});
+    CHECK(created.message.find("cannot map it") != std::string::npos);
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 5});
   }
   CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("a host that hands in too little, or what is not known, is told so") {
+TEST_CASE("incomplete or unknown host input gives an error that names it") {
   const Fixture fixture;
   const LichenVulkanInfo good = defaultVulkanInfo(*fixture.device);
   LichenVulkanFunctions functions = loadedFunctions();
@@ -397,18 +397,18 @@ TEST_CASE("a host that hands in too little, or what is not known, is told so") {
   refused(LICHEN_ERROR_VERSION, "next");
   info.reserved = 1;
   refused(LICHEN_ERROR_VERSION, "reserved");
-  // A header that is newer by additions, which this host does not use.
+  // A newer header with additions that this host does not use.
   info.headerVersion = LICHEN_HEADER_VERSION + 1;
   CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
   info = good;
-  // An older header, which ended before `stages`, gives the default.
+  // An older header that ends before `stages`: the default applies.
   info.size = offsetof(LichenVulkanInfo, stages);
   info.stages = ~0u;
   CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 
-TEST_CASE("NULL handles and outputs, and indices out of range, are refused") {
+TEST_CASE("NULL handles and outputs, and indices out of range, are errors") {
   const Fixture fixture;
   const LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
   LichenVulkanContext context = nullptr;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A small host of the engine plugin for the tests; see plugin_host.h.
-#include "checkout_paths.h"
 #include "plugin_host.h"
+
+#include "checkout_paths.h"
 
 #include <fstream>
 #include <iterator>
@@ -10,7 +11,7 @@
 namespace lichen::test {
 namespace {
 
-/// The pool that exactly one set of the noise fits in, without FREE_DESCRIPTOR_SET.
+/// A pool with room for exactly one set of the noise, without FREE_DESCRIPTOR_SET.
 VkDescriptorPool exactPool(VkDevice device, LichenBundle bundle, VkDescriptorType uniformType) {
   LichenNoiseProperties noise;
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);

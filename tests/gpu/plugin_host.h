@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A small host of the engine plugin for the tests: a bundle's bytes -> a descriptor set that a
-// compute shader reads. Records the upload into the command buffer of its first run.
+// A small host of the engine plugin for tests: a bundle's bytes -> a descriptor set that a compute
+// shader reads. Records the upload into the command buffer of its first run.
 #pragma once
 
 #include "compute_run.h"
@@ -12,10 +12,10 @@
 
 namespace lichen::test {
 
-/// The bundle of these bytes. Throws std::runtime_error with the plugin's diagnostic.
+/// Parses a bundle. Throws std::runtime_error with the plugin's diagnostic.
 [[nodiscard]] LichenBundle parseOrThrow(std::span<const std::byte> glb);
 
-/// What a host gives the plugin for this device: the loader's entry point, nothing else.
+/// The minimal info for this device: only the loader's entry point.
 [[nodiscard]] LichenVulkanInfo defaultVulkanInfo(const VulkanDevice& device);
 
 class PluginHost {
@@ -29,13 +29,13 @@ public:
 
   [[nodiscard]] LichenBundle bundle() const { return bundle_; }
   [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
-  /// Takes the set's place: another set of the same layout, with bindings written by the caller.
+  /// Uses another set of the same layout, whose bindings the caller has written.
   void useSet(VkDescriptorSet set) { set_ = set; }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }
   [[nodiscard]] VkBuffer uniformBuffer() const { return uniformBuffer_.handle; }
 
   /// Writes the uniforms and runs `spirv` (set 0: the noise; set 1: points, values) over `points`,
-  /// `valuesEach` four-component values for each.
+  /// with `valuesEach` four-component values per point.
   template <class AnyPoint>
   [[nodiscard]] std::vector<std::array<float, 4>>
   evaluate(std::span<const std::uint32_t> spirv, std::int32_t constant,
@@ -67,7 +67,7 @@ private:
   ComputePipelines pipelines_;
 };
 
-/// Uniforms as the material has them, and the same scaled, turned, moved and with another seed.
+/// The material's own uniforms, and the same scaled, rotated, moved and with another seed.
 [[nodiscard]] LichenUniformInfo uniformInfo();
 [[nodiscard]] LichenUniformInfo movedUniformInfo();
 

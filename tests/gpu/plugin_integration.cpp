@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C host of docs/integration.md on a device: what it draws, and reloading with frames in
-// flight.
+// Runs the C host of docs/integration.md on a device: drawing, and reloading with frames in flight.
 #include "integration_host.h"
 #include "plugin_host.h"
 #include "require_device.h"
@@ -25,7 +24,7 @@ constexpr std::int64_t kCameraTile[2] = {1000000, -3};
 
 using Values = std::vector<std::array<float, 4>>;
 
-/// A file with two materials, alike but for their seed.
+/// A file with two materials that differ only in their seed.
 std::vector<std::byte> twoMaterials() {
   BundleFile file = syntheticBundle(kMaps);
   MaterialNoise second;
@@ -41,7 +40,7 @@ std::vector<std::byte> twoMaterials() {
   return std::move(glb).value();
 }
 
-/// The engine around the integration's code: a pool and a uniform buffer.
+/// The engine around the documented code: a pool and a uniform buffer.
 struct Engine {
   explicit Engine(VulkanDevice& d) : device(d) {
     constexpr std::uint32_t kSets = kGenerations * kMaterials;
@@ -92,8 +91,8 @@ struct Engine {
     return materials;
   }
 
-  /// Each material's values, from one command buffer: the uniforms of all are written before its
-  /// submission, and each draw chooses its own by its set's offset.
+  /// Evaluates all materials in one command buffer. The uniforms of all are written before
+  /// submission; each draw selects its own by the dynamic offset of its set.
   std::vector<Values> draw(const NoiseBundle& loaded,
                            const std::array<NoiseMaterial, kMaterials>& materials,
                            std::uint64_t frame, const std::vector<Point>& points) {
@@ -124,7 +123,7 @@ struct Engine {
 
 } // namespace
 
-TEST_CASE("the documented host draws two materials as the tests' own host, also after reloading") {
+TEST_CASE("the documented host draws two materials like the tests' host, even after reloading") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = twoMaterials();
   std::vector<Point> points(200);
@@ -161,7 +160,7 @@ TEST_CASE("the documented host draws two materials as the tests' own host, also 
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("the documented host takes a refused file as it came, and goes on") {
+TEST_CASE("the documented host continues after an invalid file") {
   const auto device = requireDevice();
   {
     Engine engine(*device);

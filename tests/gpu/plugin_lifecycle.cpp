@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plugin as a host meets it: function table and loader, plugin-made sets and the host's own,
+// The plugin from a host's view: function table and loader, sets from the plugin and from the host,
 // dynamic uniforms, several maps, hot reload.
 #include "plugin_calls.h"
 #include "plugin_host.h"
@@ -27,7 +27,7 @@ std::vector<Point> somePoints() {
   return points;
 }
 
-/// The barriers before the first read, without their second half.
+/// The barriers before the first read, without their destination scope.
 void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags source,
                               VkPipelineStageFlags target, VkDependencyFlags flags,
                               std::uint32_t memoryCount, const VkMemoryBarrier* memory,
@@ -45,7 +45,7 @@ void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags sou
 
 } // namespace
 
-TEST_CASE("several maps share the taps: each is what it is in a noise of its own") {
+TEST_CASE("several maps share the taps: each has the values of a noise with that map alone") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const Bundle bundle = parseBundle(glb, "synthetic").value();
@@ -57,7 +57,7 @@ TEST_CASE("several maps share the taps: each is what it is in a noise of its own
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto expected =
           reference.evaluate(points[k], host.uniforms().noise, host.uniforms().maps[m]);
-      for (std::size_t c = 0; c < 3; ++c) // the last map has 8 bits: see tiling_parity.cpp
+      for (std::size_t c = 0; c < 3; ++c) // the last map has 8 bits; see tiling_parity.cpp
         REQUIRE(std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]) <
                 (kMaps[m].eightBit ? 0.04 : 1.0 / 255.0));
     }
@@ -82,22 +82,22 @@ TEST_CASE("the loader, a function table and the host's own memory give the same 
     PluginHost byTable(*device, glb, info);
     CHECK(memory.alive == 2);
     CHECK(byTable.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
-    CHECK(memory.alive == 1); // the staging buffer is gone
+    CHECK(memory.alive == 1); // the staging buffer is released
   }
   CHECK(memory.alive == 0);
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("images that no single allocation holds are spread over several, with the same values") {
+TEST_CASE("images that exceed one allocation use several, with the same values") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const std::vector<Point> points = somePoints();
   PluginHost plain(*device, glb);
   const auto expected = plain.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
 
-  // Two of these images are more than the 1 GiB that every device allocates at once.
-  static std::vector<VkDeviceSize> asked;
-  asked.clear();
+  // Two of these images exceed the 1 GiB that every device can allocate at once.
+  static std::vector<VkDeviceSize> requested;
+  requested.clear();
   LichenVulkanFunctions functions = Proxy::functions();
   functions.getImageMemoryRequirements = [](VkDevice d, VkImage image,
                                             VkMemoryRequirements* requirements) {
@@ -106,7 +106,7 @@ TEST_CASE("images that no single allocation holds are spread over several, with 
   };
   functions.allocateMemory = [](VkDevice d, const VkMemoryAllocateInfo* info,
                                 const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
-    asked.push_back(info->allocationSize);
+    requested.push_back(info->allocationSize);
     VkMemoryAllocateInfo real = *info;
     real.allocationSize = std::min(real.allocationSize, VkDeviceSize(16) << 20);
     return Proxy::create<&vkAllocateMemory>(d, &real, callbacks, memory);
@@ -115,8 +115,8 @@ TEST_CASE("images that no single allocation holds are spread over several, with 
   info.functions = &functions;
   {
     PluginHost spread(*device, glb, info);
-    CHECK(asked.size() == 2 * 2 * kMaps.size()); // each image's, and its staging buffer's
-    CHECK(*std::max_element(asked.begin(), asked.end()) <= VkDeviceSize(1) << 30);
+    CHECK(requested.size() == 2 * 2 * kMaps.size()); // for each image and its staging buffer
+    CHECK(*std::max_element(requested.begin(), requested.end()) <= VkDeviceSize(1) << 30);
     CHECK(spread.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
   }
   CHECK(Proxy::alive == 0);
@@ -168,7 +168,7 @@ TEST_CASE("a set that the host writes from plain image infos gives the same valu
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("a dynamic uniform buffer's offset chooses the uniforms") {
+TEST_CASE("a dynamic uniform buffer's offset selects the uniforms") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const std::vector<Point> points = somePoints();
@@ -181,7 +181,7 @@ TEST_CASE("a dynamic uniform buffer's offset chooses the uniforms") {
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("retired assets live until the frame that used them last has completed") {
+TEST_CASE("retired assets live until their last frame has completed") {
   const auto device = requireDevice();
   LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
   const LichenVulkanFunctions functions = Proxy::functions();
@@ -193,7 +193,7 @@ TEST_CASE("retired assets live until the frame that used them last has completed
   int perGeneration = 0;
   std::uint64_t frame = 0;
   for (const std::uint64_t framesInFlight : {1u, 2u, 3u})
-    for (int reload = 0; reload < 20; ++reload, ++frame) { // each is used in one frame
+    for (int reload = 0; reload < 20; ++reload, ++frame) { // each bundle is used in one frame
       LichenVulkanAssets assets = nullptr;
       REQUIRE(lichenVulkanCreateAssets(context, bundle, &assets, nullptr) == LICHEN_SUCCESS);
       if (frame == 0)
@@ -206,13 +206,13 @@ TEST_CASE("retired assets live until the frame that used them last has completed
       CHECK(Proxy::alive - withoutAssets < most);
       CHECK((Proxy::alive > withoutAssets) == (framesInFlight > 1));
     }
-  lichenVulkanDestroyContext(context); // takes the last two generations with it
+  lichenVulkanDestroyContext(context); // also destroys the last two generations
   CHECK(Proxy::alive == 0);
   lichenDestroyBundle(bundle);
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("a barrier taken out of the upload is reported by synchronization validation") {
+TEST_CASE("synchronization validation reports a missing barrier of the upload") {
   const auto device = requireDevice();
   LichenVulkanFunctions functions = loadedFunctions();
   functions.cmdPipelineBarrier = brokenBarrier;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The scenes that Blender exported, against what Blender itself sees of them through the same
-// cameras: where corners of objects are in the picture, and which material each pixel shows.
-// tests/scenes/blender/export_scenes.py made both, and says what framing.json holds.
+// Compares scenes exported by Blender with what Blender itself sees through the same cameras:
+// positions of object corners in the picture, and the material of each pixel.
+// tests/scenes/blender/export_scenes.py wrote both and documents framing.json.
 #include "checkout_paths.h"
 #include "framing.h"
 #include "rendered.h"
@@ -31,40 +31,40 @@ Scene sceneOf(const std::string& name) {
   return std::move(scene).value();
 }
 
-/// Tells the materials apart by the bits of a number; 0, black, is what no material has.
-glm::vec3 codeColor(int place) {
-  const int code = place + 1;
+/// A unique colour per material from the bits of its index plus 1; black means no material.
+glm::vec3 codeColor(int index) {
+  const int code = index + 1;
   return {float(code & 1), float(code >> 1 & 1), float(code >> 2 & 1)};
 }
 
-/// Materials of nothing but their code's colour.
+/// Replaces each material by its unique colour.
 void paint(Scene& scene, const json& names) {
   for (renderer::Primitive& primitive : scene.primitives)
     for (renderer::Vertex& vertex : primitive.vertices)
       vertex.color = glm::vec4(1.0f);
   for (renderer::Material& material : scene.materials) {
-    int place = -1;
+    int index = -1;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (names[i] == material.name)
-        place = int(i);
+        index = int(i);
     material = renderer::Material();
-    material.baseColor = glm::vec4(codeColor(place), 1.0f);
+    material.baseColor = glm::vec4(codeColor(index), 1.0f);
     material.doubleSided = true;
   }
 }
 
-/// Of each pixel, as framing.json's runs have it.
-std::vector<int> seenMaterials(const json& view) {
-  std::vector<int> seen;
+/// Material index of each pixel, decoded from the run lengths in framing.json.
+std::vector<int> visibleMaterials(const json& view) {
+  std::vector<int> visible;
   const json& runs = view.at("runs");
   for (std::size_t i = 0; i < runs.size(); i += 2)
-    seen.insert(seen.end(), runs[i + 1].get<std::size_t>(), runs[i].get<int>());
-  return seen;
+    visible.insert(visible.end(), runs[i + 1].get<std::size_t>(), runs[i].get<int>());
+  return visible;
 }
 
 } // namespace
 
-TEST_CASE("Blender's exports are small and have nothing that is left out") {
+TEST_CASE("Blender's exports are small and load without notes") {
   for (const std::string name : kNames) {
     INFO(name);
     CHECK(std::filesystem::file_size(kFolder / (name + ".glb")) < kMostBytes);
@@ -72,9 +72,9 @@ TEST_CASE("Blender's exports are small and have nothing that is left out") {
   }
 }
 
-TEST_CASE("a camera of Blender puts corners of objects where Blender does") {
-  // Of the picture's side, whose pixels are 1/320 at most: 1e-6 m of rounding a metre away, and
-  // float matrices.
+TEST_CASE("a camera from Blender projects corners of objects like Blender") {
+  // Relative to the picture's side, with pixels of 1/320 or less: 1e-6 m of rounding at a distance
+  // of one metre, and float matrices.
   constexpr double kTolerance = 1e-5;
   std::size_t points = 0;
   for (const std::string name : kNames) {
@@ -100,8 +100,8 @@ TEST_CASE("a camera of Blender puts corners of objects where Blender does") {
   CHECK(points > 50);
 }
 
-TEST_CASE("each pixel shows the material that Blender's ray through it meets first") {
-  // Rays and rasterization round differently where an edge runs through a pixel's centre.
+TEST_CASE("each pixel shows the material that Blender's ray hits first") {
+  // Rays and rasterization round differently if an edge passes through a pixel's centre.
   constexpr double kMostWrong = 0.0002;
   for (const std::string name : kNames) {
     const json views = framing(name);
@@ -115,16 +115,16 @@ TEST_CASE("each pixel shows the material that Blender's ray through it meets fir
       settings.debugView = "base-color";
       const auto picture = renderer::renderScene(testDevice(), scene, settings);
       REQUIRE(picture.ok());
-      const std::vector<int> seen = seenMaterials(view);
+      const std::vector<int> visible = visibleMaterials(view);
       const LinearImage& pixels = picture.value().pixels;
-      REQUIRE(seen.size() == pixels.pixelCount());
+      REQUIRE(visible.size() == pixels.pixelCount());
       std::size_t wrong = 0;
-      for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (std::size_t i = 0; i < visible.size(); ++i) {
         const float* p = &pixels.values[3 * i];
-        wrong += glm::distance(glm::vec3(p[0], p[1], p[2]), codeColor(seen[i])) > 0.1f;
+        wrong += glm::distance(glm::vec3(p[0], p[1], p[2]), codeColor(visible[i])) > 0.1f;
       }
-      INFO(wrong << " pixels of " << seen.size());
-      CHECK(double(wrong) <= kMostWrong * double(seen.size()));
+      INFO(wrong << " pixels of " << visible.size());
+      CHECK(double(wrong) <= kMostWrong * double(visible.size()));
     }
   }
 }

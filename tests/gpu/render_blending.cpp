@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two panes of half-covering colour, one behind the other: the nearer one lies over the farther
-// one, in whatever order the file has them.
+// Two panes with alpha 1/2, one behind the other: the nearer one covers the farther one, whatever
+// their order in the file.
 #include "rendered.h"
 
 #include <array>
@@ -21,7 +21,7 @@ std::size_t addGlass(GltfScene& scene, glm::vec3 color, bool doubleSided) {
        {"pbrMetallicRoughness", {{"baseColorFactor", {color.r, color.g, color.b, 0.5}}}}});
 }
 
-/// Two triangles of a square at height z, whose front looks up, or down.
+/// Adds a square at height z whose front faces up or down.
 void addPane(std::vector<std::uint32_t>& indices, std::vector<float>& positions, float z, bool up) {
   const auto first = std::uint32_t(positions.size() / 3);
   positions.insert(positions.end(), {-1, -1, z, 1, -1, z, -1, 1, z, 1, 1, z});
@@ -38,7 +38,7 @@ void addPaneMesh(GltfScene& scene, std::size_t material, float z) {
                 material);
 }
 
-/// Seen from above, at z = 4.
+/// The base colour in the centre of a picture from above, at z = 4.
 glm::vec3 baseColorInTheMiddle(GltfScene& scene) {
   scene.addCamera(4.0f, 0.3f);
   renderer::RenderSettings settings = settingsOf(8, 8, 1);
@@ -56,7 +56,7 @@ void checkNearOverFar(glm::vec3 color) {
 
 } // namespace
 
-TEST_CASE("of panes whose nodes are in one place the far one is drawn first") {
+TEST_CASE("the farther of two panes is drawn first even if their nodes coincide") {
   for (const bool nearFirst : {true, false}) {
     GltfScene scene;
     const std::size_t near = addGlass(scene, kNear, false);
@@ -70,7 +70,7 @@ TEST_CASE("of panes whose nodes are in one place the far one is drawn first") {
   }
 }
 
-TEST_CASE("of two sides of glass the back is drawn first") {
+TEST_CASE("the back of double-sided glass is drawn first") {
   GltfScene scene;
   const std::size_t glass = addGlass(scene, {1, 1, 1}, true);
   std::vector<float> positions;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene that stays on the device while its look changes: each picture is that of a file that says
-// the same, drawn for itself.
+// Changes between frames: each picture equals that of a file with the same values, rendered from
+// scratch.
 #include "rendered.h"
 #include "scene_renderer.h"
 #include "synthetic_noise.h"
@@ -17,7 +17,7 @@ constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 
 json& useOf(GltfScene& scene) { return scene.json["materials"][0]["extensions"][kExtension]; }
 
-/// A ball of the first of two noises: with normals, and without.
+/// A ball with the first of two noises, one with normals and one without.
 GltfScene twoNoises(float distance = 4.0f) {
   const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
   GltfScene scene(syntheticGlb(maps));
@@ -33,7 +33,7 @@ GltfScene twoNoises(float distance = 4.0f) {
   return scene;
 }
 
-/// A scene's renderer, drawn with again and again.
+/// A renderer that renders a scene repeatedly.
 class Session {
 public:
   explicit Session(const GltfScene& source)
@@ -64,8 +64,7 @@ private:
 
 } // namespace
 
-TEST_CASE(
-    "noises that are changed look as in a file that says so, and are back when they are not") {
+TEST_CASE("changed noises look as in a file with the same values, and can be changed back") {
   const GltfScene scene = twoNoises();
   Session session(scene);
   const std::vector<float> first = session.picture();
@@ -102,7 +101,7 @@ TEST_CASE(
   CHECK(session.picture() == first);
 }
 
-TEST_CASE("noise by texture coordinates that a mesh does not have is named once it is asked for") {
+TEST_CASE("changing to a noise whose texture coordinates a mesh lacks adds a note") {
   GltfScene scene = twoNoises();
   Session whole(scene);
   CHECK(whole.renderer().notes().empty());
@@ -117,12 +116,12 @@ TEST_CASE("noise by texture coordinates that a mesh does not have is named once 
   bare.renderer().setNoise(changes);
   const std::vector<std::string> notes = bare.renderer().notes();
   REQUIRE(notes.size() == 1);
-  CHECK_THAT(notes[0], Catch::Contains("/materials/0: its noise lies by TEXCOORD_0"));
+  CHECK_THAT(notes[0], Catch::Contains("/materials/0: its noise is mapped by TEXCOORD_0"));
   bare.renderer().setNoise({});
   CHECK(bare.renderer().notes().empty());
 }
 
-TEST_CASE("textons that take another noise's place keep the material's impacts") {
+TEST_CASE("textons that replace another noise use the material's impacts") {
   GltfScene scene(syntheticTextonGlb({.coefficientsX = 15, .coefficientsY = 15, .mipLevels = 2}));
   json& noises = scene.json["extensions"][kExtension]["noises"];
   json second = noises[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Devices that have, or lack, what the renderer would like of its depth maps' format.
+// Devices with and without the optional features of the depth maps' format.
 #include "rendered.h"
 
 using namespace lichen;
@@ -7,8 +7,8 @@ using namespace lichen::test;
 
 namespace {
 
-/// While it lives, the depth maps' format has exactly these features, and the filters of their
-/// samplers are noted.
+/// For its lifetime, limits the depth maps' format to these features and records the filters of
+/// depth samplers.
 class DepthFormat {
 public:
   explicit DepthFormat(VkFormatFeatureFlags features)
@@ -25,7 +25,7 @@ public:
   DepthFormat(const DepthFormat&) = delete;
   DepthFormat& operator=(const DepthFormat&) = delete;
 
-  /// Of the samplers that compare, as those of depth maps do.
+  /// Filters of the comparison samplers, which only depth maps use.
   [[nodiscard]] const std::vector<VkFilter>& filters() const { return filters_; }
 
 private:
@@ -66,14 +66,14 @@ GltfScene litBall() {
 
 } // namespace
 
-TEST_CASE("shadows are drawn, unfiltered, where depth cannot be filtered") {
+TEST_CASE("shadows are unfiltered if the device cannot filter depth") {
   (void)testDevice(); // loads the functions
   const DepthFormat unfiltered(kDrawnAndSampled);
   (void)render(litBall().glb(), settingsOf(32, 32, 1));
   CHECK(unfiltered.filters() == std::vector{VK_FILTER_NEAREST, VK_FILTER_NEAREST});
 }
 
-TEST_CASE("shadows are filtered where depth can be") {
+TEST_CASE("shadows are filtered if the device can filter depth") {
   const TemporaryFolder folder;
   const auto scene = renderer::readScene(writeInto(folder, "ball.glb", litBall().glb()));
   REQUIRE(scene.ok());
@@ -81,10 +81,10 @@ TEST_CASE("shadows are filtered where depth can be") {
   const DepthFormat filtered(kDrawnAndSampled | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
   CHECK(renderer::renderScene(device, scene.value(), settingsOf(32, 32, 1)).ok());
   CHECK(filtered.filters() == std::vector{VK_FILTER_LINEAR, VK_FILTER_LINEAR});
-  device.messages().clear(); // the device itself may lack the filter, as lavapipe does
+  device.messages().clear(); // the device itself may lack the filter, like lavapipe
 }
 
-TEST_CASE("a device that cannot draw or sample depth is refused by the format") {
+TEST_CASE("the error for a device that cannot render to or sample depth names the format") {
   const TemporaryFolder folder;
   const auto scene = renderer::readScene(writeInto(folder, "ball.glb", litBall().glb()));
   REQUIRE(scene.ok());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light that is seen, reflected, given back and hidden: where a panorama's directions are, in the
-// background and in mirrors, two laws of reflection, by pictures of a plane under lamps, and the
-// share of a sky that a ball hides.
+// Environment light: directions of a panorama in the background and in mirrors; reciprocity and
+// energy conservation of reflection, on planes under lamps; and the share of the sky that a ball
+// occludes.
 #include "rendered.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ RenderSettings settingsUnder(LinearImage environment, std::uint32_t side) {
   return settings;
 }
 
-/// Radiance 1/2 + d/2 from direction d, each axis a colour: +y in the top row, -z in the middle, +x
-/// right of it, as the README of a panorama has it.
+/// A panorama with radiance 1/2 + d/2 from direction d, one colour per axis: +y in the top row, -z
+/// in the middle, +x to its right.
 LinearImage directions() {
   LinearImage image(256, 128, 3);
   for (int y = 0; y < image.height; ++y)
@@ -48,7 +48,7 @@ LinearImage directions() {
 constexpr float kFieldOfView = 1.2f;
 constexpr float kDistance = 4.0f;
 
-/// A mirror ball in front of a camera at +z that looks along -z.
+/// A mirror ball and a camera at +z that looks along -z.
 GltfScene mirrorBall() {
   GltfScene scene;
   scene.addBall(scene.addMaterial(
@@ -66,7 +66,8 @@ struct Plate {
 };
 
 constexpr glm::dvec3 kView{0.0, 0.0, 1.0}; // toward the camera
-/// lighting.cpp's kKeyIrradiance: what each of several equal lamps lays on what faces it.
+/// lighting.cpp's kKeyIrradiance: irradiance of each of several equal lamps on a surface that faces
+/// it.
 constexpr double kLampIrradiance = 1.05 * kPi;
 
 void addPlate(GltfScene& scene, const Plate& plate, float left) {
@@ -82,8 +83,9 @@ void addPlate(GltfScene& scene, const Plate& plate, float left) {
                            {"roughnessFactor", plate.roughness}}}}));
 }
 
-/// Radiance of each plate under equal lamps in these directions, over the irradiance of one lamp.
-/// The lamps are points so far away that their light is parallel: points cast no shadows.
+/// Radiance of each plate under equal lamps in these directions, relative to the irradiance of one
+/// lamp. The lamps are distant point lights, so their light is parallel, and point lights cast no
+/// shadows.
 std::vector<double> radiances(const std::vector<Plate>& plates,
                               const std::vector<glm::dvec3>& lamps) {
   const auto count = int(plates.size());
@@ -117,7 +119,7 @@ std::vector<double> radiances(const std::vector<Plate>& plates,
 constexpr float kBallHeight = 1.5f;
 constexpr float kGroundHalf = 2.9f;
 
-/// A white ball over a white ground, from above, the ground to the picture's edges.
+/// A white ball on a white ground that fills the picture, from above.
 GltfScene ballFromAbove() {
   GltfScene scene;
   const std::size_t white = scene.addMaterial(
@@ -135,9 +137,9 @@ GltfScene ballFromAbove() {
   return scene;
 }
 
-/// Of the light of an even sky on level ground, what a ball of radius 1 leaves at this distance
-/// from where it stands: it hides the cosine over the square of its distance, and the sky's lowest
-/// 0.12 are not looked at (frame_data.cpp), which have the square of that of the light.
+/// The share of a uniform sky's light that reaches level ground at this distance from a ball of
+/// radius 1: the ball occludes the cosine over its squared distance. The sky's lowest 0.12 are
+/// never sampled (frame_data.cpp); they have 0.12 squared of the light.
 double lightBeside(double across) {
   const double distance = std::hypot(across, double(kBallHeight));
   return 1.0 - kBallHeight / (distance * distance * distance) / (1.0 - 0.12 * 0.12);
@@ -145,8 +147,8 @@ double lightBeside(double across) {
 
 } // namespace
 
-TEST_CASE("what is seen of a panorama is what lies in that direction") {
-  // A texel of 1/256 of a turn, and half floats.
+TEST_CASE("background and mirror show the panorama in the right direction") {
+  // A texel covers 1/256 of a full turn, and values are half floats.
   constexpr double kTolerance = 0.01;
   constexpr int kSide = 48;
   const LinearImage picture = render(mirrorBall().glb(), settingsUnder(directions(), kSide));
@@ -156,10 +158,11 @@ TEST_CASE("what is seen of a panorama is what lies in that direction") {
     for (int x = 0; x < kSide; ++x) {
       glm::dvec3 d = glm::normalize(glm::dvec3((2.0 * (x + 0.5) / kSide - 1.0) * half,
                                                (1.0 - 2.0 * (y + 0.5) / kSide) * half, -1.0));
-      // The way from the camera to a ball of radius 1 at the origin: p = (0, 0, kDistance) + t d.
+      // Intersects the camera ray with the ball of radius 1 at the origin: p = (0, 0, kDistance) +
+      // t d.
       const double b = kDistance * d.z;
       const double under = b * b - (kDistance * kDistance - 1.0);
-      // Near its outline the ball is a polyhedron, and its reflection turns fast.
+      // Near its outline the ball is visibly a polyhedron, and its reflection changes fast.
       constexpr double kOutline = 0.35;
       if (under > 0.0 && under < kOutline)
         continue;
@@ -180,14 +183,13 @@ TEST_CASE("what is seen of a panorama is what lies in that direction") {
   CHECK(mirrored > 100);
 }
 
-TEST_CASE("light takes the same way back: lamp and camera can change places") {
-  // Half floats, and a table with 32 steps that is read at two places.
+TEST_CASE("reflection is reciprocal: exchanging lamp and camera gives the same radiance") {
+  // Half floats, and a table with 32 steps that is sampled twice.
   constexpr double kTolerance = 0.01;
   const double angle = GENERATE(0.5, 1.3); // between camera and lamp
   const glm::dvec3 lamp(std::sin(angle), 0.0, std::cos(angle));
   const glm::dvec3 between = glm::normalize(kView - lamp);
-  // Pairs of plates: the second sees the lamp as the first sees the camera, and the other way
-  // round.
+  // Pairs of plates: lamp and camera have exchanged roles on the second one.
   std::vector<Plate> plates;
   for (const double metallic : {0.0, 1.0})
     for (const double roughness : {0.3, 0.6, 1.0})
@@ -197,21 +199,21 @@ TEST_CASE("light takes the same way back: lamp and camera can change places") {
           plates.push_back({normal, metallic, roughness, 0.9});
           plates.push_back({glm::reflect(normal, between), metallic, roughness, 0.9});
         }
-  const std::vector<double> seen = radiances(plates, {lamp});
+  const std::vector<double> measured = radiances(plates, {lamp});
   for (std::size_t i = 0; i < plates.size(); i += 2) {
     INFO("metallic " << plates[i].metallic << ", roughness " << plates[i].roughness);
-    const double there = seen[i] / glm::dot(plates[i].normal, lamp);
-    const double back = seen[i + 1] / glm::dot(plates[i + 1].normal, lamp);
-    REQUIRE(there > 0.01);
-    CHECK(there == Approx(back).epsilon(kTolerance));
+    const double forward = measured[i] / glm::dot(plates[i].normal, lamp);
+    const double backward = measured[i + 1] / glm::dot(plates[i + 1].normal, lamp);
+    REQUIRE(forward > 0.01);
+    CHECK(forward == Approx(backward).epsilon(kTolerance));
   }
 }
 
-TEST_CASE("a white metal gives back all the light of lamps in all directions", "[large]") {
+TEST_CASE("a white metal reflects all the light of lamps in all directions", "[large]") {
   constexpr std::size_t kPictures = 16;
-  constexpr std::size_t kLamps = 16; // as many as there may be
+  constexpr std::size_t kLamps = 16; // the maximum
   constexpr std::size_t kDirections = kPictures * kLamps;
-  constexpr double kTolerance = 0.03; // of the sum over 256 directions; measured below 2 %
+  constexpr double kTolerance = 0.03; // for the sum over 256 directions; measured below 2 %
   std::vector<Plate> plates;
   for (const double roughness : {0.5, 0.8, 1.0})
     for (const double view : {0.2, 0.8, 1.2})
@@ -225,9 +227,9 @@ TEST_CASE("a white metal gives back all the light of lamps in all directions", "
       const double r = std::sqrt(1.0 - z * z);
       lamps.push_back({r * std::cos(turn), r * std::sin(turn), z});
     }
-    const std::vector<double> seen = radiances(plates, lamps);
+    const std::vector<double> measured = radiances(plates, lamps);
     for (std::size_t i = 0; i < plates.size(); ++i)
-      albedo[i] += seen[i] * 4.0 * kPi / double(kDirections);
+      albedo[i] += measured[i] * 4.0 * kPi / double(kDirections);
   }
   for (std::size_t i = 0; i < plates.size(); ++i) {
     INFO("roughness " << plates[i].roughness << ", n.v " << plates[i].normal.z);
@@ -235,8 +237,8 @@ TEST_CASE("a white metal gives back all the light of lamps in all directions", "
   }
 }
 
-TEST_CASE("a ball hides its share of the sky, in one frame nearly as in many") {
-  // Well spread directions must do better than as many random ones of equal weight would.
+TEST_CASE("a ball occludes its share of the sky, in one frame almost as in many") {
+  // Low-discrepancy directions must do better than the same number of random ones.
   constexpr int kSide = 64;
   LinearImage white(2, 1, 3);
   std::fill(white.values.begin(), white.values.end(), 1.0f);
@@ -249,9 +251,9 @@ TEST_CASE("a ball hides its share of the sky, in one frame nearly as in many") {
     int count = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
-        const auto place = [](int i) { return ((i + 0.5) / kSide * 2.0 - 1.0) * kGroundHalf; };
-        const double across = std::hypot(place(x), place(y));
-        if (across < 1.1) // the ball itself
+        const auto position = [](int i) { return ((i + 0.5) / kSide * 2.0 - 1.0) * kGroundHalf; };
+        const double across = std::hypot(position(x), position(y));
+        if (across < 1.1) // the ball
           continue;
         const double light = lightBeside(across);
         const double error = double(picture.pixel(x, y)[1]) - light;

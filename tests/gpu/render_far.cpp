@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes far from the world's origin: a place in the world has the pattern that exact arithmetic
-// gives it, and what does not depend on the place looks as at the origin.
+// Scenes far from the world's origin: noise has the pattern that exact arithmetic gives for a
+// position, and everything else looks as at the origin.
 #include "rendered.h"
 #include "scene_renderer.h"
 #include "synthetic_noise.h"
@@ -19,20 +19,20 @@ using nlohmann::json;
 
 namespace {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 constexpr int kWidth = 24, kHeight = 16;
 constexpr float kDistance = 3.0f, kFieldOfView = 0.3f;
 constexpr float kLevel = 1.0f / 255.0f;
 constexpr std::array<float, 3> kNormal{6.0f / 11.0f, 6.0f / 11.0f,
-                                       7.0f / 11.0f}; // all planes count
+                                       7.0f / 11.0f}; // all planes contribute
 constexpr std::array<float, 4> kTangent{7.0f / 11.0f, -6.0f / 11.0f, 6.0f / 11.0f, 1.0f};
 
-const std::array<Place, 5> kPlaces{{{0, 0, 0},
-                                    {12.3, -45.6, 7.8},
-                                    {1e5 + 0.3, 2e5 - 0.7, -3e5 + 0.1},
-                                    {-1234567.8, 1e6, 7654.3},
-                                    {1e7 + 0.1, -2e7 + 0.2, 3e7 + 0.3}}};
+const std::array<Position, 5> kPositions{{{0, 0, 0},
+                                          {12.3, -45.6, 7.8},
+                                          {1e5 + 0.3, 2e5 - 0.7, -3e5 + 0.1},
+                                          {-1234567.8, 1e6, 7654.3},
+                                          {1e7 + 0.1, -2e7 + 0.2, 3e7 + 0.3}}};
 
 BundleFile tilingBundle() {
   const SyntheticMap map{3, 64, 48};
@@ -45,11 +45,11 @@ void setParameters(BundleFile& file, Mapping mapping) {
   use.rotation = 0.4;
   use.scale = 2.0;
   use.seed = 3;
-  file.bundle.noises[0].tileSizeMetres = 0.3; // which no float is
+  file.bundle.noises[0].tileSizeMetres = 0.3; // not exactly representable as a float
 }
 
-/// At each of the places a square, and a camera that faces it and sees nothing else.
-GltfScene squares(const BundleFile& file, std::span<const Place> places) {
+/// A square at each position, with a camera that faces it and sees nothing else.
+GltfScene squares(const BundleFile& file, std::span<const Position> centers) {
   GltfScene scene(encodeGlb(file).value());
   std::vector<float> normals, tangents;
   for (int corner = 0; corner < 4; ++corner) {
@@ -66,15 +66,15 @@ GltfScene squares(const BundleFile& file, std::span<const Place> places) {
   const json square = nodes[0], camera = nodes[1];
   nodes = json::array();
   json roots = json::array();
-  for (const Place& place : places) {
+  for (const Position& position : centers) {
     const std::size_t first = nodes.size();
     nodes.push_back(square);
     nodes.push_back(camera);
-    nodes.push_back({{"translation", place}, {"children", {first, first + 1}}});
+    nodes.push_back({{"translation", position}, {"children", {first, first + 1}}});
     roots.push_back(first + 2);
   }
   scene.json["scenes"][0]["nodes"] = roots;
-  scene.addSun(3.0f); // that of the other scenes, whose sky takes a while
+  scene.addSun(3.0f); // same sun as in the other scenes, so that the cached sky is reused
   return scene;
 }
 
@@ -86,18 +86,18 @@ renderer::Scene read(const GltfScene& source) {
   return std::move(scene).value();
 }
 
-/// The squares' base colours, drawn by one camera that flies from one to the next.
+/// The squares' base colours, rendered by one camera that moves between them.
 class Flight {
 public:
   explicit Flight(const BundleFile& file)
-      : scene_(read(squares(file, kPlaces))), renderer_(testDevice(), scene_, settings()) {
+      : scene_(read(squares(file, kPositions))), renderer_(testDevice(), scene_, settings()) {
     testDevice().messages().clear();
   }
 
   renderer::SceneRenderer& renderer() { return renderer_; }
 
-  LinearImage pictureAt(std::size_t place) {
-    renderer_.setCamera(scene_.cameras.at(place));
+  LinearImage pictureAt(std::size_t position) {
+    renderer_.setCamera(scene_.cameras.at(position));
     renderer_.drawFrame(0);
     for (const std::string& text : testDevice().messages().texts())
       FAIL_CHECK(text);
@@ -115,14 +115,14 @@ private:
   renderer::SceneRenderer renderer_;
 };
 
-/// A place in the world as a whole number of tiles and a rest.
+/// A world position as a whole number of tiles and a remainder.
 struct Tiles {
-  Tiles(const BundleFile& file, const Place& place) {
+  Tiles(const BundleFile& file, const Position& position) {
     const double side = file.bundle.materials[0]->scale * file.bundle.noises[0].tileSizeMetres;
     std::array<std::int64_t, 3> whole{};
     for (std::size_t k = 0; k < 3; ++k) {
-      whole[k] = std::int64_t(std::floor(place[k] / side));
-      rest[k] = float(place[k] - side * double(whole[k]));
+      whole[k] = std::int64_t(std::floor(position[k] / side));
+      rest[k] = float(position[k] - side * double(whole[k]));
     }
     origin.tileOriginX = whole[0];
     origin.tileOriginY = whole[1];
@@ -132,7 +132,7 @@ struct Tiles {
   std::array<float, 3> rest{};
 };
 
-/// Where a pixel sees its square.
+/// The footprint of a pixel on its square.
 template <class Footprint>
 Footprint footprint(const std::array<float, 3>& rest, int x, int y) {
   const float pixel = 2.0f * kDistance * std::tan(kFieldOfView / 2) / kHeight;
@@ -163,23 +163,23 @@ float greatestDifference(const LinearImage& a, const LinearImage& b) {
   return greatest;
 }
 
-/// Each pixel of each square against what `valueAt(tiles, x, y)` says.
+/// Compares each pixel of each square with `valueAt(tiles, x, y)`.
 template <class ValueAt>
 void checkPattern(const BundleFile& file, Flight& flight, ValueAt valueAt) {
-  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+  for (std::size_t i = 0; i < kPositions.size(); ++i) {
     const LinearImage picture = flight.pictureAt(i);
-    const Tiles tiles(file, kPlaces[i]);
+    const Tiles tiles(file, kPositions[i]);
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
         const auto expected = valueAt(tiles, x, y);
-        INFO("place " << i << ", pixel " << x << ", " << y);
+        INFO("position " << i << ", pixel " << x << ", " << y);
         for (std::size_t c = 0; c < 3; ++c)
           REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(kLevel));
       }
   }
-  // It is that part of the pattern and no other: neither a tile nor half a tile away.
-  const LinearImage picture = flight.pictureAt(kPlaces.size() - 1);
-  Tiles next(file, kPlaces.back()), half = next;
+  // The pattern differs from those one tile and half a tile away.
+  const LinearImage picture = flight.pictureAt(kPositions.size() - 1);
+  Tiles next(file, kPositions.back()), half = next;
   next.origin.tileOriginX += 1;
   half.rest[1] += 0.3f;
   for (const Tiles& other : {next, half})
@@ -187,15 +187,15 @@ void checkPattern(const BundleFile& file, Flight& flight, ValueAt valueAt) {
           2.0 * double(kLevel));
 }
 
-/// All that stands in a scene, moved.
-GltfScene moved(GltfScene scene, const Place& way) {
+/// The scene with all its nodes moved.
+GltfScene moved(GltfScene scene, const Position& offset) {
   json& roots = scene.json["scenes"][0]["nodes"];
-  scene.json["nodes"].push_back({{"translation", way}, {"children", roots}});
+  scene.json["nodes"].push_back({{"translation", offset}, {"children", roots}});
   roots = {scene.json["nodes"].size() - 1};
   return scene;
 }
 
-/// A ball and a blended box on a ground, in the light of a sun that casts shadows and of a lamp.
+/// A ball and a blended box on a ground, lit by a sun that casts shadows and by a lamp.
 GltfScene stillLife(const BundleFile& file) {
   GltfScene scene(encodeGlb(file).value());
   const json glass{{"alphaMode", "BLEND"},
@@ -217,7 +217,7 @@ renderer::RenderSettings stillSettings() { return settingsOf(64, 48, 1); }
 
 } // namespace
 
-TEST_CASE("noise in three planes has the pattern of its place in the world, however far that is") {
+TEST_CASE("triplanar noise has the pattern of its world position at any distance") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
   const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
@@ -227,14 +227,14 @@ TEST_CASE("noise in three planes has the pattern of its place in the world, howe
                          footprint<TriplanarFootprint>(tiles.rest, x, y));
   });
   CHECK(flight.renderer().notes().empty());
-  // In the space of their objects the squares have one pattern.
+  // In object space, all squares have the same pattern.
   flight.renderer().setNoise({.inObjectSpace = true});
   const LinearImage home = flight.pictureAt(0);
-  for (std::size_t i = 1; i < kPlaces.size(); ++i)
+  for (std::size_t i = 1; i < kPositions.size(); ++i)
     CHECK(greatestDifference(flight.pictureAt(i), home) < kLevel);
 }
 
-TEST_CASE("noise on a surface has the pattern of its place in the world, however far that is") {
+TEST_CASE("noise on a surface has the pattern of its world position at any distance") {
   BundleFile file = syntheticTextonBundle({.wholeFloats = true});
   setParameters(file, Mapping::surface);
   const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
@@ -248,40 +248,40 @@ TEST_CASE("noise on a surface has the pattern of its place in the world, however
   });
 }
 
-TEST_CASE("what does not depend on the place in the world looks as at the origin, however far") {
+TEST_CASE("everything else looks as at the world's origin at any distance") {
   const GltfScene scene = stillLife(tilingBundle());
   const LinearImage home = render(scene.glb(), stillSettings());
-  const LinearImage away = render(moved(scene, kPlaces.back()).glb(), stillSettings());
+  const LinearImage away = render(moved(scene, kPositions.back()).glb(), stillSettings());
   CHECK(greatestDifference(away, home) < kLevel);
-  // By whole steps of the origin that is drawn around there is nothing to round.
+  // Offsets are whole steps of the rendering origin, so nothing is rounded.
   CHECK(render(moved(scene, {1 << 20, -(1 << 17), 1 << 23}).glb(), stillSettings()).values ==
         home.values);
 }
 
-TEST_CASE("shaded noise in the world looks alike whatever the origin that it is drawn around") {
+TEST_CASE("shaded noise in world space does not depend on the rendering origin") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
   const renderer::Scene scene = read(moved(stillLife(file), {1e6 + 77.7, 2e6 + 55.5, -1e6 - 33.3}));
-  renderer::SceneRenderer drawn(testDevice(), scene, stillSettings());
+  renderer::SceneRenderer sceneRenderer(testDevice(), scene, stillSettings());
   std::vector<LinearImage> pictures;
   std::vector<glm::dvec3> origins;
   for (const float near : {0.1f, 0.01f}) {
     renderer::Camera camera = scene.cameras[0];
     camera.near = near;
-    drawn.setCamera(camera);
-    drawn.drawFrame(0);
-    pictures.push_back(drawn.average(1));
+    sceneRenderer.setCamera(camera);
+    sceneRenderer.drawFrame(0);
+    pictures.push_back(sceneRenderer.average(1));
     origins.push_back(renderer::originNear(camera, {}));
   }
   CHECK(glm::distance(origins[0], origins[1]) > 10.0);
   CHECK(greatestDifference(pictures[0], pictures[1]) < 2.0f * kLevel);
 }
 
-TEST_CASE("an orthographic camera sees as finely from afar as from near by") {
+TEST_CASE("an orthographic camera is as precise from far away as from nearby") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
   const renderer::Scene scene = read(moved(stillLife(file), {77.7, 55.5, -33.3}));
-  renderer::SceneRenderer drawn(testDevice(), scene, stillSettings());
+  renderer::SceneRenderer sceneRenderer(testDevice(), scene, stillSettings());
   std::vector<LinearImage> pictures;
   for (const double away : {0.0, 1e5, 1e7}) {
     renderer::Camera camera = scene.cameras[0];
@@ -290,61 +290,63 @@ TEST_CASE("an orthographic camera sees as finely from afar as from near by") {
     camera.worldFromCamera[3] += away * camera.worldFromCamera[2];
     camera.near = float(away);
     camera.far = float(away + 20.0);
-    drawn.setCamera(camera);
-    drawn.drawFrame(0);
-    pictures.push_back(drawn.average(1));
+    sceneRenderer.setCamera(camera);
+    sceneRenderer.drawFrame(0);
+    pictures.push_back(sceneRenderer.average(1));
   }
   for (std::size_t i = 1; i < pictures.size(); ++i)
     CHECK(greatestDifference(pictures[i], pictures[0]) < 2.0f * kLevel);
 }
 
-TEST_CASE("noise that is too small to be seen is named") {
+TEST_CASE("a note names noise that is too small to be visible") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
-  const Place place{0.0, 0.0, 0.0};
+  const Position position{0.0, 0.0, 0.0};
   const auto notesAt = [&](double pixels, float aspectRatio = 0.0f, double aside = 0.0) {
-    const double height = 2.0 * kDistance * std::tan(kFieldOfView / 2); // in stillSettings()' 48
+    // in the 48 pixels of stillSettings()
+    const double height = 2.0 * kDistance * std::tan(kFieldOfView / 2);
     file.bundle.materials[0]->scale = pixels / 48.0 * height / file.bundle.noises[0].tileSizeMetres;
-    renderer::Scene scene = read(squares(file, {&place, 1}));
+    renderer::Scene scene = read(squares(file, {&position, 1}));
     scene.cameras[0].aspectRatio = aspectRatio;
     scene.cameras[0].worldFromCamera[3].x += aside;
     return renderer::SceneRenderer(testDevice(), scene, stillSettings()).notes();
   };
-  const std::vector<std::string> noted{
-      "/materials/0: an exemplar's width of its noise is 3.2 pixels at most: little but the "
-      "mean is seen; a larger scale or a nearer camera shows the noise"};
+  const std::vector<std::string> expectedNotes{
+      "/materials/0: an exemplar of its noise is at most 3.2 pixels wide, so little more than "
+      "the mean is visible; use a larger scale or move the camera closer"};
   CHECK(notesAt(4.1).empty());
-  CHECK(notesAt(3.2) == noted);
-  // Three times as wide as the picture, of which it shows more above and below.
-  CHECK(notesAt(9.6, 4.0f) == noted);
-  // What is off the axis is as large as on it.
-  CHECK(notesAt(3.2, 0.0f, 9.0) == noted);
+  CHECK(notesAt(3.2) == expectedNotes);
+  // A camera three times as wide as the picture shows more above and below.
+  CHECK(notesAt(9.6, 4.0f) == expectedNotes);
+  // Size on screen does not depend on the distance to the viewing axis.
+  CHECK(notesAt(3.2, 0.0f, 9.0) == expectedNotes);
   CHECK(notesAt(4.1, 0.0f, 9.0).empty());
 }
 
-TEST_CASE("noise that floats or the lattice cannot place finely is named") {
+TEST_CASE("a note names noise that floats or the lattice cannot resolve") {
   BundleFile file = tilingBundle();
   setParameters(file, Mapping::triplanar);
   file.bundle.materials[0]->scale = 1.0 / 16384.0 / 0.3; // corners are sqrt(2) from their node
-  const Place place{0.0, 1e8, 0.0};
-  const renderer::Scene scene = read(squares(file, {&place, 1}));
+  const Position position{0.0, 1e8, 0.0};
+  const renderer::Scene scene = read(squares(file, {&position, 1}));
   renderer::RenderSettings settings = stillSettings();
   settings.debugView = "planes";
-  renderer::SceneRenderer drawn(testDevice(), scene, settings);
+  renderer::SceneRenderer sceneRenderer(testDevice(), scene, settings);
   CHECK(
-      drawn.notes() ==
+      sceneRenderer.notes() ==
       std::vector<std::string>{
-          "the camera is more than 2^40 tiles from the world's origin; what of the noise of "
-          "/materials/0 is beyond them is coarse",
-          "/materials/0: vertices are 1.41 units from their node, where floats are 1.2e-07 "
-          "apart, in tiles of 6.1e-05: its noise may be coarse there; vertices near their node are "
-          "drawn fine wherever it is",
-          "/materials/0: an exemplar's width of its noise is 0.0032 pixels at most: little but the "
-          "mean is seen; a larger scale or a nearer camera shows the noise"});
+          "/materials/0: the camera is more than 2^40 tiles of its noise from the world's origin; "
+          "the noise there lacks detail",
+          "/materials/0: vertices are 1.41 units from their node's origin, where floats are "
+          "1.2e-07 apart; its noise, with tiles of 6.1e-05, may lack detail there; move the "
+          "node's origin closer to its vertices",
+          "/materials/0: an exemplar of its noise is at most 0.0032 pixels wide, so little more "
+          "than the mean is visible; use a larger scale or move the camera closer"});
   renderer::Camera home = scene.cameras[0];
   home.worldFromCamera[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
-  drawn.setCamera(home);
-  const std::vector<std::string> notes = drawn.notes();
-  CHECK(std::none_of(notes.begin(), notes.end(),
-                     [](const std::string& note) { return note.starts_with("the camera"); }));
+  sceneRenderer.setCamera(home);
+  const std::vector<std::string> notes = sceneRenderer.notes();
+  CHECK(std::none_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("the camera is") != note.npos;
+  }));
 }

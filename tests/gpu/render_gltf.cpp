@@ -140,7 +140,7 @@ void GltfScene::addBox(std::size_t material, nlohmann::json node) {
   for (int axis = 0; axis < 3; ++axis)
     for (const float side : {-1.0f, 1.0f}) {
       const auto first = std::uint32_t(positions.size() / 3);
-      // Corners about the face's normal, counter-clockwise from outside.
+      // Corners around the face's normal, counter-clockwise from outside.
       for (const auto& [u, v] :
            {std::pair{-1.0f, -side}, {1.0f, -side}, {1.0f, side}, {-1.0f, side}}) {
         std::array<float, 3> position{}, normal{}, tangent{};
@@ -184,7 +184,7 @@ void GltfScene::addSun(float lux) {
   json["extensionsUsed"].push_back("KHR_lights_punctual");
   json["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "directional"}, {"intensity", lux}}};
-  // -z, the way the light travels, turned down by 50 degrees and aside by 30.
+  // Rotates -z, the direction of the light, down by 50 degrees and sideways by 30.
   json["nodes"].push_back({{"rotation", {-0.4082, -0.2346, -0.1094, 0.8754}},
                            {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
@@ -219,7 +219,7 @@ GltfScene triangleScene() {
 std::filesystem::path writeInto(const TemporaryFolder& folder, const std::string& name,
                                 std::span<const std::byte> bytes) {
   const std::filesystem::path path = folder.path() / name;
-  std::ofstream file(path, std::ios::binary); // replaceFile() would wait for the disk each time
+  std::ofstream file(path, std::ios::binary); // replaceFile() would flush to disk every time
   file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   if (!file.flush())
     throw std::runtime_error("cannot write " + path.string());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small glTF scenes made by the tests: meshes and images in one binary chunk, JSON to be changed
-// before it becomes a GLB.
+// Builds small glTF scenes for tests: meshes and images in one binary chunk, and JSON that tests
+// can edit before writing a GLB.
 #pragma once
 
 #include "../unit/temporary_folder.h"
@@ -20,7 +20,7 @@ namespace lichen::test {
 class GltfScene {
 public:
   GltfScene();
-  /// The content of a GLB with one buffer, such as a material library, for meshes to be added to.
+  /// Starts from a GLB with one buffer, such as a material library, to add meshes to it.
   explicit GltfScene(std::span<const std::byte> glb);
 
   nlohmann::json json;
@@ -32,27 +32,28 @@ public:
   std::size_t addFloats(const std::vector<float>& values, std::size_t components);
   /// An accessor of indices of 1, 2 or 4 bytes.
   std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t bytesEach);
-  /// A texture of a PNG with this checkerboard, `side` cells a side; returns the texture's index.
+  /// Adds a texture with a checkerboard of `side` x `side` cells, stored as PNG; returns the
+  /// texture's index.
   std::size_t addChecker(int side, std::array<float, 3> a, std::array<float, 3> b);
-  /// A mesh of one primitive, and a node that stands in the scene.
+  /// Adds a mesh of one primitive and a node of the scene with it.
   void addMesh(nlohmann::json attributes, std::size_t indices, std::size_t material,
                nlohmann::json node = nlohmann::json::object());
   std::size_t addMaterial(nlohmann::json material);
 
-  /// A sphere of radius 1 with normals and texture coordinates, and a ground at height y.
+  /// Adds a sphere of radius 1 with normals and texture coordinates.
   void addBall(std::size_t material, nlohmann::json node = nlohmann::json::object());
-  /// A box of side 1.4 with normals and tangents, and without texture coordinates.
+  /// Adds a box of side 1.4 with normals and tangents, without texture coordinates.
   void addBox(std::size_t material, nlohmann::json node = nlohmann::json::object());
   void addGround(std::size_t material, float halfSide, float y);
-  /// A camera on the positive z axis that looks at the origin from `distance`.
+  /// Adds a camera on the positive z axis that looks at the origin from `distance`.
   void addCamera(float distance, float fieldOfView, float height = 0.0f, float tilt = 0.0f);
-  /// A light that shines from above, the left and the front.
+  /// Adds a directional light from above, left and front.
   void addSun(float lux);
 
   [[nodiscard]] std::vector<std::byte> glb() const;
 };
 
-/// One triangle with a camera-less scene: the smallest file that loads.
+/// A scene with one triangle and no camera: the smallest file that loads.
 [[nodiscard]] GltfScene triangleScene();
 
 /// Writes a file into a folder and returns its path.

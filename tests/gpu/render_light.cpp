@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The environment on the CPU: energy is kept, whatever is prepared from a panorama.
+// The environment on the CPU: prefiltering a panorama conserves energy.
 #include "environment.h"
 #include "lighting.h"
 #include "shaders/scene_interface.h"
@@ -33,14 +33,14 @@ bool isWhite(const CubeLevel& level) {
 
 } // namespace
 
-TEST_CASE("a white panorama is white to every roughness and every normal") {
+TEST_CASE("a white panorama is white for every roughness and every normal") {
   const Environment environment = prepareEnvironment(whitePanorama(64, 32));
   for (const CubeLevel& level : environment.specular)
     CHECK(isWhite(level));
   CHECK(isWhite(environment.diffuse));
 }
 
-TEST_CASE("a panorama of any shape can be prepared, a single row or column too") {
+TEST_CASE("a panorama of any shape can be prefiltered, even a single row or column") {
   for (const auto& [width, height] : {std::pair(1, 1), {1, 37}, {64, 1}, {2, 3}, {5, 4}}) {
     INFO(width << " x " << height);
     const Environment environment = prepareEnvironment(whitePanorama(width, height));
@@ -49,23 +49,23 @@ TEST_CASE("a panorama of any shape can be prepared, a single row or column too")
   }
 }
 
-TEST_CASE("a panorama larger than a device takes is averaged to half until it fits") {
+TEST_CASE("fitInto() halves a panorama by averaging until it fits") {
   LinearImage ramp(16, 4, 3);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 16; ++x)
       for (int c = 0; c < 3; ++c)
         ramp.pixel(x, y)[c] = float(x + 100 * y + 1000 * c);
-  const LinearImage small = fitted(ramp, 5);
+  const LinearImage small = fitInto(ramp, 5);
   REQUIRE(small.width == 4);
   REQUIRE(small.height == 1);
-  for (int x = 0; x < 4; ++x) // means of 4 x 4: of x, 4 x + 1.5; of y, 1.5
+  for (int x = 0; x < 4; ++x) // means of 4 x 4 pixels: 4 x + 1.5 in x, 1.5 in y
     CHECK(small.pixel(x, 0)[1] == Approx(4 * x + 1.5 + 150 + 1000));
-  CHECK(fitted(ramp, 16).values == ramp.values);
-  CHECK(fitted(whitePanorama(300, 1), 128).width == 75);
-  CHECK(fitted(whitePanorama(1, 300), 128).height == 75);
+  CHECK(fitInto(ramp, 16).values == ramp.values);
+  CHECK(fitInto(whitePanorama(300, 1), 128).width == 75);
+  CHECK(fitInto(whitePanorama(1, 300), 128).height == 75);
 }
 
-TEST_CASE("the matte side of a panorama is its irradiance over pi") {
+TEST_CASE("the diffuse cube map is irradiance over pi") {
   // Radiance 1 + y: the irradiance of a normal n is pi (1 + 2/3 n.y) in closed form.
   LinearImage panorama(128, 64, 3);
   for (int y = 0; y < panorama.height; ++y)
@@ -74,19 +74,18 @@ TEST_CASE("the matte side of a panorama is its irradiance over pi") {
         panorama.pixel(x, y)[c] =
             1.0f + panoramaDirection({(float(x) + 0.5f) / 128.0f, (float(y) + 0.5f) / 64.0f}).y;
   const CubeLevel diffuse = prepareEnvironment(panorama).diffuse;
-  const auto texel = [&](int face) { // nearest to its centre
+  const auto texel = [&](int face) { // nearest to the face's centre
     const auto side = std::size_t(diffuse.side);
     return diffuse.texels[std::size_t(face) * side * side + side / 2 * side + side / 2].x;
   };
   CHECK(texel(2) == Approx(1.0 + 2.0 / 3.0).epsilon(0.01)); // +y
   CHECK(texel(3) == Approx(1.0 - 2.0 / 3.0).epsilon(0.02)); // -y
-  CHECK(texel(0) == Approx(1.0).epsilon(0.06)); // +x; the centre texel leans by half a texel
+  CHECK(texel(0) == Approx(1.0).epsilon(0.06)); // +x; the centre texel is off by half a texel
 }
 
 namespace {
 
-/// A bright spot of a few degrees over a slope from dark to light, which no filter is right about
-/// by symmetry.
+/// A bright spot of a few degrees on a gradient; no filter is exact on it by symmetry.
 LinearImage unevenPanorama() {
   const glm::vec3 spot = glm::normalize(glm::vec3(0.4f, 0.5f, -0.7f));
   constexpr float kSharpness = 200.0f; // falls to 1/e at 6 degrees
@@ -103,7 +102,7 @@ LinearImage unevenPanorama() {
   return image;
 }
 
-/// The panorama under the GGX lobe about an axis, weighted with the cosine: the sum over its
+/// The panorama under the GGX lobe around an axis, weighted by the cosine, as a sum over its
 /// texels.
 double directIntegral(const LinearImage& panorama, glm::vec3 axis, float alpha) {
   const double a2 = double(alpha) * alpha;
@@ -126,7 +125,8 @@ double directIntegral(const LinearImage& panorama, glm::vec3 axis, float alpha) 
   return sum / weights;
 }
 
-/// Of a texel of a cube map's face [Vulkan 1.3, table "Cube map face and coordinate selection"].
+/// Direction of a texel of a cube map's face [Vulkan 1.3, table "Cube map face and coordinate
+/// selection"].
 glm::vec3 faceDirection(int face, int side, int x, int y) {
   const float a = (2.0f * float(x) + 1.0f) / float(side) - 1.0f;
   const float b = (2.0f * float(y) + 1.0f) / float(side) - 1.0f;
@@ -137,14 +137,14 @@ glm::vec3 faceDirection(int face, int side, int x, int y) {
 
 } // namespace
 
-TEST_CASE("what each roughness sees of a panorama is the integral over its lobe") {
-  // Of 48 samples of a lobe; measured 0.025 and 0.083 at roughness 1. The spot is 20 times as
-  // bright as what is around it.
+TEST_CASE("each specular level is the integral over its lobe") {
+  // For 48 samples per lobe; measured 0.025 and 0.083 at roughness 1. The spot is 20 times as
+  // bright as its surroundings.
   constexpr double kMeanError = 0.03;
   constexpr double kWorstError = 0.1;
   const LinearImage panorama = unevenPanorama();
   const Environment environment = prepareEnvironment(panorama);
-  for (int level = 2; level < kSpecularLevels; ++level) { // of sharper lobes a texel is too coarse
+  for (int level = 2; level < kSpecularLevels; ++level) { // sharper lobes are smaller than a texel
     const CubeLevel& cube = environment.specular[std::size_t(level)];
     const float alpha = alphaOf(float(level) / float(kSpecularLevels - 1));
     double worst = 0.0, square = 0.0;
@@ -166,7 +166,7 @@ TEST_CASE("what each roughness sees of a panorama is the integral over its lobe"
   }
 }
 
-TEST_CASE("no roughness reflects more than it gets, and a smooth mirror all of it") {
+TEST_CASE("no roughness reflects more light than arrives, and a smooth mirror reflects all of it") {
   constexpr int kSide = 16;
   const auto table = environmentBrdf(kSide);
   for (const glm::vec4 value : table) {
@@ -178,16 +178,16 @@ TEST_CASE("no roughness reflects more than it gets, and a smooth mirror all of i
   CHECK(table[kSide - 1].z < 0.01f);
 }
 
-// The lobe of what is lost once is lossOfLight lossOfView / (pi meanLoss): integrated over the
-// light with its cosine it gives lossOfView, all that is missing, where the means are of the losses
-// that are read.
-TEST_CASE("what a white metal loses once comes back, at any roughness") {
+// The multiple-scattering lobe is lossOfLight lossOfView / (pi meanLoss). Its cosine-weighted
+// integral over the light is lossOfView, exactly the missing energy, if meanLoss is the mean of the
+// stored losses.
+TEST_CASE("multiple scattering restores the energy that a white metal loses at any roughness") {
   const auto half = [](float value) {
     return double(glm::unpackHalf1x16(glm::packHalf1x16(value)));
   };
   const auto table = environmentBrdf(kBrdfSide);
-  constexpr double kTolerance = 0.002; // halves have 11 bits, and the sum is of 32
-  constexpr double kLeastHalf = 6e-8;  // the step of the smallest
+  constexpr double kTolerance = 0.002; // halves have 11 bits, and the sum has 32 terms
+  constexpr double kLeastHalf = 6e-8;  // smallest positive half
   for (int y = 0; y < kBrdfSide; ++y) {
     const glm::vec4* row = &table[std::size_t(y * kBrdfSide)];
     double back = 0.0;
@@ -198,13 +198,13 @@ TEST_CASE("what a white metal loses once comes back, at any roughness") {
   }
 }
 
-TEST_CASE("the sky lays the light on level ground that was asked for") {
+TEST_CASE("the sky has the requested irradiance on level ground") {
   for (const float height : {0.1f, 0.5f, 0.9f}) {
     const glm::vec3 towardSun(std::sqrt(1.0f - height * height), height, 0.0f);
     const Sky made = makeSky(towardSun, glm::vec3(0.0f), 2.0f, 128);
     const LinearImage& sky = made.panorama;
-    // Independent quadrature: equal steps of azimuth and of sine squared, so that each sample
-    // stands for the same irradiance.
+    // Independent quadrature: equal steps in azimuth and in sine squared, so that all samples have
+    // the same irradiance.
     double sum = 0.0;
     constexpr int kSteps = 200;
     for (int i = 0; i < kSteps; ++i)
@@ -233,7 +233,7 @@ TEST_CASE("sun and sky together are neutral on level ground") {
   CHECK(total.b == Approx(total.g).epsilon(0.01));
 }
 
-TEST_CASE("panorama coordinates and directions are inverse to each other") {
+TEST_CASE("panorama coordinates and directions are inverses of each other") {
   for (float u = 0.05f; u < 1.0f; u += 0.1f)
     for (float v = 0.05f; v < 1.0f; v += 0.1f) {
       const glm::vec2 back = panoramaCoordinate(panoramaDirection({u, v}));
@@ -242,7 +242,7 @@ TEST_CASE("panorama coordinates and directions are inverse to each other") {
     }
 }
 
-TEST_CASE("lights keep their ratios and lose their unit") {
+TEST_CASE("lights keep their ratios but not their unit") {
   Scene scene;
   Light sun;
   sun.intensity = 100000.0f;
@@ -261,7 +261,7 @@ TEST_CASE("lights keep their ratios and lose their unit") {
   CHECK(bright.lights[0].intensity == Approx(4.0f * bright.lights[1].intensity));
 }
 
-TEST_CASE("of too many lights the sun and those that light the subject most are kept") {
+TEST_CASE("with too many lights, the sun and the strongest ones at the subject remain") {
   Scene scene;
   constexpr int kLamps = 40;
   for (int i = 0; i < kLamps; ++i) {
@@ -278,11 +278,11 @@ TEST_CASE("of too many lights the sun and those that light the subject most are 
   CHECK(lighting.dropped == kLamps + 1 - MAX_LIGHTS);
   CHECK(lighting.hasSun);
   CHECK(lighting.lights[0].kind == LightKind::directional);
-  for (std::size_t i = 1; i < MAX_LIGHTS; ++i) // the nearest
+  for (std::size_t i = 1; i < MAX_LIGHTS; ++i) // the nearest ones
     CHECK(lighting.lights[i].position.z < 10.0 + MAX_LIGHTS);
 }
 
-TEST_CASE("a light too faint for its inverse to be a float is light all the same") {
+TEST_CASE("a light whose inverse overflows a float still counts") {
   Scene scene;
   Light faint;
   faint.intensity = 1e-42f;
@@ -291,19 +291,19 @@ TEST_CASE("a light too faint for its inverse to be a float is light all the same
         Approx(1.05 * std::numbers::pi).epsilon(0.01));
 }
 
-TEST_CASE("an environment file is all the light of a scene without lights") {
+TEST_CASE("an environment file is the only light of a scene without lights") {
   const Lighting lighting = arrangeLights(Scene(), {}, true);
   CHECK(lighting.lights.empty());
   CHECK(lighting.skyIrradiance == 0.0f);
   CHECK(arrangeLights(Scene(), {}, false).hasSun);
 }
 
-TEST_CASE("a sky is kept while its light stays the same, and made anew when that changes") {
+TEST_CASE("the cached sky is reused until its light changes") {
   SkyCache skies;
   const glm::vec3 above(0.0f, 1.0f, 0.0f);
   const glm::vec3 sunlight(3.0f);
   const auto diffuse = [&](float irradiance) {
-    return skies.under(above, sunlight, irradiance).environment.diffuse.texels;
+    return skies.prepare(above, sunlight, irradiance).environment.diffuse.texels;
   };
   const std::vector<glm::vec3> bright = diffuse(1.0f);
   CHECK(diffuse(1.0f) == bright);

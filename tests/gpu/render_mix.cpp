@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mix of textons in the renderer: the same weight from a direction, a mask and vertex colours.
+// A mix of textons in the renderer, with equal weights from a direction, a mask and vertex colours.
 #include "rendered.h"
 #include "synthetic_texton.h"
 
@@ -16,10 +16,10 @@ namespace {
 
 constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 constexpr float kTiles = 4.0f;
-constexpr int kSide = 64; // pixels of a square
+constexpr int kSide = 64; // pixels per side of a square
 
-/// Squares of four tiles, one below the other, each with another source of the weight of its mix.
-/// COLOR_1 has it from left to right in green, and so has texture 0.
+/// Squares of four tiles, stacked vertically, each with another source of its mix weight. COLOR_1
+/// and texture 0 have the weight in green, increasing from left to right.
 class Squares {
 public:
   Squares() : scene_(syntheticTextonGlb({.steps = 5, .smoothings = 1})) {
@@ -52,7 +52,7 @@ public:
                    scene_.addIndices({0, 1, 2, 0, 2, 3}, 2), scene_.addMaterial(material));
   }
 
-  /// The base colours of all squares.
+  /// Renders the base colours of all squares.
   LinearImage baseColors() {
     constexpr float kDistance = 10.0f;
     scene_.addCamera(kDistance, 2.0f * std::atan(float(count_) / kDistance), -float(count_));
@@ -67,7 +67,7 @@ private:
   int count_ = 0;
 };
 
-/// Means of all channels in eighths of a square, from left to right.
+/// Means of all channels in eight columns of a square, from left to right.
 std::array<double, 8> columnMeans(const LinearImage& image, int square) {
   std::array<double, 8> means{};
   constexpr int kWidth = kSide / 8;
@@ -79,7 +79,7 @@ std::array<double, 8> columnMeans(const LinearImage& image, int square) {
   return means;
 }
 
-/// The mean difference of two squares' values.
+/// The mean difference between two squares.
 double differenceOf(const LinearImage& image, int square, int other) {
   double difference = 0.0;
   for (int y = 0; y < kSide; ++y)
@@ -105,23 +105,23 @@ json verticesOf(int channel) {
 
 } // namespace
 
-TEST_CASE("a direction, a mask and vertex colours of one weight draw one picture") {
+TEST_CASE("a direction, a mask and vertex colours with equal weights give the same picture") {
   Squares squares;
   squares.add({{"source", "direction"}, {"start", {0, 1}}, {"end", {kTiles, 1}}});
   squares.add(maskOf(0));
   squares.add(verticesOf(1));
-  // Alpha of a picture without it, and red of the vertices, is 1 everywhere.
+  // A missing alpha channel and the vertices' red are 1 everywhere.
   squares.add({{"source", "constant"}, {"weight", 1.0}});
   squares.add(maskOf(3));
   squares.add(verticesOf(0));
   const LinearImage image = squares.baseColors();
   const std::array<double, 8> expected = columnMeans(image, 0);
-  // Stored means of 0.5 and 0.1: light of 0.21 and, with a deviation of 0.24, about 0.06.
+  // Stored means of 0.5 and 0.1 are 0.21 and, with a deviation of 0.24, about 0.06 as light.
   CHECK(expected.front() > expected.back() + 0.1);
-  // Weights of 8 bits put one impact in a hundred on another step; past the borders the mask stays.
+  // 8-bit weights move one impact in a hundred to another step; the mask clamps at its borders.
   CHECK(differenceOf(image, 0, 1) < 0.01);
-  // Of vertex colours all impacts have the point's weight: other textons near the borders of steps,
-  // of the same statistics.
+  // With vertex colours, all impacts use the weight at the point: other textons near the borders of
+  // steps, with the same statistics.
   const std::array<double, 8> vertices = columnMeans(image, 2);
   for (std::size_t k = 0; k < vertices.size(); ++k)
     CHECK(vertices[k] == Approx(expected[k]).margin(0.03));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The glTF files of Debian's assimp-testmodels, good ones and broken ones, none of them ours: each
-// is read with what it holds, or refused with the sentence that says why. Those that are read are
-// drawn in one picture, side by side.
+// The glTF files of Debian's assimp-testmodels, valid and broken ones: the loader reads each with
+// all its content, or reports the expected error. One picture shows all valid ones side by side.
 #include "rendered.h"
 #include "thin_solids.h"
 
@@ -20,7 +19,7 @@ namespace {
 
 const std::filesystem::path kModels = "/usr/share/assimp/models";
 
-/// The end of the program, as without a device, where the package is not installed.
+/// Ends the program, as without a device, if the package is not installed.
 void requireModels() {
   if (std::filesystem::is_directory(kModels))
     return;
@@ -30,27 +29,27 @@ void requireModels() {
 }
 
 struct Model {
-  std::size_t instances = 0; ///< of primitives
+  std::size_t instances = 0; ///< instances of primitives
   std::size_t triangles = 0; ///< in all instances
   glm::vec3 color{0.0f};     ///< mean of the base colour in a cell of the sheet
-  std::string note = "";     ///< the beginning of the only one, or none
+  std::string note = "";     ///< start of the only note; empty for none
 };
 
-// Instances and triangles were counted from the files' JSON by a script of a few lines. Colours are
-// those of the materials times the share of its cell that a model covers, whose longest side is
-// kFill of it; where nothing is, cells are black. Colours that are plain numbers were measured, and
-// the pictures looked at.
+// A short script counted instances and triangles in the files' JSON. Colours are the material's
+// colour times the share of its cell that the model covers; the model's longest side is kFill of
+// the cell, and the rest is black. Colours given as plain numbers were measured, after inspecting
+// the pictures.
 constexpr float kFill = 0.9f;
 constexpr float kSquare = kFill * kFill;
-constexpr float kTilted = kSquare * 0.7071f; // by 45 degrees
-// A rod stands for a line, an octahedron for a point; thin_solids.cpp has how thick they are. What
-// the outline of a square covers as four rods, and as 1024 overlapping points.
+constexpr float kTilted = kSquare * 0.7071f; // tilted by 45 degrees
+// Lines become rods, points octahedra; thin_solids.cpp defines their thickness. The share of a cell
+// that the outline of a square covers, as four rods and as 1024 overlapping points.
 constexpr std::size_t kSolid = renderer::kThinSolidIndices / 3;
 constexpr float kRadius = 0.004f * 1.4142f; // of a square of side 1
 constexpr float kOutline = kSquare * 4 * 2 * kRadius;
 constexpr float kDots = kOutline * (1.0f - 4.0f / 1024 / 4 / kRadius);
 const std::string kGenerated = "glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_";
-const char* const kNotPlayed = "animations are not played";
+const char* const kNoAnimations = "animations are ignored";
 
 /// Mean linear colour of CesiumLogoFlat.png, which fills the front of a cube.
 constexpr glm::vec3 kLogo{0.404f, 0.524f, 0.564f};
@@ -88,62 +87,62 @@ const std::map<std::string, Model> kGood{
     {kGenerated + "14.gltf", {1, 2, over(kSquare)}},
     {kGenerated + "15.gltf", {1, 2, over(kSquare)}},
     {"glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf",
-     {1, 12, over(kSquare, {0.6038f, 0.6038f, 0.6038f}), kNotPlayed}},
+     {1, 12, over(kSquare, {0.6038f, 0.6038f, 0.6038f}), kNoAnimations}},
     {"glTF2/issue_3269/texcoord_crash.gltf", {5, 10, {0.252f, 0.279f, 0.139f}}},
-    {"glTF2/simple_skin/simple_skin.gltf", {1, 8, over(kSquare / 2), kNotPlayed}},
+    {"glTF2/simple_skin/simple_skin.gltf", {1, 8, over(kSquare / 2), kNoAnimations}},
     {"glTF2/textureTransform/TextureTransformTest.gltf", {12, 24, {0.219f, 0.293f, 0.291f}}},
-    {"glTF2/wrongTypes/badString.gltf", {1, 12, over(kSquare, kLogo)}}, // a scene's name, not used
+    {"glTF2/wrongTypes/badString.gltf", {1, 12, over(kSquare, kLogo)}}, // an unused scene name
 };
 
 const std::string kSupported =
     "is not supported; export without it (supported: KHR_lights_punctual, "
     "KHR_materials_emissive_strength, KHR_mesh_quantization, KHR_texture_transform, "
     "LICHEN_materials_exemplar_noise)";
-const std::string kFirstVersion = "/asset/version: absent or not 2.x; \"2.0\" is accepted";
+const std::string kVersion1 = "/asset/version: absent or not 2.x; \"2.0\" is accepted";
 
-/// The refusal without the path that it begins with.
+/// Expected error messages without the path they start with.
 const std::map<std::string, std::string> kBroken{
     {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "GLB version 1; 2 is accepted"},
-    {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", kFirstVersion},
-    {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf", kFirstVersion},
-    {"glTF/BoxTextured-glTF/BoxTextured.gltf", kFirstVersion},
-    {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", kFirstVersion},
-    {"glTF/IncorrectVertexArrays/Cube_v1.gltf", kFirstVersion},
-    {"glTF/TwoBoxes/TwoBoxes.gltf", kFirstVersion},
+    {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", kVersion1},
+    {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf", kVersion1},
+    {"glTF/BoxTextured-glTF/BoxTextured.gltf", kVersion1},
+    {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", kVersion1},
+    {"glTF/IncorrectVertexArrays/Cube_v1.gltf", kVersion1},
+    {"glTF/TwoBoxes/TwoBoxes.gltf", kVersion1},
     {"glTF2/BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf",
      "/extensionsRequired/0: the required extension KHR_technique_webgl " + kSupported},
     {"glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb",
-     "/accessors/2: holds NaN or infinite values; finite ones are accepted"},
+     "/accessors/2: contains NaN or infinity; all values must be finite"},
     {"glTF2/IncorrectVertexArrays/Cube.gltf",
-     "/bufferViews/2: bytes 504 to 936 lie outside their buffer of 514"},
+     "/bufferViews/2: bytes 504 to 936 exceed their buffer of 514 bytes"},
     {"glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf",
-     "/accessors/0: index 65535 is not accepted, 0 to 23 is"},
+     "/accessors/0: index 65535 is out of range; expected 0 to 23"},
     {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf",
-     "/accessors/0: index 255 is not accepted, 0 to 23 is"},
+     "/accessors/0: index 255 is out of range; expected 0 to 23"},
     {"glTF2/MissingBin/BoxTextured.gltf",
      "names the file \"BoxTextured0.bin\", which is not in the scene's folder"},
     {"glTF2/RecursiveNodes/RecursiveNodes.gltf",
-     "/nodes: node 0 is its own ancestor; a forest is accepted"},
+     "/nodes: node 0 is its own ancestor; nodes must not form cycles"},
     {"glTF2/SchemaFailures/sceneWrongType.gltf",
-     "/scene: \"hello\" is not accepted, an index from 0 to 0 is"},
+     "/scene: \"hello\" is invalid; expected an index from 0 to 0"},
     {"glTF2/TestNoRootNode/NoScene.gltf",
-     "/scene: 0 is not accepted, there is nothing to refer to"},
+     "/scene: 0 is invalid; the document has nothing to refer to"},
     {"glTF2/TestNoRootNode/SceneWithoutNodes.gltf",
-     "its scene has no triangles, lines or points; at least one is accepted"},
+     "its scene has nothing to draw; add a mesh with triangles, lines or points"},
     {"glTF2/draco/2CylinderEngine.gltf",
      "/extensionsRequired/0: the required extension KHR_draco_mesh_compression " + kSupported},
     {"glTF2/wrongTypes/badArray.gltf",
-     "/meshes/0/primitives: an object is not accepted, a non-empty array is"},
+     "/meshes/0/primitives: an object is invalid; expected a non-empty array"},
     {"glTF2/wrongTypes/badExtension.gltf",
      "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform: "
-     "\"Not an object\" is not accepted, an object is"},
+     "\"Not an object\" is invalid; expected an object"},
     {"glTF2/wrongTypes/badNumber.gltf",
-     "/materials/0/normalTexture: the required member \"index\" is absent"},
+     "/materials/0/normalTexture: the required member \"index\" is missing"},
     {"glTF2/wrongTypes/badObject.gltf",
-     "/materials/0/pbrMetallicRoughness: an array is not accepted, an object is"},
+     "/materials/0/pbrMetallicRoughness: an array is invalid; expected an object"},
     {"glTF2/wrongTypes/badUint.gltf",
-     "/materials/0/pbrMetallicRoughness/baseColorTexture/index: -1 is not accepted, an index from "
-     "0 to 0 is"},
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/index: -1 is invalid; expected an index "
+     "from 0 to 0"},
 };
 
 Scene load(const std::string& name) {
@@ -160,15 +159,15 @@ std::size_t triangleCount(const Scene& scene) {
   return indices / 3;
 }
 
-/// From the world of a scene, whose box it centres, into a cell around (x, y, 0) of side 1.
+/// Transform that centres a scene's bounding box in a cell of side 1 around (x, y, 0).
 glm::mat4 cellFromWorld(const Scene& scene, glm::vec2 cell) {
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high = -low;
   for (const renderer::Instance& instance : scene.instances)
     for (const renderer::Vertex& v : scene.primitives[instance.primitive].vertices) {
-      const glm::vec3 place(instance.worldFromObject * glm::dvec4(v.position, 1.0));
-      low = glm::min(low, place);
-      high = glm::max(high, place);
+      const glm::vec3 position(instance.worldFromObject * glm::dvec4(v.position, 1.0));
+      low = glm::min(low, position);
+      high = glm::max(high, position);
     }
   const glm::vec3 size = high - low;
   const float scale = kFill / std::max(size.x, std::max(size.y, size.z));
@@ -202,7 +201,7 @@ void append(Scene& sheet, const Scene& scene, const glm::mat4& placed) {
 constexpr int kColumns = 6;
 constexpr int kCellPixels = 40;
 
-/// The base colours of all good models, a cell each in the order of their names.
+/// The base colours of all valid models, one per cell, in the order of their names.
 LinearImage sheetOf(int rows) {
   Scene sheet;
   int index = 0;
@@ -245,7 +244,7 @@ glm::vec3 meanOfCell(const LinearImage& sheet, int index) {
 
 } // namespace
 
-TEST_CASE("each file of the package has what is expected of it said here") {
+TEST_CASE("this test covers every file of the package") {
   requireModels();
   std::set<std::string> found;
   for (const char* folder : {"glTF", "glTF2"})
@@ -259,7 +258,7 @@ TEST_CASE("each file of the package has what is expected of it said here") {
   CHECK(found.size() == kGood.size() + kBroken.size());
 }
 
-TEST_CASE("each good file is read with all that it draws, and a note of what it does not") {
+TEST_CASE("each valid file loads completely, with a note for everything that is ignored") {
   requireModels();
   for (const auto& [name, model] : kGood) {
     INFO(name);
@@ -272,7 +271,7 @@ TEST_CASE("each good file is read with all that it draws, and a note of what it 
   }
 }
 
-TEST_CASE("each broken file is refused with one sentence that says why") {
+TEST_CASE("each broken file gives one sentence that says why") {
   requireModels();
   for (const auto& [name, refusal] : kBroken) {
     INFO(name);
@@ -283,11 +282,12 @@ TEST_CASE("each broken file is refused with one sentence that says why") {
   }
 }
 
-TEST_CASE("the good files, drawn side by side, have the colours that they should") {
+TEST_CASE("the valid files, rendered side by side, have the expected colours") {
   requireModels();
   const int rows = (int(kGood.size()) + kColumns - 1) / kColumns;
   const LinearImage sheet = sheetOf(rows);
-  // A model's edge lies somewhere in a pixel of 36, which four frames find to within a quarter.
+  // A model's edge may lie anywhere in one of 36 pixels; four frames locate it to a quarter of a
+  // pixel.
   constexpr float kTolerance = 0.01f;
   int index = 0;
   for (const auto& [name, model] : kGood) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A noise beside core textures: it takes the place of those whose channels it has, and of no other.
+// Noise and core textures: a noise replaces the textures of the channels it provides, and no
+// others.
 #include "rendered.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
@@ -43,7 +44,7 @@ LinearImage picture(const GltfScene& scene, const std::string& view = "") {
   return render(scene.glb(), settings);
 }
 
-/// A checkerboard in each core texture slot but the base colour's.
+/// A checkerboard in each core texture slot except base colour.
 void addCoreTextures(GltfScene& scene) {
   const std::size_t bumps = scene.addChecker(8, {0.65f, 0.5f, 0.95f}, {0.35f, 0.5f, 0.95f});
   const std::size_t orm = scene.addChecker(6, {0.2f, 0.3f, 0.0f}, {1.0f, 0.7f, 0.0f});
@@ -56,7 +57,7 @@ void addCoreTextures(GltfScene& scene) {
   material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = orm;
 }
 
-/// A base colour texture half of which is transparent.
+/// A base colour texture that is half transparent.
 void addHoles(GltfScene& scene) {
   SrgbImage image(64, 64, 4);
   for (int y = 0; y < 64; ++y)
@@ -73,17 +74,17 @@ void addHoles(GltfScene& scene) {
 
 } // namespace
 
-TEST_CASE("core textures of what a noise lacks are drawn as without it") {
+TEST_CASE("a noise does not affect core textures of channels it lacks") {
   GltfScene scene = noiseBall({kBaseColor});
   addCoreTextures(scene);
   CHECK(picture(scene).values != picture(withoutNoise(scene)).values);
   CHECK(picture(scene, "normals").values == picture(withoutNoise(scene), "normals").values);
-  // With a black factor nothing is left of the base colour, and the pictures are one.
+  // With a black factor the base colour has no effect, so both pictures are equal.
   materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
   CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
 }
 
-TEST_CASE("core textures of what a noise has are not drawn") {
+TEST_CASE("a noise replaces core textures of the channels it provides") {
   GltfScene plain = noiseBall({kBaseColor, kNormal, kOrm});
   GltfScene textured = plain;
   addCoreTextures(textured);
@@ -95,11 +96,10 @@ TEST_CASE("core textures of what a noise has are not drawn") {
   CHECK(picture(plain).values == picture(textured).values);
 }
 
-TEST_CASE(
-    "noises with a separable table, or without one, are drawn beside one with a joint table") {
-  // In the middle of the ball. Stored values of mean 1/2 and deviation 1/10, as light: 0.223. The
-  // separable table's values average 0.5 +- 0.1 a channel, and its map takes 1/2 each to 0.4, 0.55
-  // and 0.07. An unread table would be black. A few patches of noise: a tenth either way.
+TEST_CASE("noises with a separable table, or without one, render next to one with a joint table") {
+  // In the middle of the ball. Stored values with mean 1/2 and deviation 1/10 are 0.223 as light.
+  // The separable table's values average 0.5 +- 0.1 per channel, and its map converts 1/2 to 0.4,
+  // 0.55 and 0.07. An unread table would be black. Tolerance: a tenth, for a few patches of noise.
   const auto middleOf = [](const SyntheticMap& map) {
     const LinearImage image = picture(noiseBall({map, kOrm}), "base-color");
     std::array<double, 3> mean{};
@@ -117,7 +117,7 @@ TEST_CASE(
   CHECK(separable[2] == Approx(0.08).margin(0.15));
 }
 
-TEST_CASE("a noise of textons is drawn, and its impacts are shown") {
+TEST_CASE("a texton noise renders, and the impacts view shows its impacts") {
   const SyntheticTexton texton;
   BundleFile file = syntheticTextonBundle(texton);
   const GltfScene scene = ballOf(encodeGlb(file).value());
@@ -131,24 +131,24 @@ TEST_CASE("a noise of textons is drawn, and its impacts are shown") {
           mean[c] += double(image.pixel(x, y)[c]) / 256.0;
     return mean;
   };
-  // In the middle of the ball: stored values of mean 1/2 and deviation 0.08, as light 0.222. A few
-  // patches of noise: a fifth either way.
+  // In the middle of the ball: stored values with mean 1/2 and deviation 0.08 are 0.222 as light.
+  // Tolerance: a fifth, for a few patches of noise.
   const LinearImage color = picture(scene, "base-color");
   for (const double channel : meanOf(color))
     CHECK(channel == Approx(0.222).margin(0.05));
   CHECK(color.values != picture(other, "base-color").values);
-  // 30 of 60 impacts are green; 24 to 36 have at least half of it, and none is white.
+  // 30 of 60 impacts are green; 24 to 36 are at least half green, and none is white.
   const auto impacts = meanOf(picture(scene, "impacts"));
   CHECK(impacts[1] > 0.8);
   CHECK(impacts[0] < 0.5);
   CHECK(impacts[2] < 0.5);
   const auto gaussian = meanOf(picture(scene, "gaussian"));
   CHECK(gaussian[0] == Approx(0.5).margin(0.15));
-  // Views of the lattice have nothing to show.
+  // The lattice view is grey for textons.
   CHECK(meanOf(picture(scene, "lattice"))[0] == Approx(0.5).margin(0.001));
 }
 
-TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
+TEST_CASE("channels that a noise's ORM map lacks come from the core texture") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   NoiseMap& orm = file.bundle.noises[0].maps[1];
   orm.channels = {MapChannel::roughness};
@@ -157,7 +157,7 @@ TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
   GltfScene byFactor = ballOf(encodeGlb(file).value());
   GltfScene byTexture = byFactor;
   materialOf(byFactor)["pbrMetallicRoughness"]["metallicFactor"] = 0;
-  // Its roughness, 0.9, is not used; metallic is 0.
+  // Its roughness, 0.9, is unused; metallic is 0.
   const std::size_t texture = byTexture.addChecker(1, {0, 0.9f, 0}, {0, 0.9f, 0});
   json& pbr = materialOf(byTexture)["pbrMetallicRoughness"];
   pbr["metallicRoughnessTexture"]["index"] = texture;
@@ -167,25 +167,25 @@ TEST_CASE("the channels that a noise's ORM lacks come from the core texture") {
   CHECK(picture(byTexture).values != picture(byFactor).values);
 }
 
-TEST_CASE("the holes of a mask are where the shadow has them, with a noise as without") {
+TEST_CASE("a mask has the same holes in the picture and in the shadow, with and without a noise") {
   GltfScene scene = noiseBall({kBaseColor});
   addHoles(scene);
   materialOf(scene)["alphaMode"] = "MASK";
   materialOf(scene)["doubleSided"] = true;
-  // What is seen through the holes has no normal: the sky, and black in this view.
+  // Through the holes, the sky is visible, which is black in this view.
   CHECK(picture(scene, "normals").values == picture(withoutNoise(scene), "normals").values);
   GltfScene opaque = scene;
   materialOf(opaque).erase("alphaMode");
   CHECK(picture(scene, "normals").values != picture(opaque, "normals").values);
 
-  // With a black factor only holes and shadows are left to differ.
+  // With a black factor, only holes and shadows can differ.
   const auto ground = scene.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
   scene.addGround(ground, 10.0f, -1.0f);
   materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
   CHECK(picture(scene).values == picture(withoutNoise(scene)).values);
 }
 
-TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode makes what glTF says") {
+TEST_CASE("a noise's opacity replaces the base colour's alpha, in every alphaMode") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   const auto withoutOpacity = ballOf(encodeGlb(syntheticBundle(std::vector{kBaseColor})).value());
   NoiseMap& map = file.bundle.noises[0].maps[1];
@@ -193,7 +193,7 @@ TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode make
   map.channels = {MapChannel::opacity};
   map.mean.resize(1);
   map.covariance.resize(1);
-  file.bundle.materials[0]->contrast = 0.0; // one value everywhere: the table's middle
+  file.bundle.materials[0]->contrast = 0.0; // constant: the table's middle
   GltfScene scene = ballOf(encodeGlb(file).value());
   GltfScene plain = withoutOpacity;
   materialOf(plain)["extensions"]["LICHEN_materials_exemplar_noise"]["contrast"] = 0.0;
@@ -202,17 +202,17 @@ TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode make
     materialOf(shown)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
     return picture(shown);
   };
-  // Of synthetic_noise.cpp's table at (1/2, 1/2, 1/2): 1/2 + sin(3 * 0.65) / 4.
+  // From synthetic_noise.cpp's table at (1/2, 1/2, 1/2): 1/2 + sin(3 * 0.65) / 4.
   const double middle = 0.5 + 0.25 * std::sin(3.0 * 0.65);
-  const LinearImage wanted = drawn(plain, "BLEND", middle);
+  const LinearImage expected = drawn(plain, "BLEND", middle);
   const LinearImage found = drawn(scene, "BLEND", 1.0);
   double largest = 0.0;
-  for (std::size_t i = 0; i < wanted.values.size(); ++i)
-    largest = std::max(largest, std::abs(double(found.values[i]) - double(wanted.values[i])));
-  // The table's half floats below 1 have steps of 2^-11, pictures a few of light.
+  for (std::size_t i = 0; i < expected.values.size(); ++i)
+    largest = std::max(largest, std::abs(double(found.values[i]) - double(expected.values[i])));
+  // Half floats below 1 have steps of 2^-11 in the table; pictures add a few of them.
   CHECK(largest < 4.0 * 0x1p-11);
   CHECK(drawn(scene, "OPAQUE", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
-  // The cutoff is 1/2, and the ground has the shadow of what it leaves.
+  // The cutoff is 1/2, and the ground shows the shadow of the remaining part.
   for (GltfScene* shown : {&scene, &plain})
     shown->addGround(shown->addMaterial(json::object()), 10.0f, -1.0f);
   CHECK(drawn(scene, "MASK", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
@@ -220,10 +220,10 @@ TEST_CASE("a noise's opacity is the base colour's alpha, of which alphaMode make
   CHECK(drawn(scene, "MASK", 0.6).values != drawn(plain, "OPAQUE", 1.0).values);
 }
 
-TEST_CASE("what is blended casts a shadow where its opacity is at least a half") {
+TEST_CASE("a blended surface casts a shadow where its opacity is at least 1/2") {
   GltfScene scene = noiseBall({kBaseColor});
   scene.addGround(scene.addMaterial(json::object()), 10.0f, -1.0f);
-  addHoles(scene); // texels of alpha 0 and 1, by halves
+  addHoles(scene); // half the texels have alpha 0, half have alpha 1
   const auto drawn = [&](bool hasNoise, double alpha) {
     GltfScene shown = hasNoise ? scene : withoutNoise(scene);
     materialOf(shown)["alphaMode"] = "BLEND";
@@ -238,11 +238,11 @@ TEST_CASE("what is blended casts a shadow where its opacity is at least a half")
   };
   for (const bool hasNoise : {false, true})
     CHECK(largestDifference(drawn(hasNoise, 0.49), drawn(hasNoise, 0.51)) > 0.1);
-  // Without a shadow, a hundredth of opacity changes a pixel by about a hundredth of its range.
+  // Without a shadow, changing opacity by 0.01 changes a pixel by about 0.01 of its range.
   CHECK(largestDifference(drawn(true, 0.48), drawn(true, 0.49)) < 0.02);
 }
 
-TEST_CASE("a material whose noise is of a later revision is drawn as without it, with a note") {
+TEST_CASE("a material whose noise has a later revision renders without it, with a note") {
   GltfScene scene = noiseBall({kBaseColor, kNormal});
   addCoreTextures(scene);
   GltfScene later = scene;
@@ -253,10 +253,10 @@ TEST_CASE("a material whose noise is of a later revision is drawn as without it,
   CHECK(drawn.pixels.values != picture(scene).values);
   REQUIRE(drawn.notes.size() == 1);
   CHECK(drawn.notes[0] == "/materials/0: this version does not know its noise's method or "
-                          "revision (2); the core textures are drawn");
+                          "revision (2); its core textures are used instead");
 }
 
-TEST_CASE("a device that cannot filter a noise's table is refused by the file and the table") {
+TEST_CASE("the error for a device that cannot filter a noise's table names file and table") {
   const TemporaryFolder folder;
   const auto path = writeInto(folder, "scene.glb", noiseBall({kBaseColor}).glb());
   const auto read = renderer::readScene(path);
@@ -278,7 +278,7 @@ TEST_CASE("a device that cannot filter a noise's table is refused by the file an
   CHECK(drawn.error().message.starts_with(path.string() + ": table "));
 }
 
-TEST_CASE("maps of a noise that are not drawn are named once for each") {
+TEST_CASE("a note names each ignored map of a noise once") {
   BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
   NoiseMap& height = file.bundle.noises[0].maps[1];
   height.target = MapTarget::height;
@@ -288,6 +288,6 @@ TEST_CASE("maps of a noise that are not drawn are named once for each") {
   const GltfScene scene = ballOf(encodeGlb(file).value());
   const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "the height of the noise synthetic is not drawn");
+  CHECK(notes[0] == "the height map of the noise synthetic is ignored");
   CHECK(renderPicture(noiseBall({kBaseColor}).glb(), settingsOf(16, 16, 1)).notes.empty());
 }

@@ -174,13 +174,14 @@ TEST_CASE("an image or a primitive too large for the device is refused with its 
   scene.images[0].width = 10;
   const auto image = renderer::fitsDevice(scene, limits);
   REQUIRE_FALSE(image.ok());
-  CHECK(image.error().message.find("10 x 1; this device accepts up to 9") != std::string::npos);
+  CHECK(image.error().message.find("10 x 1 is too large; this device supports up to 9 x 9") !=
+        std::string::npos);
   scene.images.clear();
   scene.primitives[0].vertices.resize(7);
   const auto primitive = renderer::fitsDevice(scene, limits);
   REQUIRE_FALSE(primitive.ok());
   CHECK(primitive.error().kind == ErrorKind::environment);
-  CHECK(primitive.error().message.find("7 vertices; this device accepts up to 6") !=
+  CHECK(primitive.error().message.find("7 vertices is too large; this device supports up to 6") !=
         std::string::npos);
 }
 
@@ -193,7 +194,7 @@ TEST_CASE("a scene of more lights than are drawn says so once") {
   }
   const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "the scene has 20 lights; the 16 that light it most are drawn");
+  CHECK(notes[0] == "the scene has 20 lights; only the 16 strongest are used");
 }
 
 TEST_CASE("a camera that nothing can be seen through and that is not used is noted once") {
@@ -206,6 +207,6 @@ TEST_CASE("a camera that nothing can be seen through and that is not used is not
     scene.json["scenes"][0]["nodes"].push_back(scene.json["nodes"].size() - 1);
   }
   CHECK(renderPicture(scene.glb(), settingsOf(8, 8, 1)).notes ==
-        std::vector<std::string>{"/cameras/1/perspective/znear: 1e-09 is not accepted, 1e-06 or "
-                                 "more is; this camera is not looked through"});
+        std::vector<std::string>{"/cameras/1/perspective/znear: 1e-09 is out of range; expected "
+                                 "1e-06 or more; the camera is ignored"});
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures: golden images, the white furnace, and properties that need no golden image.
 //
-// Goldens are made on lavapipe, which draws bit-identical images in every process of one CPU type.
-// Other CPU types and devices round differently, so they are compared by the mean and the 99.9 %
-// quantile of the absolute difference of sRGB codes (0 to 255).
+// The golden images were rendered on lavapipe, which is deterministic for a given CPU type. Other
+// CPU types and devices round differently, so the comparison uses the mean and the 99.9 % quantile
+// of the absolute difference of sRGB codes (0 to 255).
 #include "checkout_paths.h"
 #include "picture.h"
 #include "rendered.h"
@@ -26,7 +26,7 @@ using renderer::RenderSettings;
 namespace {
 
 constexpr double kMeanTolerance = 0.5;
-constexpr double kQuantileTolerance = 8.0; // edges, where a pixel's coverage may differ
+constexpr double kQuantileTolerance = 8.0; // at edges, where coverage may differ
 
 /// Sorted absolute differences in sRGB codes.
 std::vector<double> differences(const SrgbImage& a, const SrgbImage& b) {
@@ -59,7 +59,7 @@ void checkGolden(const std::string& name, const LinearImage& picture) {
   CHECK(sorted[sorted.size() * 999 / 1000] <= kQuantileTolerance);
 }
 
-/// Three balls of different materials, textured, on a ground, under a sun.
+/// Three textured balls of different materials on a ground, lit by a sun.
 GltfScene stillLife() {
   GltfScene scene;
   const std::size_t checker = scene.addChecker(4, {0.8f, 0.25f, 0.1f}, {0.9f, 0.85f, 0.7f});
@@ -93,7 +93,8 @@ GltfScene stillLife() {
   return scene;
 }
 
-/// A ball of this material in a white furnace: no light but an environment of radiance 1.
+/// Error of a ball of this material in a white furnace, an environment of radiance 1 without other
+/// light.
 double furnaceError(double metallic, double roughness) {
   GltfScene scene;
   scene.addBall(scene.addMaterial(
@@ -110,7 +111,7 @@ double furnaceError(double metallic, double roughness) {
   return worst;
 }
 
-/// A ball with the first material, on a ground with the same or on none.
+/// A ball with the first material, with or without a ground of the same material.
 std::vector<std::byte> ballOf(const std::vector<std::byte>& bundle, bool withGround) {
   GltfScene scene(bundle);
   scene.addBall(0);
@@ -121,7 +122,7 @@ std::vector<std::byte> ballOf(const std::vector<std::byte>& bundle, bool withGro
   return scene.glb();
 }
 
-/// One with tiling noise.
+/// ballOf() with tiling noise.
 std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
   std::vector<SyntheticMap> maps{SyntheticMap{3, 64, 64, true, 4}};
   if (withOrm)
@@ -129,14 +130,14 @@ std::vector<std::byte> noiseBall(bool withOrm, bool withGround = true) {
   return ballOf(syntheticGlb(maps), withGround);
 }
 
-/// One with textons.
+/// ballOf() with texton noise.
 std::vector<std::byte> textonBall(bool withGround = true) {
   SyntheticTexton texton;
-  texton.smoothings = 1; // grain that a pixel of the ball can show
+  texton.smoothings = 1; // coarse enough for the ball's pixels
   return ballOf(syntheticTextonGlb(texton), withGround);
 }
 
-/// One with a noise mapped onto three planes.
+/// ballOf() with triplanar noise.
 std::vector<std::byte> triplanarBall(BundleFile file, bool withGround = true) {
   file.bundle.materials[0]->mapping = Mapping::triplanar;
   file.bundle.materials[0]->planeSharpness = 4.0;
@@ -145,23 +146,23 @@ std::vector<std::byte> triplanarBall(BundleFile file, bool withGround = true) {
 
 } // namespace
 
-TEST_CASE("a still life of every material feature is as it was") {
+TEST_CASE("a still life with every material feature matches its golden image") {
   checkGolden("still_life", render(stillLife().glb(), settingsOf(256, 160, 8)));
 }
 
-TEST_CASE("a noise on a ball and on its ground is as it was") {
+TEST_CASE("a noise on a ball and on its ground matches its golden image") {
   checkGolden("noise_ball", render(noiseBall(false), settingsOf(256, 144, 4)));
 }
 
-TEST_CASE("a noise of base colour and ORM is as it was") {
+TEST_CASE("a noise with base colour and ORM matches its golden image") {
   checkGolden("noise_orm", render(noiseBall(true), settingsOf(192, 108, 2)));
 }
 
-TEST_CASE("textons on a ball and on its ground are as they were") {
+TEST_CASE("textons on a ball and on its ground match their golden image") {
   checkGolden("texton_ball", render(textonBall(), settingsOf(256, 144, 4)));
 }
 
-TEST_CASE("textons on surfaces without texture coordinates are as they were") {
+TEST_CASE("textons on surfaces without texture coordinates match their golden image") {
   BundleFile file = syntheticTextonBundle({.smoothings = 1});
   file.bundle.materials[0]->mapping = Mapping::surface;
   GltfScene scene(encodeGlb(file).value());
@@ -173,7 +174,7 @@ TEST_CASE("textons on surfaces without texture coordinates are as they were") {
   checkGolden("texton_surface", render(scene.glb(), settingsOf(256, 144, 4)));
 }
 
-TEST_CASE("a noise in three planes is as it was, by tiling and by textons") {
+TEST_CASE("triplanar noise matches its golden images, for tiling and textons") {
   const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
   checkGolden("triplanar_tiling",
               render(triplanarBall(syntheticBundle(maps)), settingsOf(256, 144, 4)));
@@ -181,21 +182,21 @@ TEST_CASE("a noise in three planes is as it was, by tiling and by textons") {
                                          settingsOf(256, 144, 4)));
 }
 
-TEST_CASE("a mix of textons over a ball and its ground is as it was") {
+TEST_CASE("a mix of textons over a ball and its ground matches its golden image") {
   BundleFile file = syntheticTextonBundle({.steps = 5, .smoothings = 1});
   file.bundle.materials[0]->mix = {
       .source = MixSource::direction, .start = {0.0, 0.0}, .end = {0.0, 1.0}};
   checkGolden("texton_mix", render(ballOf(encodeGlb(file).value(), true), settingsOf(256, 144, 4)));
 }
 
-TEST_CASE("the impacts of textons are as they were") {
+TEST_CASE("the view of texton impacts matches its golden image") {
   // Without a ground, as below.
   RenderSettings settings = settingsOf(128, 72, 1);
   settings.debugView = "impacts";
   checkGolden("view_texton-impacts", render(textonBall(false), settings));
 }
 
-TEST_CASE("the debug views of three planes are as they were") {
+TEST_CASE("the debug views of triplanar noise match their golden images") {
   const SyntheticMap map{3, 64, 64, true, 4};
   for (const char* view : {"planes", "weights", "lattice", "mip-level", "gaussian"}) {
     RenderSettings settings = settingsOf(128, 72, 1);
@@ -205,8 +206,8 @@ TEST_CASE("the debug views of three planes are as they were") {
   }
 }
 
-TEST_CASE("each debug view of a noise is as it was") {
-  // Without a ground: toward the horizon every pixel is in another triangle, by rounding.
+TEST_CASE("each debug view of a noise matches its golden image") {
+  // Without a ground: toward the horizon, rounding selects the lattice triangle of each pixel.
   for (const std::string_view view : renderer::debugViewNames()) {
     RenderSettings settings = settingsOf(128, 72, 1);
     settings.debugView = view;
@@ -214,7 +215,7 @@ TEST_CASE("each debug view of a noise is as it was") {
   }
 }
 
-TEST_CASE("the views of roughness, metallic and occlusion show what is shaded with") {
+TEST_CASE("the views of roughness, metallic and occlusion show the values used for shading") {
   GltfScene scene;
   const auto material = scene.addMaterial(
       {{"pbrMetallicRoughness", {{"metallicFactor", 0.75}, {"roughnessFactor", 0.3}}}});
@@ -240,13 +241,14 @@ TEST_CASE("a white ball is invisible in a white furnace, whatever its roughness"
     }
 }
 
-TEST_CASE("the same picture twice is the same picture") {
+TEST_CASE("rendering a picture twice gives the same bits") {
   const auto glb = noiseBall(true);
   CHECK(render(glb, settingsOf(96, 54, 2)).values == render(glb, settingsOf(96, 54, 2)).values);
 }
 
 TEST_CASE("a ball under a mirrored node looks like the ball") {
-  // A ball is its own mirror image: normals and winding must both turn for the same picture.
+  // A ball is its own mirror image; only if both normals and winding are mirrored is the picture
+  // the same.
   GltfScene scene;
   const auto material = scene.addMaterial(
       {{"pbrMetallicRoughness", {{"baseColorFactor", {0.6, 0.5, 0.4, 1}}, {"metallicFactor", 0}}}});
@@ -264,13 +266,14 @@ TEST_CASE("a ball on a ground casts a shadow on the side away from the sun") {
   GltfScene scene = stillLife();
   RenderSettings settings = settingsOf(128, 80, 4);
   const LinearImage lit = render(scene.glb(), settings);
-  // Right of the large ball, between it and the small one, against the same ground to the left.
+  // Right of the large ball, between it and the small one; compared with the same ground on the
+  // left.
   const double shadow = lit.pixel(76, 52)[1];
   const double open = lit.pixel(10, 60)[1];
   CHECK(shadow < 0.6 * open);
 }
 
-TEST_CASE("exposure is in stops, and light is not tone-mapped for EXR") {
+TEST_CASE("exposure is in stops, and EXR pictures are not tone-mapped") {
   RenderSettings settings = settingsOf(32, 32, 1);
   settings.toneMap = false;
   const LinearImage once = render(stillLife().glb(), settings);
@@ -280,7 +283,7 @@ TEST_CASE("exposure is in stops, and light is not tone-mapped for EXR") {
     CHECK(four.values[i] == Approx(4.0f * once.values[i]).epsilon(1e-3));
 }
 
-TEST_CASE("what the device cannot do is an error, not a crash") {
+TEST_CASE("exceeding the device's limits is an error, not a crash") {
   const TemporaryFolder folder;
   const auto scene = renderer::readScene(writeInto(folder, "s.glb", triangleScene().glb()));
   RenderSettings settings = settingsOf(8, 8, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Skins and morph targets stand as the file's nodes and weights have them: corners worked out by
-// hand.
+// Skins and morph targets have the pose of the file's nodes and weights; the expected corners are
+// computed by hand.
 #include "render_gltf.h"
 #include "scene.h"
 
@@ -21,7 +21,7 @@ Scene load(const GltfScene& scene) {
   return std::move(loaded).value();
 }
 
-/// Of the first triangle of an instance, in the world.
+/// Corners of the first triangle of an instance, in the world.
 std::array<glm::vec3, 3> corners(const Scene& scene, std::size_t instance = 0) {
   const renderer::Instance& placed = scene.instances.at(instance);
   const renderer::Primitive& primitive = scene.primitives[placed.primitive];
@@ -50,8 +50,8 @@ json& attributesOf(GltfScene& scene) {
   return scene.json["meshes"][0]["primitives"][0]["attributes"];
 }
 
-/// The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0): its corners are held by joint 0, by joint 1, and
-/// by both alike. Its own node stands far off. Matrices of 16 floats each.
+/// The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose corners follow joint 0, joint 1, and both
+/// equally. Its own node is far away. Matrices have 16 floats each.
 GltfScene skinnedTriangle(json joint0, json joint1, const std::vector<float>& inverseBind) {
   GltfScene scene = triangleScene();
   scene.json["nodes"][0]["translation"] = {100, 200, 300};
@@ -59,7 +59,8 @@ GltfScene skinnedTriangle(json joint0, json joint1, const std::vector<float>& in
   scene.json["nodes"].push_back(std::move(joint0));
   scene.json["nodes"].push_back(std::move(joint1));
   scene.json["scenes"][0]["nodes"] = {0, 1, 2};
-  const std::vector<std::uint8_t> joints{0, 9, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}; // 9 has no weight
+  // joint 9 has no weight
+  const std::vector<std::uint8_t> joints{0, 9, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
   const std::vector<std::uint16_t> weights{65535, 0, 0, 0, 65535, 0, 0, 0, 65535, 65535, 0, 0};
   attributesOf(scene)["JOINTS_0"] =
       addAccessor(scene, std::as_bytes(std::span(joints)), 5121, "VEC4", 3);
@@ -91,18 +92,19 @@ GltfScene morphedTriangle() {
 
 } // namespace
 
-TEST_CASE("a skinned mesh stands where its joints are, and not where its node is") {
+TEST_CASE("a skinned mesh follows its joints, not its node") {
   const float half = std::sqrt(0.5f);
-  std::vector<float> fromBind = kIdentity; // moves by (-1, 0, 0)
+  std::vector<float> fromBind = kIdentity; // translation by (-1, 0, 0)
   fromBind[12] = -1.0f;
   const Scene scene = load(skinnedTriangle(
       {{"translation", {0, 2, 0}}}, {{"rotation", {0, 0, half, half}}, {"translation", {5, 0, 0}}},
       bothMatrices(kIdentity, fromBind)));
   const auto triangle = corners(scene);
   checkNear(triangle[0], {0, 2, 0});
-  // To (0, 0, 0) by the matrix, which the rotation leaves, and out by 5.
+  // The matrix moves it to (0, 0, 0), the rotation keeps it there, and the translation adds 5.
   checkNear(triangle[1], {5, 0, 0});
-  // (0, 3, 0) by joint 0; by joint 1 (-1, 1, 0), turned from x to y (-1, -1, 0), (4, -1, 0).
+  // Joint 0 gives (0, 3, 0). Joint 1 gives (-1, 1, 0), rotated from x to y (-1, -1, 0), then (4,
+  // -1, 0).
   checkNear(triangle[2], {2, 1, 0});
 }
 
@@ -119,7 +121,7 @@ TEST_CASE("a skinned mesh keeps its shape ten million units from the origin") {
   checkNear(vertices[2].position, {0.15f, 1, 0});
 }
 
-TEST_CASE("what joints mirror keeps its front outside") {
+TEST_CASE("a mesh mirrored by its joints keeps its front outside") {
   GltfScene file = skinnedTriangle({{"scale", {-1, 1, 1}}}, {{"scale", {-1, 1, 1}}},
                                    bothMatrices(kIdentity, kIdentity));
   attributesOf(file)["NORMAL"] = file.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
@@ -131,7 +133,7 @@ TEST_CASE("what joints mirror keeps its front outside") {
     checkNear(normal, {0, 0, 1});
 }
 
-TEST_CASE("a skin without matrices takes the joints as they are") {
+TEST_CASE("a skin without inverse bind matrices uses the joints' transforms") {
   GltfScene file = skinnedTriangle({{"translation", {0, 2, 0}}}, {{"translation", {0, 4, 0}}},
                                    bothMatrices(kIdentity, kIdentity));
   file.json["skins"][0].erase("inverseBindMatrices");
@@ -141,12 +143,12 @@ TEST_CASE("a skin without matrices takes the joints as they are") {
   checkNear(triangle[2], {0, 4, 0});
 }
 
-TEST_CASE("morph targets count by the weights of the node, or else of the mesh, or not at all") {
+TEST_CASE("morph targets use the weights of the node, or else of the mesh, or none") {
   GltfScene file = morphedTriangle();
   checkNear(corners(load(file))[1], {1, 0, 0});
   file.json["meshes"][0]["weights"] = {0.5};
   checkNear(corners(load(file))[1], {1, 0, 2});
-  // A second node of the mesh with a weight of its own.
+  // A second node of the mesh with its own weight.
   file.json["nodes"].push_back({{"mesh", 0}, {"weights", {-1}}, {"translation", {0, 0, 10}}});
   file.json["scenes"][0]["nodes"] = {0, file.json["nodes"].size() - 1};
   const Scene scene = load(file);
@@ -154,18 +156,18 @@ TEST_CASE("morph targets count by the weights of the node, or else of the mesh, 
   checkNear(corners(scene, 1)[1], {1, 0, 6});
 }
 
-TEST_CASE("flat normals are those of the morphed triangle") {
+TEST_CASE("flat normals follow the morphed triangle") {
   GltfScene file = morphedTriangle();
   file.json["meshes"][0]["weights"] = {0.25};
   checkNear(load(file).primitives[0].vertices[0].normal, glm::normalize(glm::vec3(-1, 0, 1)));
 }
 
-TEST_CASE("a file with animations says that they are not played") {
+TEST_CASE("a note says that animations are ignored") {
   GltfScene file = morphedTriangle();
   CHECK(load(file).notes.empty());
   file.json["animations"] = {
       {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
        {"samplers", {{{"input", 0}, {"output", 0}}}}}};
   REQUIRE(load(file).notes.size() == 1);
-  CHECK(load(file).notes[0].starts_with("animations are not played"));
+  CHECK(load(file).notes[0].starts_with("animations are ignored"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene may take: memory and draws in proportion to its file, and files of its own folder.
+// Bounds of a scene: memory and draws in proportion to the file, and only files in its own folder.
 #include "render_gltf.h"
 #include "scene.h"
 
@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-Error refusalOf(const TemporaryFolder& folder, const GltfScene& scene) {
+Error loadError(const TemporaryFolder& folder, const GltfScene& scene) {
   const auto read = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
   REQUIRE_FALSE(read.ok());
   INFO(read.error().message);
@@ -23,7 +23,7 @@ Error refusalOf(const TemporaryFolder& folder, const GltfScene& scene) {
 
 } // namespace
 
-TEST_CASE("a small file that draws without end is refused for its size") {
+TEST_CASE("a small file with excessive draws is an error") {
   const TemporaryFolder folder;
   const auto placed = [](GltfScene scene, std::size_t times) {
     json nodes = json::array();
@@ -37,34 +37,34 @@ TEST_CASE("a small file that draws without end is refused for its size") {
   json& primitives = twoPrimitives.json["meshes"][0]["primitives"];
   primitives.push_back(primitives[0]);
   const Error instances =
-      refusalOf(folder, placed(twoPrimitives, renderer::kMaxSceneInstances / 2 + 1));
+      loadError(folder, placed(twoPrimitives, renderer::kMaxSceneInstances / 2 + 1));
   CHECK(instances.kind == ErrorKind::resources);
   CHECK(instances.message.find(std::to_string(renderer::kMaxSceneInstances)) != std::string::npos);
 
-  // A mesh of zeros takes no bytes.
+  // A mesh of zeros takes no bytes in the file.
   constexpr std::size_t kZeros = std::size_t(1) << 16;
   GltfScene large = triangleScene();
   large.json["accessors"].push_back(
       {{"componentType", 5126}, {"type", "VEC3"}, {"count", 3 * kZeros}});
   large.json["meshes"][0]["primitives"] = {
       {{"attributes", {{"POSITION", large.json["accessors"].size() - 1}}}}};
-  const Error drawn = refusalOf(folder, placed(large, renderer::kMaxDrawnVertices / kZeros));
+  const Error drawn = loadError(folder, placed(large, renderer::kMaxDrawnVertices / kZeros));
   CHECK(drawn.kind == ErrorKind::resources);
   CHECK(drawn.message.find(std::to_string(renderer::kMaxDrawnVertices)) != std::string::npos);
 }
 
-TEST_CASE("buffers that are together larger than a GLB are refused before they are read") {
+TEST_CASE("buffers that exceed the size of a GLB in total are an error before they are read") {
   const TemporaryFolder folder;
   GltfScene scene = triangleScene();
   for (int i = 0; i < 2; ++i)
     scene.json["buffers"].push_back(
         {{"byteLength", renderer::kMaxBufferBytes / 2}, {"uri", "absent.bin"}});
-  const Error error = refusalOf(folder, scene);
+  const Error error = loadError(folder, scene);
   CHECK(error.kind == ErrorKind::resources);
   CHECK(error.message.find(std::to_string(renderer::kMaxBufferBytes)) != std::string::npos);
 }
 
-TEST_CASE("one large file that many images name is refused") {
+TEST_CASE("many images that refer to one large file are an error") {
   const TemporaryFolder folder;
   constexpr std::size_t kLarge = std::size_t(1) << 26;
   const auto file = writeInto(folder, "large.png", {});
@@ -72,12 +72,12 @@ TEST_CASE("one large file that many images name is refused") {
   GltfScene scene = triangleScene();
   scene.json["images"] =
       json(std::vector<json>(renderer::kMaxImageBytes / kLarge + 1, {{"uri", "large.png"}}));
-  const Error error = refusalOf(folder, scene);
+  const Error error = loadError(folder, scene);
   CHECK(error.kind == ErrorKind::resources);
   CHECK(error.message.find(std::to_string(renderer::kMaxImageBytes)) != std::string::npos);
 }
 
-TEST_CASE("images that share a view take no memory of their own") {
+TEST_CASE("images that share a bufferView take no extra memory") {
   const TemporaryFolder folder;
   constexpr std::size_t kLarge = std::size_t(1) << 20;
   GltfScene scene = triangleScene();
@@ -87,30 +87,30 @@ TEST_CASE("images that share a view take no memory of their own") {
   CHECK(renderer::readScene(writeInto(folder, "shared.glb", scene.glb())).ok());
 }
 
-TEST_CASE("a strip counts as the triangles that it becomes") {
+TEST_CASE("a strip counts as its triangles") {
   const TemporaryFolder folder;
   GltfScene scene = triangleScene();
-  // Fits as it is stored, and not when each triangle has three vertices and indices of its own.
+  // Within the bounds as stored, but not with three vertices and indices per triangle.
   const std::size_t count = renderer::kMaxSceneVertices / 6;
   scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
   scene.json["meshes"][0]["primitives"] = {
       {{"attributes", {{"POSITION", scene.json["accessors"].size() - 1}}}, {"mode", 5}}};
-  const Error error = refusalOf(folder, scene);
+  const Error error = loadError(folder, scene);
   CHECK(error.kind == ErrorKind::resources);
   CHECK(error.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
 }
 
-TEST_CASE("a point counts as the solid that it becomes") {
+TEST_CASE("a point counts as its solid") {
   const TemporaryFolder folder;
   GltfScene scene = triangleScene();
   const std::size_t count = renderer::kMaxSceneVertices / 50;
   scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
   scene.json["meshes"][0]["primitives"] = {
       {{"attributes", {{"POSITION", scene.json["accessors"].size() - 1}}}, {"mode", 0}}};
-  CHECK(refusalOf(folder, scene).kind == ErrorKind::resources);
+  CHECK(loadError(folder, scene).kind == ErrorKind::resources);
 }
 
-TEST_CASE("a small file that deforms without end is refused for its size") {
+TEST_CASE("a small file with excessive deformation is an error") {
   const TemporaryFolder folder;
   constexpr std::size_t kTargets = 1000;
   const std::size_t count = renderer::kMaxSceneVertices / kTargets;
@@ -122,11 +122,11 @@ TEST_CASE("a small file that deforms without end is refused for its size") {
   mesh["primitives"] = {{{"attributes", {{"POSITION", zeros}}},
                          {"targets", json(std::vector<json>(kTargets, {{"POSITION", zeros}}))}}};
   mesh["weights"] = std::vector<int>(kTargets, 1);
-  const Error passes = refusalOf(folder, targets);
+  const Error passes = loadError(folder, targets);
   CHECK(passes.kind == ErrorKind::resources);
   CHECK(passes.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
 
-  // Each node that deforms a mesh has vertices of its own, if it has any.
+  // Each node that deforms a mesh has its own vertices, if there are any.
   GltfScene nodes = triangleScene();
   constexpr std::size_t kNodes = 1024;
   json primitive{{"attributes", json::object()}};
@@ -136,12 +136,12 @@ TEST_CASE("a small file that deforms without end is refused for its size") {
   std::vector<std::size_t> all(kNodes);
   std::iota(all.begin(), all.end(), 0u);
   nodes.json["scenes"][0]["nodes"] = all;
-  const Error loads = refusalOf(folder, nodes);
+  const Error loads = loadError(folder, nodes);
   CHECK(loads.kind == ErrorKind::resources);
   CHECK(loads.message.find(std::to_string(renderer::kMaxSceneInstances)) != std::string::npos);
 }
 
-TEST_CASE("a buffer is read from inside the scene's folder only, by whatever way") {
+TEST_CASE("buffers load only from inside the scene's folder, however the path is written") {
   const TemporaryFolder folder;
   const std::filesystem::path inside = folder.path() / "scene";
   std::filesystem::create_directory(inside);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same geometry stored in every way that glTF allows loads as the same triangles.
+// The same geometry, stored in all forms that glTF allows, loads as the same triangles.
 #include "framing.h"
 #include "render_gltf.h"
 #include "scene.h"
@@ -21,7 +21,7 @@ Scene load(const GltfScene& scene) {
   return std::move(loaded).value();
 }
 
-/// Positions in the order in which triangles use them, in the world.
+/// World positions in the order of the triangles' corners.
 std::vector<glm::vec3> corners(const Scene& scene) {
   std::vector<glm::vec3> result;
   for (const renderer::Instance& instance : scene.instances)
@@ -49,12 +49,12 @@ GltfScene quadScene(std::size_t indexBytes) {
 
 } // namespace
 
-TEST_CASE("indices of 8, 16 and 32 bits name the same triangles") {
+TEST_CASE("indices of 8, 16 and 32 bits give the same triangles") {
   for (const std::size_t bytes : {1u, 2u, 4u})
     CHECK(corners(load(quadScene(bytes))) == kQuadCorners);
 }
 
-TEST_CASE("a strip and a fan become the triangles they stand for") {
+TEST_CASE("strips and fans become separate triangles") {
   GltfScene strip = quadScene(2);
   strip.json["meshes"][0]["primitives"][0].erase("indices");
   strip.json["meshes"][0]["primitives"][0]["mode"] = 5;
@@ -66,7 +66,7 @@ TEST_CASE("a strip and a fan become the triangles they stand for") {
         std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 0}});
 }
 
-TEST_CASE("an unindexed list loses the vertices of an incomplete last triangle") {
+TEST_CASE("an unindexed list drops an incomplete last triangle") {
   GltfScene scene = quadScene(2);
   scene.json["meshes"][0]["primitives"][0].erase("indices");
   CHECK(corners(load(scene)).size() == 3);
@@ -94,7 +94,7 @@ TEST_CASE("interleaved attributes are read with their stride") {
     CHECK(v.texCoord1 == glm::vec2(0.25f, 0.5f));
 }
 
-TEST_CASE("sparse values replace those of the view, or zeros without one") {
+TEST_CASE("sparse values replace those of the bufferView, or zeros without one") {
   GltfScene scene = quadScene(2);
   const std::vector<float> moved{5, 6, 7};
   const std::size_t values = scene.addView(std::as_bytes(std::span(moved)));
@@ -125,7 +125,7 @@ TEST_CASE("normalized integers become fractions") {
   CHECK(load(scene).primitives[0].vertices[0].color.r == Approx(0.2f));
 }
 
-TEST_CASE("a mesh without normals is flat, and its tangents follow the texture") {
+TEST_CASE("a mesh without normals gets flat normals, and its tangents follow the texture") {
   GltfScene scene = quadScene(2);
   scene.json["materials"][0]["normalTexture"] = {
       {"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})}};
@@ -134,15 +134,15 @@ TEST_CASE("a mesh without normals is flat, and its tangents follow the texture")
   const Scene loaded = load(scene);
   for (const Vertex& v : loaded.primitives[0].vertices) {
     CHECK(v.normal == glm::vec3(0, 0, 1));
-    // The bitangent, cross(n, t) w, points up: against v, as glTF has it.
+    // The bitangent, cross(n, t) w, points up, against v, as in glTF.
     CHECK(v.tangent == glm::vec4(1, 0, 0, 1));
   }
 }
 
 namespace {
 
-/// A quad across x, with normals: u of the first texture coordinates along y, of the second along
-/// z.
+/// A quad perpendicular to x, with normals. u runs along y in the first texture coordinates, along
+/// z in the second.
 GltfScene quadOfTwoCoordinates() {
   GltfScene scene = quadScene(2);
   nlohmann::json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
@@ -159,7 +159,7 @@ glm::vec3 tangentOf(const GltfScene& scene) {
 
 } // namespace
 
-TEST_CASE("tangents follow the texture coordinates that the normals are read with") {
+TEST_CASE("tangents follow the texture coordinates of the normals") {
   const glm::vec3 alongY(0, 1, 0);
   const glm::vec3 alongZ(0, 0, 1);
   GltfScene scene = quadOfTwoCoordinates();
@@ -169,7 +169,7 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
   material["normalTexture"]["texCoord"] = 1;
   CHECK(tangentOf(scene) == alongZ);
 
-  // A noise with normals takes the place of the texture.
+  // A noise with normals replaces the texture.
   nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
   root["noises"] = {
@@ -179,12 +179,12 @@ TEST_CASE("tangents follow the texture coordinates that the normals are read wit
   use["texCoord"] = 1;
   material["normalTexture"]["texCoord"] = 0;
   CHECK(tangentOf(scene) == alongZ);
-  root["noises"][0]["revision"] = 2; // ignored
+  root["noises"][0]["revision"] = 2; // an unsupported revision
   CHECK(tangentOf(scene) == alongY);
   root["noises"][0]["revision"] = 1;
   root["noises"][0]["maps"].erase(1);
   CHECK(tangentOf(scene) == alongY);
-  // Whatever the extension holds instead, the plugin is the one to refuse it.
+  // The loader ignores faults in the extension; the plugin reports them.
   for (const nlohmann::json& fault : {nlohmann::json(7), nlohmann::json(-1), nlohmann::json(0.5),
                                       nlohmann::json("x"), nlohmann::json::array({1})}) {
     use["noise"] = fault;
@@ -232,7 +232,7 @@ TEST_CASE("nodes apply scale, rotation and translation in that order, parents la
   CHECK(corner.z == Approx(3).margin(1e-5));
 }
 
-TEST_CASE("a used extension that is unknown is named once and ignored") {
+TEST_CASE("an unknown used extension is ignored, with one note") {
   GltfScene scene = quadScene(2);
   scene.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_clearcoat"};
   const Scene loaded = load(scene);
@@ -240,13 +240,13 @@ TEST_CASE("a used extension that is unknown is named once and ignored") {
   CHECK(loaded.notes[0].find("KHR_materials_clearcoat") != std::string::npos);
 }
 
-TEST_CASE("of more vertices than are fitted one by one the automatic camera sees the boxes") {
+TEST_CASE("with too many vertices, the automatic camera frames bounding boxes") {
   GltfScene source;
   source.addBall(source.addMaterial(nlohmann::json::object()), nlohmann::json::object());
   Scene scene = load(source);
   std::vector<Vertex>& vertices = scene.primitives[0].vertices;
   const std::vector<Vertex> ball = vertices;
-  vertices.resize(std::size_t(1) << 20, ball[0]); // no vertex stands anywhere else
+  vertices.resize(std::size_t(1) << 20, ball[0]); // all at the same position
   const auto camera = [&](std::size_t count) {
     scene.instances.assign(count, scene.instances[0]);
     return renderer::chooseCamera(scene, renderer::subjectOf(scene).value(), "auto", 1.0f).value();
@@ -256,7 +256,7 @@ TEST_CASE("of more vertices than are fitted one by one the automatic camera sees
   CHECK(glm::length(boxed) < 2.0 * glm::length(fitted));
 }
 
-TEST_CASE("the automatic camera has the whole subject in its picture, no smaller than it must be") {
+TEST_CASE("the automatic camera shows the whole subject as large as possible") {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());
   scene.addBall(material, {{"translation", {40, 1, 0}}});
@@ -280,16 +280,16 @@ TEST_CASE("the automatic camera has the whole subject in its picture, no smaller
     const float edge = 1.0f / 1.12f; // framing.cpp's kAutoMargin
     CHECK(low[tight] == Approx(-edge).margin(1e-3));
     CHECK(high[tight] == Approx(edge).margin(1e-3));
-    CHECK(low[1 - tight] == Approx(-high[1 - tight]).margin(1e-3)); // the other one is centred
+    CHECK(low[1 - tight] == Approx(-high[1 - tight]).margin(1e-3)); // the other axis is centred
   }
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());
   CHECK(unknown.error().kind == ErrorKind::usage);
 }
 
-TEST_CASE("a camera is found by the name of its node or its own, and a refusal lists both") {
+TEST_CASE("a camera is found by its node's name or its own, and the error lists both") {
   GltfScene scene = quadScene(2);
-  scene.addCamera(4.0f, 0.6f); // a camera called "front"
+  scene.addCamera(4.0f, 0.6f); // a camera named "front"
   scene.json["nodes"].back()["name"] = "Camera.left";
   scene.json["nodes"].push_back(scene.json["nodes"].back());
   scene.json["nodes"].back()["name"] = "Camera.right";
@@ -304,9 +304,9 @@ TEST_CASE("a camera is found by the name of its node or its own, and a refusal l
   };
   CHECK(placeOf("Camera.left") == 0.0);
   CHECK(placeOf("Camera.right") == 5.0);
-  CHECK(placeOf("front") == 0.0); // the first of its nodes
+  CHECK(placeOf("front") == 0.0); // its first node
   const auto unknown = renderer::chooseCamera(loaded, subject, "side", 1.0f);
   REQUIRE_FALSE(unknown.ok());
-  CHECK(unknown.error().message == "--camera side: no such camera in the scene; there are auto, "
+  CHECK(unknown.error().message == "--camera side: the scene has no such camera; available: auto, "
                                    "Camera.left, Camera.right, front");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer's own shaders as the build embeds them, looked at by SPIRV-Tools: a driver may draw
-// with invalid SPIR-V, and another one refuses it or draws something else.
+// Validates the renderer's embedded shaders with SPIRV-Tools: a driver may accept invalid SPIR-V
+// that another one rejects or renders differently.
 #include <catch2/catch.hpp>
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace {
 
-/// What the validator says against a module; empty of a valid one.
+/// The validator's messages for a module; empty if it is valid.
 std::string faultsOf(std::span<const std::uint32_t> module) {
   std::string faults;
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
   tools.SetMessageConsumer(
-      [&](spv_message_level_t, const char*, const spv_position_t& place, const char* text) {
-        faults += "word " + std::to_string(place.index) + ": " + text + "\n";
+      [&](spv_message_level_t, const char*, const spv_position_t& position, const char* text) {
+        faults += "word " + std::to_string(position.index) + ": " + text + "\n";
       });
   const bool isValid = tools.Validate(module.data(), module.size());
   return isValid ? std::string() : faults + "invalid";
@@ -35,10 +35,10 @@ TEST_CASE("every shader that the renderer embeds is valid SPIR-V for Vulkan 1.0"
   CHECK(std::size(kRendererShaders) > 1);
 }
 
-TEST_CASE("a shader with a word out of place is found to be invalid") {
+TEST_CASE("a shader with a corrupted word is invalid") {
   const std::span<const std::uint32_t> sound = kRendererShaders[0].second;
   std::vector<std::uint32_t> broken(sound.begin(), sound.end());
-  constexpr std::size_t kBound = 3; // word of the header: all ids are below it
+  constexpr std::size_t kBound = 3; // header word: upper bound of all ids
   broken[kBound] = 2;
   CHECK(faultsOf(broken) != "");
 }

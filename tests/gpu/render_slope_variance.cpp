@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bumps that a pixel hides: the highlight of a plane with a normal noise, and the light of coloured
-// bumps, seen from afar.
+// Bumps smaller than a pixel: the highlight of a plane with a normal noise, and the light of
+// coloured bumps, from a distance.
 #include "rendered.h"
 
 #include <lichen/bundle_writer.h>
@@ -18,11 +18,11 @@ using renderer::RenderSettings;
 
 namespace {
 
-constexpr int kTexels = 64;    // a side of the exemplar
+constexpr int kTexels = 64;    // per side of the exemplar
 constexpr float kTiles = 4.0f; // across the plane
 
-/// Slopes of a smooth random height, with a deviation of 0.12 along each axis: most of the plane
-/// leans by less than 15 degrees.
+/// Slopes of a smooth random height field with a deviation of 0.12 along each axis: most of the
+/// plane tilts by less than 15 degrees.
 MapExemplar bumps() {
   constexpr float kDeviation = 0.12f;
   const auto height = [](int x, int y) { // white noise, averaged over 3 x 3
@@ -67,11 +67,11 @@ BundleFile bundleFileOf(Result<Bake> bake) {
 BundleFile bumpyBundle(const MapExemplar& map) {
   TilingOptions options;
   options.periodic = Periodic::yes;
-  options.gaussian = GaussianOnly::no; // they nearly are, and this is about the table
+  options.gaussian = GaussianOnly::no; // they are almost Gaussian, and this test needs the table
   return bundleFileOf(bakeTiling("bumps", {&map, 1}, options));
 }
 
-/// Dark and light grains of the bumps: the higher slopes to the right are, the lighter.
+/// Colours of the bumps: the higher the slope to the right, the lighter.
 std::vector<MapExemplar> colouredBumps() {
   MapExemplar colours;
   colours.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
@@ -85,8 +85,8 @@ std::vector<MapExemplar> colouredBumps() {
   return {colours, map};
 }
 
-/// Takes the slopes' variance out of a bundle's table.
-void forgetVariance(Bundle& bundle) {
+/// Removes the slope variance from a bundle's table.
+void removeVariance(Bundle& bundle) {
   Table& table = bundle.tables[*bundle.noises[0].maps[0].as<TilingMap>().inverseTable];
   std::vector<float> texels = decodeLevel(table, 0);
   for (std::size_t i = 2; i < texels.size(); i += 4)
@@ -95,9 +95,9 @@ void forgetVariance(Bundle& bundle) {
   appendTexels(table.texels, table.format, texels);
 }
 
-/// An orthographic camera on the z axis that sees this far to each side, and a light from
-/// `lightAngle` above it.
-void facedBy(GltfScene& scene, float halfWidth, float halfHeight, double lightAngle) {
+/// Adds an orthographic camera on the z axis with this half width and half height, and a light at
+/// `lightAngle` above the axis.
+void addCameraAndLight(GltfScene& scene, float halfWidth, float halfHeight, double lightAngle) {
   nlohmann::json& json = scene.json;
   json["cameras"].push_back(
       {{"type", "orthographic"},
@@ -120,7 +120,7 @@ GltfScene planeUnder(const BundleFile& file, double lightAngle) {
                  {"TANGENT", scene.addFloats({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, 4)},
                  {"TEXCOORD_0", scene.addFloats({0, 0, 0, kTiles, kTiles, kTiles, kTiles, 0}, 2)}},
                 scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0);
-  facedBy(scene, h, h, lightAngle);
+  addCameraAndLight(scene, h, h, lightAngle);
   return scene;
 }
 
@@ -138,32 +138,34 @@ double meanRadiance(const LinearImage& image) {
 
 } // namespace
 
-TEST_CASE("a bumpy plane seen from afar reflects as much as one whose bumps are drawn") {
+TEST_CASE("a bumpy plane far away reflects as much as one with resolved bumps") {
   const BundleFile bumpy = bumpyBundle(bumps());
   BundleFile flat = bumpy;
-  forgetVariance(flat.bundle);
-  constexpr std::uint32_t kFar = 16;                               // 16 texels a pixel
-  constexpr std::uint32_t kNear = std::uint32_t(kTiles) * kTexels; // one
+  removeVariance(flat.bundle);
+  constexpr std::uint32_t kFar = 16;                               // 16 texels per pixel
+  constexpr std::uint32_t kNear = std::uint32_t(kTiles) * kTexels; // one texel per pixel
   for (const double degrees : {2.0, 12.0, 24.0}) {
     const double angle = degrees * 3.14159265358979 / 180.0;
     const GltfScene scene = planeUnder(bumpy, angle);
     const double drawn = meanRadiance(render(scene.glb(), lightOnly(kNear)));
     const double hidden = meanRadiance(render(scene.glb(), lightOnly(kFar)));
-    const double forgotten = meanRadiance(render(planeUnder(flat, angle).glb(), lightOnly(kFar)));
-    INFO(degrees << " degrees: drawn " << drawn << ", hidden " << hidden << ", forgotten "
-                 << forgotten);
-    // Slopes whose variances add are Beckmann's; the GGX of the same alpha is lower by up to 30 %
-    // between one and two deviations from the middle, where the last light has its reflection.
+    const double withoutVariance =
+        meanRadiance(render(planeUnder(flat, angle).glb(), lightOnly(kFar)));
+    INFO(degrees << " degrees: drawn " << drawn << ", hidden " << hidden << ", withoutVariance "
+                 << withoutVariance);
+    // Adding slope variances is exact for Beckmann; GGX with the same alpha is up to 30 % lower
+    // between one and two deviations from the centre, where the last light reflects.
     CHECK(std::abs(hidden / drawn - 1.0) < 0.35);
-    CHECK(std::abs(hidden / drawn - 1.0) < 0.4 * std::abs(forgotten / drawn - 1.0));
+    CHECK(std::abs(hidden / drawn - 1.0) < 0.4 * std::abs(withoutVariance / drawn - 1.0));
   }
 }
 
-TEST_CASE("a highlight on hidden bumps is too bright by as much as its one lobe is another shape") {
+TEST_CASE(
+    "the highlight of unresolved bumps is too bright exactly by the difference in lobe shape") {
   const MapExemplar map = bumps();
   const BundleFile bumpy = bumpyBundle(map);
   constexpr std::uint32_t kFar = 16, kNear = std::uint32_t(kTiles) * kTexels;
-  // GGX where the half vector is a plane's normal, of facets about a normal of these slopes.
+  // GGX at the plane's normal as half vector, for facets around a normal with these slopes.
   const auto facing = [](double alpha2, double slopes2) {
     const double d = (alpha2 - 1.0) / (1.0 + slopes2) + 1.0;
     return alpha2 / (d * d);
@@ -184,27 +186,27 @@ TEST_CASE("a highlight on hidden bumps is too bright by as much as its one lobe 
     greatest = std::max(greatest, expected);
     INFO("roughness " << roughness << ": drawn " << drawn << ", hidden " << hidden << ", ratio "
                       << hidden / drawn << ", expected " << expected);
-    // Cosines, the visibility of leaning facets and what 16 tiles happen to show.
+    // Cosines, the visibility of tilted facets, and the sample of 16 tiles.
     CHECK(hidden / drawn == Approx(expected).epsilon(0.05));
   }
-  CHECK(greatest > 1.15); // docs/theory.md: 1.25 at most
+  CHECK(greatest > 1.15); // docs/theory.md: at most 1.25
 }
 
 namespace {
 
-/// Squares that face an orthographic camera, a pixel of which is 1 / kTexels wide: a column for
-/// each of these scales of the noise, one row of rough stone and one of worn metal. `sides` are
-/// those of the squares, in pixels; the first is the largest.
-LinearImage squares(BundleFile file, Mapping mapping, std::span<const double> texelsAPixel,
+/// Squares that face an orthographic camera with pixels of 1 / kTexels: one column per noise scale,
+/// one row of rough stone and one of worn metal. `sides` are the squares' sides in pixels; the
+/// first is the largest.
+LinearImage squares(BundleFile file, Mapping mapping, std::span<const double> texelsPerPixel,
                     std::span<const std::uint32_t> sides) {
-  // A file has one material for each noise.
+  // A file has one material per noise.
   const Noise noise = file.bundle.noises[0];
   MaterialNoise use = *file.bundle.materials[0];
   use.mapping = mapping;
   file.bundle.noises.clear();
   file.bundle.materials.clear();
   for (int row = 0; row < 2; ++row)
-    for (const double texels : texelsAPixel) {
+    for (const double texels : texelsPerPixel) {
       use.scale = 1.0 / texels;
       use.noise = file.bundle.noises.size();
       file.bundle.materials.emplace_back(use);
@@ -234,13 +236,13 @@ LinearImage squares(BundleFile file, Mapping mapping, std::span<const double> te
       left = right;
     }
   }
-  facedBy(scene, 0.5f * float(width) / kTexels, 0.5f * float(height) / kTexels, 0.1);
+  addCameraAndLight(scene, 0.5f * float(width) / kTexels, 0.5f * float(height) / kTexels, 0.1);
   RenderSettings settings = lightOnly(height);
   settings.width = width;
   return render(scene.glb(), settings);
 }
 
-/// Mean radiance of the square of pixels from this column and row on.
+/// Mean radiance of the square of pixels that starts at this column and row.
 double meanRadiance(const LinearImage& image, std::uint32_t left, std::uint32_t top,
                     std::uint32_t side) {
   double sum = 0.0;
@@ -253,19 +255,19 @@ double meanRadiance(const LinearImage& image, std::uint32_t left, std::uint32_t 
 
 } // namespace
 
-TEST_CASE("lit, coloured bumps are as bright at every distance, in either mapping") {
+TEST_CASE("lit, coloured bumps have the same brightness at every distance, in both mappings") {
   const std::vector<MapExemplar> maps = colouredBumps();
   TilingOptions tiling;
   tiling.periodic = Periodic::yes;
   TextonOptions texton;
   texton.support = 32;
   constexpr std::array<double, 5> kTexelsAPixel{1.0, 2.0, 8.0, 40.0, 100.0 * kTexels};
-  // The drawn one shows 16 tiles.
+  // The resolved one shows 16 tiles.
   constexpr std::array<std::uint32_t, 5> kSides{4 * kTexels, 2 * kTexels, 32, 16, 16};
-  // Of stone, light's cosine on bumps, off by 0.12^2 / 2 along each axis, and the spread of 16
-  // tiles. Of metal, in the middle of the highlight: GGX of alpha 0.25 averaged over slopes of
-  // deviation 0.12 has 0.576 of its peak, that of alpha^2 + 2 0.12^2 has 0.685, 1.19 times as much;
-  // with no variance it would be 1.7 times.
+  // Stone: the cosine on bumps is off by 0.12^2 / 2 along each axis, plus the spread of 16 tiles.
+  // Metal, at the centre of the highlight: GGX with alpha 0.25, averaged over slopes with deviation
+  // 0.12, has 0.576 of its peak; GGX with alpha^2 + 2 0.12^2 has 0.685, a factor of 1.19. Without
+  // variance the factor would be 1.7.
   constexpr std::array<double, 2> kBounds{0.03, 0.25};
   for (const BundleFile& file : {bundleFileOf(bakeTiling("bumps", maps, tiling)),
                                  bundleFileOf(bakeTexton("bumps", maps, texton))})
@@ -285,7 +287,7 @@ TEST_CASE("lit, coloured bumps are as bright at every distance, in either mappin
     }
 }
 
-TEST_CASE("rotating a noise turns its slopes with it, and not their variance") {
+TEST_CASE("rotating a noise rotates its slopes, but not their variance") {
   MapExemplar slope = bumps();
   for (std::size_t i = 0; i < slope.values.size(); i += 2) {
     slope.values[i] = 0.3f;
@@ -297,10 +299,11 @@ TEST_CASE("rotating a noise turns its slopes with it, and not their variance") {
   RenderSettings settings = lightOnly(8);
   settings.debugView = "normals";
   const LinearImage normals = render(planeUnder(file, 0.0).glb(), settings);
-  // The height is 0.3 x, x = cos u + sin v: it rises by 0.3 cos to the right and 0.3 sin downwards.
+  // The height is 0.3 x with x = cos u + sin v: it rises by 0.3 cos to the right and 0.3 sin
+  // downwards.
   const std::array<double, 3> normal{-0.3 * std::cos(kTurn), 0.3 * std::sin(kTurn), 1.0};
   const double length = std::hypot(0.3, 1.0);
-  for (std::size_t c = 0; c < 3; ++c) // an 11-bit half of 0.3, and an 8-bit or half target
+  for (std::size_t c = 0; c < 3; ++c) // 0.3 as an 11-bit half, and an 8-bit or half target
     CHECK(double(normals.pixel(4, 4)[c]) ==
           Approx(0.5 + 0.5 * normal[c] / length).margin(2.0 / 255.0));
 }

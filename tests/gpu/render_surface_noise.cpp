@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Noise on surfaces without texture coordinates, drawn: each pixel against the CPU twin at the
-// place in the world that it sees.
+// Rendered noise on surfaces without texture coordinates: each pixel against the CPU twin at the
+// world position of the pixel.
 #include "rendered.h"
 #include "synthetic_texton.h"
 
@@ -17,8 +17,8 @@ namespace {
 constexpr int kSide = 48;
 constexpr float kDistance = 3.0f, kFieldOfView = 0.4f;
 
-/// A turned, moved and scaled square without texture coordinates that fills the picture, its
-/// exemplar's x along (4, 3, 0) / 5 of the object.
+/// A rotated, moved and scaled square without texture coordinates that fills the picture. The
+/// exemplar's x runs along (4, 3, 0) / 5 of the object.
 struct Square {
   explicit Square(const SyntheticTexton& texton) : file(syntheticTextonBundle(texton)) {
     MaterialNoise& use = *file.bundle.materials[0];
@@ -54,7 +54,7 @@ struct Square {
     return render(scene(fromBehind).glb(), settings);
   }
 
-  /// Where a pixel sees the square, in the world.
+  /// The footprint of a pixel on the square, in the world.
   [[nodiscard]] SurfaceFootprint footprint(int x, int y) const {
     const float half = (kDistance - kHeight) * std::tan(kFieldOfView / 2);
     const float pixel = 2.0f * half / kSide;
@@ -81,8 +81,7 @@ struct Square {
 
 } // namespace
 
-TEST_CASE(
-    "colours on a surface are those of the place in the world, and seen from behind no others") {
+TEST_CASE("colours on a surface follow the world position, and are the same from behind") {
   const Square square({.wholeFloats = true});
   const LinearImage picture = square.picture("base-color", true);
   double spread = 0.0;
@@ -93,7 +92,7 @@ TEST_CASE(
         REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
       spread += std::pow(double(expected[0]) - 0.222, 2) / (kSide * kSide);
     }
-  CHECK(spread > 1e-4); // there is something to see
+  CHECK(spread > 1e-4); // the noise is not constant
 }
 
 TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent") {
@@ -104,7 +103,7 @@ TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent")
     for (int x = 0; x < kSide; ++x) {
       const auto slopes = square.twinAt(x, y);
       const auto tangent = square.footprint(x, y).tangent;
-      // From the exemplar's frame, whose y is up here, to that of the tangent.
+      // From the exemplar's frame, with y up, to the tangent's frame.
       const double along = std::cos(turn) * double(slopes[0]) + std::sin(turn) * double(slopes[1]);
       const double up = std::cos(turn) * double(slopes[1]) - std::sin(turn) * double(slopes[0]);
       const double tangentX = double(tangent[0]), tangentY = double(tangent[1]);
@@ -118,7 +117,7 @@ TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent")
     }
 }
 
-TEST_CASE("a mesh without tangents under noise that lies along them is named once") {
+TEST_CASE("a note names a mesh once if its noise needs tangents that it lacks") {
   GltfScene scene = Square({.wholeFloats = true}).scene();
   scene.json["meshes"][0]["name"] = "wall";
   scene.json["materials"][0]["name"] = "moss";
@@ -133,9 +132,10 @@ TEST_CASE("a mesh without tangents under noise that lies along them is named onc
   primitives[0]["attributes"].erase("TANGENT");
   primitives.push_back(primitives[0]);
   CHECK(notesOf() == std::vector<std::string>{
-                         "/meshes/0 \"wall\" has no TANGENT, along which the noise of its material "
-                         "\"moss\" lies; any direction is taken, lichen apply finds good ones"});
-  // From the texture coordinates of a normal texture tangents are made.
+                         "/meshes/0 \"wall\" has no TANGENT attribute, which the noise of its "
+                         "material \"moss\" follows; an arbitrary direction is used; add "
+                         "tangents with lichen apply"});
+  // The loader generates tangents from the texture coordinates of a normal texture.
   const auto texture = scene.addChecker(2, {0.5f, 0.5f, 1.0f}, {0.5f, 0.5f, 1.0f});
   scene.json["materials"][0]["normalTexture"] = {{"index", texture}};
   CHECK(notesOf().size() == 1);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tangents that the renderer makes, on meshes whose tangents follow by hand from MikkTSpace's
-// rules.
+// Generated tangents, on meshes whose tangents follow by hand from MikkTSpace's rules.
 #include "tangents.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +14,8 @@ using renderer::Vertex;
 
 namespace {
 
-/// In the plane z = 0, with the normal that makes a counter-clockwise triangle's front; v upwards.
+/// A vertex in the plane z = 0 with the normal (0, 0, 1), the front of a counter-clockwise
+/// triangle; v points up.
 Vertex corner(glm::vec2 position, glm::vec2 uv) {
   Vertex vertex;
   vertex.position = glm::vec3(position, 0.0f);
@@ -36,7 +36,7 @@ Primitive withTangents(Primitive primitive) {
   return primitive;
 }
 
-/// The same triangles, a vertex for each corner.
+/// The same triangles with one vertex per corner.
 Primitive unindexed(const Primitive& primitive) {
   Primitive result;
   for (const std::uint32_t index : primitive.indices)
@@ -58,23 +58,22 @@ void checkNear(glm::vec4 tangent, glm::vec2 direction, float side) {
   CHECK(tangent.w == side);
 }
 
-/// A right angle and half of one at the origin. In the first triangle u runs along x. In the second
-/// the corner (-1, 1) has (u, v) = (-1, 0), so that P_v = y and -P_u = (-1, 1): u runs along
-/// (1, -1).
+/// Angles of 90 and 45 degrees at the origin. In the first triangle u runs along x. In the second,
+/// the corner (-1, 1) has (u, v) = (-1, 0), so P_v = y and -P_u = (-1, 1): u runs along (1, -1).
 Primitive fanOfTwoAngles() {
   return mesh({corner({0, 0}, {0, 0}), corner({9, 0}, {9, 0}), corner({0, 1}, {0, 1}),
                corner({-1, 1}, {-1, 0})},
               {0, 1, 2, 0, 2, 3});
 }
 
-/// A square of an image and its mirror image beside it: they share the edge x = 1.
+/// A square with an image next to one with its mirror image; they share the edge x = 1.
 Primitive mirroredPair() {
   return mesh({corner({0, 0}, {0, 0}), corner({1, 0}, {1, 0}), corner({2, 0}, {0, 0}),
                corner({0, 1}, {0, 1}), corner({1, 1}, {1, 1}), corner({2, 1}, {0, 1})},
               {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4});
 }
 
-/// Four uneven quads, of which those on the right have their part of the image mirrored.
+/// Four uneven quads; those on the right have a mirrored part of the image.
 Primitive unevenGrid() {
   Primitive grid;
   const std::array<float, 3> columns{0.0f, 0.5f, 0.125f};
@@ -94,8 +93,8 @@ Primitive unevenGrid() {
   return grid;
 }
 
-/// What Mikkelsen's own code makes of its corners (npm's mikktspace 1.1.1), the sign turned round
-/// as glTF's v is.
+/// Results of Mikkelsen's own code (npm's mikktspace 1.1.1) for its corners, with the sign flipped
+/// because glTF's v is.
 const std::vector<glm::vec4> kMikkTSpace{
     {0.840448f, -0.463856f, 0.280149f, -1}, {0.994572f, -0.102634f, 0.017106f, -1},
     {0.148033f, -0.988982f, 0.000000f, -1}, {0.840448f, -0.463856f, 0.280149f, -1},
@@ -113,7 +112,7 @@ const std::vector<glm::vec4> kMikkTSpace{
 
 } // namespace
 
-TEST_CASE("tangents are those of MikkTSpace") {
+TEST_CASE("tangents match MikkTSpace") {
   const Primitive grid = withTangents(unevenGrid());
   REQUIRE(grid.indices.size() == kMikkTSpace.size());
   for (std::size_t k = 0; k < kMikkTSpace.size(); ++k)
@@ -121,7 +120,7 @@ TEST_CASE("tangents are those of MikkTSpace") {
       CHECK(tangentAt(grid, k)[c] == Approx(kMikkTSpace[k][c]).margin(2e-6)); // six digits
 }
 
-TEST_CASE("triangles count by their angle at the vertex, not by their size") {
+TEST_CASE("triangles are weighted by their angle at the vertex, not by their size") {
   const Primitive fan = withTangents(fanOfTwoAngles());
   const glm::vec2 expected = 2.0f * glm::vec2(1, 0) + glm::normalize(glm::vec2(1, -1));
   checkNear(tangentAt(fan, 0), expected, 1.0f);
@@ -131,20 +130,20 @@ TEST_CASE("triangles count by their angle at the vertex, not by their size") {
   CHECK(fan.vertices.size() == 4);
 }
 
-TEST_CASE("an image and its mirror image have each its own tangent where they meet") {
+TEST_CASE("an image and its mirror image have separate tangents where they meet") {
   const Primitive pair = withTangents(mirroredPair());
   REQUIRE(pair.indices.size() == 12);
   for (std::size_t k = 0; k < 6; ++k) {
     checkNear(tangentAt(pair, k), {1, 0}, 1.0f);
     checkNear(tangentAt(pair, 6 + k), {-1, 0}, -1.0f);
   }
-  CHECK(pair.vertices.size() == 8); // two on the edge are there twice
+  CHECK(pair.vertices.size() == 8); // the two on the edge are duplicated
   const Primitive before = mirroredPair();
   for (std::size_t k = 0; k < 12; ++k)
     CHECK(pair.vertices[pair.indices[k]].position == before.vertices[before.indices[k]].position);
 }
 
-TEST_CASE("tangents do not depend on how vertices are indexed") {
+TEST_CASE("tangents do not depend on the indexing of vertices") {
   for (const Primitive& shared : {fanOfTwoAngles(), mirroredPair()}) {
     const Primitive a = withTangents(shared);
     const Primitive b = withTangents(unindexed(shared));
@@ -154,7 +153,7 @@ TEST_CASE("tangents do not depend on how vertices are indexed") {
   }
 }
 
-TEST_CASE("triangles that share a vertex and no edge have each its own tangent there") {
+TEST_CASE("triangles that share a vertex but no edge have separate tangents there") {
   const Primitive bow =
       withTangents(mesh({corner({0, 0}, {0, 0}), corner({1, 0}, {1, 0}), corner({1, 1}, {1, 1}),
                          corner({-1, 0}, {0, -1}), corner({-1, -1}, {1, -1})},
@@ -163,17 +162,17 @@ TEST_CASE("triangles that share a vertex and no edge have each its own tangent t
   checkNear(tangentAt(bow, 3), {0, -1}, 1.0f); // (-1, 0) is -v, (-1, -1) is u - v
 }
 
-TEST_CASE("a triangle without texture takes the tangents beside it") {
+TEST_CASE("a triangle without texture area takes the tangents of its neighbours") {
   const Primitive strip =
       withTangents(mesh({corner({0, 0}, {0, 0}), corner({1, 0}, {1, 0}), corner({0, 1}, {0, 1}),
-                         corner({1, 1}, {1, 0})}, // as at (1, 0)
+                         corner({1, 1}, {1, 0})}, // same as at (1, 0)
                         {0, 1, 2, 1, 3, 2}));
   checkNear(tangentAt(strip, 3), {1, 0}, 1.0f);
   checkNear(tangentAt(strip, 5), {1, 0}, 1.0f);
 }
 
-TEST_CASE("tangents of meshes that have no right ones are unit vectors in their surface") {
-  std::vector<std::uint32_t> book; // of a thousand pages on one spine, either way round
+TEST_CASE("tangents of meshes without a valid solution are unit vectors in the surface") {
+  std::vector<std::uint32_t> book; // a thousand pages that share one edge, with either winding
   for (std::uint32_t page = 0; page < 1000; ++page)
     if (page % 3 == 0)
       book.insert(book.end(), {1, 0, page % 4});

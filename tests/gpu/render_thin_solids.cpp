@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and lines become solids: closed, with their front outside, around what they stand for.
+// Points and lines become closed solids with their front outside, around the original.
 #include "render_gltf.h"
 #include "scene.h"
 #include "thin_solids.h"
@@ -28,7 +28,7 @@ Primitive segments(const std::vector<glm::vec3>& positions, std::vector<std::uin
   return primitive;
 }
 
-/// [Gauss's theorem] the volume that triangles enclose, negative if their fronts look inside.
+/// The volume that triangles enclose, by Gauss's theorem; negative if their fronts face inside.
 float volume(const Primitive& solid) {
   double sum = 0.0;
   for (std::size_t i = 0; i < solid.indices.size(); i += 3) {
@@ -40,7 +40,7 @@ float volume(const Primitive& solid) {
   return float(sum);
 }
 
-/// Whether each edge is used once in either direction.
+/// Whether each edge occurs once in each direction.
 bool isClosed(const Primitive& solid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (std::size_t i = 0; i < solid.indices.size(); ++i) {
@@ -76,13 +76,13 @@ TEST_CASE("a line becomes a closed rod around it, with its front outside") {
     CHECK(rod.vertices.size() == renderer::kThinSolidVertices);
     CHECK(rod.indices.size() == renderer::kThinSolidIndices);
     CHECK(isClosed(rod));
-    // A square section of diagonal 2 r along the line, and a pyramid of height r at either end,
-    // where r is 0.004 of the diagonal of the box around the line.
+    // A square cross-section with diagonal 2 r along the line, and a pyramid of height r at each
+    // end, where r is 0.004 of the diagonal of the line's bounding box.
     const float radius = 0.004f * 3.0f;
     CHECK(volume(rod) == Approx(2 * radius * radius * (3.0f + 2.0f * radius / 3.0f)).epsilon(1e-3));
     for (const Vertex& v : rod.vertices) {
       CHECK(glm::length(v.normal) == Approx(1.0f));
-      const bool atEnd = glm::dot(v.position, end) > 4.5f; // of 9
+      const bool atEnd = glm::dot(v.position, end) > 4.5f; // the maximum is 9
       CHECK(glm::distance(v.position, atEnd ? end : glm::vec3(0.0f)) ==
             Approx(radius).epsilon(1e-3));
       CHECK(v.color == glm::vec4(atEnd ? end : glm::vec3(0.0f), 1.0f));
@@ -90,18 +90,18 @@ TEST_CASE("a line becomes a closed rod around it, with its front outside") {
   }
 }
 
-TEST_CASE("a point becomes an octahedron, also where it is alone") {
+TEST_CASE("a point becomes an octahedron, even a single one") {
   for (const auto& indices : {std::vector<std::uint32_t>{0, 0}, std::vector<std::uint32_t>{1, 1}}) {
     const Primitive point = segments({{0, 0, 0}, {7, 7, 7}}, indices);
     CHECK(isClosed(point));
-    const float radius = 0.004f; // of one unit, as it has no extent of its own
+    const float radius = 0.004f; // a point without extent counts as one unit
     CHECK(volume(point) == Approx(4.0f / 3.0f * radius * radius * radius).epsilon(0.01));
   }
 }
 
-TEST_CASE("of five indices come five points, two lines, five lines of a loop or four of a strip") {
+TEST_CASE("five indices give five points, two lines, five lines of a loop or four of a strip") {
   CHECK(solidsOf(0) == 5);
   CHECK(solidsOf(1) == 2);
-  CHECK(solidsOf(2) == 5); // the last has no length
+  CHECK(solidsOf(2) == 5); // the last one has no length
   CHECK(solidsOf(3) == 4);
 }

@@ -278,5 +278,5 @@ TEST_CASE("a period is refused for noise on a surface") {
   CHECK(lichenFillUniforms(twins.host.bundle(), &info, &uniforms, &diagnostic) ==
         LICHEN_ERROR_USAGE);
   CHECK(std::string(diagnostic.text) ==
-        "periodTiles 2: noise of the mapping surface does not repeat; 0 is accepted");
+        "periodTiles 2 is not supported for surface mapping, which cannot repeat; set it to 0");
 }

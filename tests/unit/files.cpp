@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out; a failed write leaves the old file whole and no partial one.
+// Reads and writes whole files; a failed write leaves the old file intact and no temporary file.
 #include "temporary_folder.h"
 
 #include <lichen/files.h>
@@ -28,7 +28,7 @@ Bytes patternOf(std::size_t size) {
 
 } // namespace
 
-TEST_CASE("a written file is read back byte for byte, empty ones too") {
+TEST_CASE("a written file reads back byte for byte, even an empty one") {
   const TemporaryFolder folder;
   for (const std::size_t size : {0u, 1u, 4096u, 1000003u}) {
     REQUIRE(replaceFile(folder / "file", patternOf(size)));
@@ -37,7 +37,7 @@ TEST_CASE("a written file is read back byte for byte, empty ones too") {
   }
 }
 
-TEST_CASE("a new file has the permissions that the process gives new files") {
+TEST_CASE("a new file has the process's default permissions") {
   const TemporaryFolder folder;
   const mode_t old = ::umask(0027);
   const Result<void> written = replaceFile(folder / "file", patternOf(10));
@@ -48,35 +48,35 @@ TEST_CASE("a new file has the permissions that the process gives new files") {
   CHECK((status.st_mode & 0777) == 0640);
 }
 
-TEST_CASE("what is not a readable regular file is refused with the reason") {
+TEST_CASE("reading anything except a readable regular file is an error with the reason") {
   const TemporaryFolder folder;
   const std::string path = (folder / "absent").string();
   CHECK(readFile(folder / "absent").error().kind == ErrorKind::badInput);
   CHECK(readFile(folder / "absent").error().message ==
         path + ": cannot be read: No such file or directory");
   CHECK(readFile(folder.path()).error().message ==
-        folder.path().string() + ": is a folder; a file is accepted");
-  CHECK(readFile("/dev/zero").error().message == "/dev/zero: not a regular file");
+        folder.path().string() + ": is a folder; expected a file");
+  CHECK(readFile("/dev/zero").error().message == "/dev/zero: is not a regular file");
 }
 
-TEST_CASE("a named pipe without a writer is refused instead of waited for") {
+TEST_CASE("a named pipe without a writer is an error, without waiting") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
-  ::alarm(10); // ends the test when it hangs
+  ::alarm(10); // kills the test if it hangs
   CHECK(readFile(folder / "pipe").error().message ==
-        (folder / "pipe").string() + ": not a regular file");
+        (folder / "pipe").string() + ": is not a regular file");
   ::alarm(0);
 }
 
-TEST_CASE("a file longer than the caller accepts is refused with both sizes") {
+TEST_CASE("the error for a file that is too long states both sizes") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
   CHECK(readFile(folder / "file", 100));
   CHECK(readFile(folder / "file", 99).error().message ==
-        (folder / "file").string() + ": 100 bytes; at most 99 are accepted");
+        (folder / "file").string() + ": has 100 bytes; expected at most 99");
 }
 
-TEST_CASE("the start of a file is read, and a file that is shorter refused with both sizes") {
+TEST_CASE("readFileStart() reads the start, and its error for a shorter file states both sizes") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
   for (const std::size_t size : {0u, 7u, 100u})
@@ -84,10 +84,10 @@ TEST_CASE("the start of a file is read, and a file that is shorter refused with 
   const Result<Bytes> longer = readFileStart(folder / "file", 101);
   CHECK(longer.error().kind == ErrorKind::badInput);
   CHECK(longer.error().message ==
-        (folder / "file").string() + ": 100 bytes; at least 101 are accepted");
+        (folder / "file").string() + ": has 100 bytes; expected at least 101");
 }
 
-TEST_CASE("processes that write one file at the same time do not disturb each other") {
+TEST_CASE("processes that write the same file at the same time do not interfere") {
   const TemporaryFolder folder;
   std::vector<pid_t> children;
   for (int c = 0; c < 4; ++c) {
@@ -109,7 +109,7 @@ TEST_CASE("processes that write one file at the same time do not disturb each ot
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("writing into an absent folder fails as the environment's fault") {
+TEST_CASE("writing into a folder that does not exist is an environment error") {
   const TemporaryFolder folder;
   const Result<void> result = replaceFile(folder / "absent/file", patternOf(10));
   CHECK(result.error().kind == ErrorKind::environment);
@@ -117,7 +117,7 @@ TEST_CASE("writing into an absent folder fails as the environment's fault") {
         (folder / "absent/file").string() + ": cannot be written: No such file or directory");
 }
 
-TEST_CASE("writing over a folder fails and leaves nothing behind") {
+TEST_CASE("writing over a folder fails and leaves no temporary file") {
   const TemporaryFolder folder;
   REQUIRE(std::filesystem::create_directory(folder / "target"));
   REQUIRE(replaceFile(folder / "target/inside", patternOf(10)));
@@ -129,10 +129,11 @@ TEST_CASE("writing over a folder fails and leaves nothing behind") {
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("a write that does not fit leaves the old file whole and no partial one") {
+TEST_CASE("a write that does not fit leaves the old file intact and no temporary file") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
-  // A limit on file size stands for a full disk; in a child, for it cannot be raised again.
+  // A limit on the file size simulates a full disk; in a child process, because it cannot be raised
+  // again.
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
@@ -153,12 +154,12 @@ TEST_CASE("a write that does not fit leaves the old file whole and no partial on
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("a process that is killed while it writes leaves the old file whole and no other") {
+TEST_CASE("a process killed while writing leaves the old file intact and no temporary file") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
   const pid_t child = ::fork();
   if (child == 0) {
-    // Without a handler the signal of the write beyond the limit ends the process in its midst.
+    // Without a handler, the signal of the write beyond the limit kills the process in mid-write.
     std::signal(SIGXFSZ, SIG_DFL);
     const rlimit limit = {4096, 4096};
     const rlimit noCore = {0, 0};
@@ -174,7 +175,7 @@ TEST_CASE("a process that is killed while it writes leaves the old file whole an
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("a folder is listed in order, and what is no folder is refused") {
+TEST_CASE("listFolder() sorts the entries, and fails for anything except a folder") {
   const TemporaryFolder folder;
   CHECK(listFolder(folder.path()).value().empty());
   for (const char* name : {"b", "a", ".c"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EXR in and out: every accepted kind pixel by pixel, every refused one with its message.
+// EXR in and out: every supported kind pixel by pixel, every error with its message.
 #include "image_samples.h"
 
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ Decoded decode(const Bytes& bytes) {
   return {std::get<LinearImage>(std::move(file.pixels)), file.notes};
 }
 
-/// Channel c of the image must be channel source[c] of the sample; -1 stands for zeros.
+/// Checks that channel c of the image is channel source[c] of the sample; -1 means zeros.
 void checkPixels(const Decoded& decoded, const Exr& exr, const std::vector<int>& source) {
   const LinearImage& image = decoded.image;
   REQUIRE(image.width == exr.width);
@@ -90,7 +90,7 @@ TEST_CASE("EXR of the lossy compressions is read") {
       for (int x = 0; x < exr.width; ++x)
         for (int c = 0; c < 3; ++c)
           error += std::abs(double(decoded.image.pixel(x, y)[c] - exrValue(x, y, c)));
-    CHECK(error / double(decoded.image.values.size()) < 1.0); // of values up to 63
+    CHECK(error / double(decoded.image.values.size()) < 1.0); // for values up to 63
   }
 }
 
@@ -102,12 +102,12 @@ TEST_CASE("EXR of 1 x 1 and 1 x N is read") {
     }
 }
 
-TEST_CASE("of a mip-mapped EXR the full resolution is read") {
+TEST_CASE("reading a mip-mapped EXR gives its full resolution") {
   const Exr exr = {.width = 50, .height = 33, .tileSide = 16, .mipMapped = true};
   checkPixels(decode(makeExr(exr)), exr, {0, 1, 2});
 }
 
-TEST_CASE("a data window away from the origin is the picture, with a note where it is a part") {
+TEST_CASE("the data window is the image, with a note if it differs from the display window") {
   Exr exr = {.width = 20, .height = 30, .xMin = -7, .yMin = 1000};
   const Decoded decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {0, 1, 2});
@@ -116,10 +116,10 @@ TEST_CASE("a data window away from the origin is the picture, with a note where 
   exr.tileSide = 8;
   const Decoded part = decode(makeExr(exr));
   checkPixels(part, exr, {0, 1, 2});
-  CHECK(part.notes == Notes{"the data window is taken, not the display window"});
+  CHECK(part.notes == Notes{"the image is the data window, not the display window"});
 }
 
-TEST_CASE("channels are chosen by name, and what is missing or left over is noted") {
+TEST_CASE("names select the channels, and notes list missing and ignored ones") {
   Exr exr = {.channels = {{"Y"}}};
   Decoded decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {0});
@@ -131,22 +131,22 @@ TEST_CASE("channels are chosen by name, and what is missing or left over is note
   exr.channels = {{"R"}, {"B"}};
   decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {0, -1, 1});
-  CHECK(decoded.notes == Notes{"missing channels taken as 0: G"});
+  CHECK(decoded.notes == Notes{"missing channels set to 0: G"});
 
   exr.channels = {{"G", kFloat}};
   decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {-1, 0, -1});
-  CHECK(decoded.notes == Notes{"missing channels taken as 0: R, B"});
+  CHECK(decoded.notes == Notes{"missing channels set to 0: R, B"});
 
   exr.channels = {{"height"}};
   decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {0});
-  CHECK(decoded.notes == Notes{"channel height taken as grey"});
+  CHECK(decoded.notes == Notes{"channel height read as grey"});
 
   exr.channels = {{"B"}, {"G"}, {"R"}, {"Z", kFloat, 2}, {"diffuse.R"}};
   decoded = decode(makeExr(exr));
   checkPixels(decoded, exr, {2, 1, 0});
-  CHECK(decoded.notes == Notes{"channels ignored: Z, diffuse.R"});
+  CHECK(decoded.notes == Notes{"ignored channels: Z, diffuse.R"});
 }
 
 TEST_CASE("negative EXR values become 0, with a note") {
@@ -158,142 +158,145 @@ TEST_CASE("negative EXR values become 0, with a note") {
   }
 }
 
-TEST_CASE("NaN and infinite EXR values are refused with their place") {
+TEST_CASE("the error for NaN and infinite EXR values states their position") {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Exr exr = {.hasOddValue = true, .oddValue = std::numeric_limits<float>::quiet_NaN()};
   CHECK(refusal(makeExr(exr)) ==
-        "file: NaN in channel R of pixel (0, 0); finite values are accepted");
+        "file: NaN in channel R of pixel (0, 0); all values must be finite");
   for (const float value : {kInfinity, -kInfinity}) {
     exr.oddValue = value;
     CHECK(refusal(makeExr(exr)) ==
-          "file: infinity in channel R of pixel (0, 0); finite values are accepted");
+          "file: infinity in channel R of pixel (0, 0); all values must be finite");
   }
 }
 
-TEST_CASE("multi-part, deep and luminance-chroma EXR are refused by name") {
-  CHECK(refusal(makeMultiPartExr()) == "file: multi-part EXR; a single-part file is accepted");
-  CHECK(refusal(makeDeepExr()) == "file: deep EXR; a flat file (scan lines or tiles) is accepted");
+TEST_CASE("the errors for multi-part, deep and luminance-chroma EXR name the kind") {
+  CHECK(refusal(makeMultiPartExr()) == "file: is a multi-part EXR; expected a single-part file");
+  CHECK(refusal(makeDeepExr()) ==
+        "file: is a deep EXR; expected a flat file (scan lines or tiles)");
   CHECK(refusal(makeLuminanceChromaExr()) ==
-        "file: luminance-chroma EXR (channels BY, RY, Y); R, G, B or Y alone is accepted");
+        "file: is a luminance-chroma EXR (channels BY, RY, Y); expected R, G, B, or Y alone");
 }
 
-TEST_CASE("EXR channels that cannot be taken are refused by name") {
+TEST_CASE("the errors for unsupported EXR channels name them") {
   CHECK(refusal(makeExr({.channels = {{"N.X"}, {"Z"}}})) ==
-        "file: EXR with channels N.X, Z; R, G, B, or Y, or a single channel is accepted");
+        "file: EXR with channels N.X, Z; expected R, G, B, or Y, or a single channel");
   CHECK(refusal(makeExr({.channels = {{"B"}, {"G"}, {"R", kHalf, 2}}})) ==
-        "file: EXR channel R is subsampled 2 x 2; 1 x 1 is accepted");
+        "file: EXR channel R is subsampled 2 x 2; expected 1 x 1");
 }
 
-TEST_CASE("an EXR with a side of 0 or over the limit is refused") {
+TEST_CASE("an EXR with a side of 0 or over the limit is an error") {
   Bytes exr = makeExr({});
   patchAttribute(exr, kDataWindow, 8, std::uint32_t(-1));
-  CHECK(refusal(exr) == "file: 0 x 8 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(exr) == "file: 0 x 8 pixels; each side must be 1 to 16384");
   patchAttribute(exr, kDataWindow, 8, 16384);
-  CHECK(refusal(exr) == "file: 16385 x 8 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(exr) == "file: 16385 x 8 pixels; each side must be 1 to 16384");
   patchAttribute(exr, kDataWindow, 0, 0x80000000u);
   patchAttribute(exr, kDataWindow, 8, 0x7fffffffu);
-  CHECK(refusal(exr) == "file: 4294967296 x 8 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(exr) == "file: 4294967296 x 8 pixels; each side must be 1 to 16384");
 }
 
-TEST_CASE("an EXR that claims more than its compression can give is refused before it is decoded") {
+TEST_CASE("an EXR that claims more than its compression can produce is an error before decoding") {
   Bytes wide = makeExr({});
   patchAttribute(wide, kDataWindow, 8, 16383);
   CHECK(refusal(wide).starts_with("file: claims 786432 bytes of pixels in a file of "));
   CHECK(refusal(wide).ends_with("; EXR's ZIP expands at most 1032 times"));
   Bytes tall = makeExr({.compression = 0});
   patchAttribute(tall, kDataWindow, 12, 16383);
-  CHECK(refusal(tall).starts_with("file: truncated: a table of 16384 EXR chunks in the last "));
+  CHECK(refusal(tall).starts_with(
+      "file: truncated: the table of 16384 EXR chunks exceeds the file's last "));
 }
 
-TEST_CASE("EXR tiles far larger than the image are refused") {
+TEST_CASE("EXR tiles far larger than the image are an error") {
   Bytes exr = makeExr({.tileSide = 4});
   patchAttribute(exr, kTiles, 0, 5000);
-  CHECK(refusal(exr) == "file: EXR tiles of 5000 x 4; 1 to 4096 on a side, or the image's own "
-                        "side, are accepted");
+  CHECK(refusal(exr) == "file: EXR tiles of 5000 x 4; each side must be 1 to 4096, or at most "
+                        "the image's own");
   patchAttribute(exr, kTiles, 0, 0);
   CHECK(refusal(exr).starts_with("file: EXR tiles of 0 x 4;"));
 }
 
-TEST_CASE("EXR attributes that lie about their size are refused") {
+TEST_CASE("EXR attributes with a wrong size are an error") {
   const std::string sizeOfWindow = std::string("dataWindow\0box2i\0", 17);
   Bytes longer = makeExr({});
   longer[find(longer, sizeOfWindow) + sizeOfWindow.size()] = std::byte(20);
-  CHECK(refusal(longer) == "file: damaged EXR: attribute dataWindow is not a whole box2i");
+  CHECK(refusal(longer) == "file: damaged EXR: attribute dataWindow is not a valid box2i");
   Bytes channels = makeExr({});
   channels[find(channels, std::string("chlist\0", 7)) + 7] ^= std::byte(2);
-  CHECK(refusal(channels) == "file: damaged EXR: attribute channels is not a whole chlist");
+  CHECK(refusal(channels) == "file: damaged EXR: attribute channels is not a valid chlist");
 }
 
-TEST_CASE("an EXR without a needed attribute is refused by the attribute's name") {
+TEST_CASE("the error for a missing EXR attribute names it") {
   for (const std::string attribute :
        {"dataWindow", "displayWindow", "compression", "channels", "tiles"}) {
     Bytes exr = makeExr({.tileSide = 4});
-    exr[find(exr, attribute)] = std::byte('x'); // an unknown attribute of a known type
-    CHECK(refusal(exr) == "file: damaged EXR: no attribute " + attribute);
+    exr[find(exr, attribute)] = std::byte('x'); // an unknown attribute with a known type
+    CHECK(refusal(exr) == "file: damaged EXR: missing attribute " + attribute);
   }
 }
 
-TEST_CASE("EXR of another version or compression is refused") {
+TEST_CASE("an unknown EXR version or compression is an error") {
   Bytes version = makeExr({});
   version[4] = std::byte(3);
-  CHECK(refusal(version) == "file: EXR of unknown version 3; version 2 is accepted");
+  CHECK(refusal(version) == "file: unknown EXR version 3; expected 2");
   Bytes compression = makeExr({});
   const std::string attribute("compression\0compression\0", 24);
   compression[find(compression, attribute) + attribute.size() + 4] = std::byte(10);
-  CHECK(refusal(compression) == "file: EXR of unknown compression 10; 0 to 9 are accepted");
+  CHECK(refusal(compression) == "file: unknown EXR compression 10; expected 0 to 9");
 }
 
-TEST_CASE("an EXR whose writer was interrupted is refused") {
+TEST_CASE("an EXR whose writer was interrupted is an error") {
   Bytes exr = makeExr({.compression = 0});
-  // The table of 8 chunk offsets ends where the first chunk begins: 4 bytes y, 4 bytes size.
+  // The table of 8 chunk offsets ends where the first chunk starts: 4 bytes y, 4 bytes size.
   const std::size_t chunkBytes = 8 + 8 * 3 * 2;
   const std::size_t tableEnd = exr.size() - 8 * chunkBytes;
   std::fill_n(exr.begin() + std::ptrdiff_t(tableEnd) - 8, 8, std::byte(0));
-  CHECK(refusal(exr) == "file: incomplete EXR: not every chunk was written");
+  CHECK(refusal(exr) == "file: incomplete EXR: some chunks were never written");
 }
 
-TEST_CASE("an EXR chunk of more or fewer bytes than its pixels need is refused") {
+TEST_CASE("an EXR chunk with more or fewer bytes than its pixels need is an error") {
   // The last chunk of an uncompressed file: 4 bytes y, 4 bytes size, 8 pixels of 3 halves.
   Bytes exr = makeExr({.compression = 0});
   const std::size_t sizeOffset = exr.size() - 8 * 3 * 2 - 4;
   exr[sizeOffset] = std::byte(49);
   exr.push_back(std::byte(0));
-  CHECK(refusal(exr) == "file: damaged EXR: 49 bytes for a chunk of 48");
+  CHECK(refusal(exr) == "file: damaged EXR: a chunk for 48 bytes of pixels has 49 bytes");
   exr[sizeOffset] = std::byte(0);
-  CHECK(refusal(exr) == "file: damaged EXR: 0 bytes for a chunk of 48");
+  CHECK(refusal(exr) == "file: damaged EXR: a chunk for 48 bytes of pixels has 0 bytes");
   exr[sizeOffset] = std::byte(47);
-  CHECK(refusal(exr) == "file: claims 48 bytes of pixels in a file of 47; uncompressed EXR expands "
-                        "at most 1 times");
+  CHECK(refusal(exr) ==
+        "file: claims 48 bytes of pixels in a file of 47 bytes; uncompressed EXR expands "
+        "at most 1 times");
 }
 
-TEST_CASE("damaged EXR pixels are refused") {
+TEST_CASE("damaged EXR pixels are an error") {
   Bytes exr = makeExr({.width = 64, .height = 64});
   for (std::size_t i = exr.size() - 40; i < exr.size(); ++i)
     exr[i] = std::byte(0x55);
   CHECK(refusal(exr).starts_with("file: damaged EXR: "));
 }
 
-TEST_CASE("an encoded EXR decodes to the values rounded to half, of 1 to 4 channels") {
+TEST_CASE("an encoded EXR with 1 to 4 channels decodes to the values rounded to half") {
   for (const int channels : {1, 2, 3, 4}) {
     LinearImage image(13, 27, channels);
     for (std::size_t i = 0; i < image.values.size(); ++i)
       image.values[i] = float(i) * 0.37f;
-    image.values[0] = 1e9f; // beyond half's largest
+    image.values[0] = 1e9f; // above the largest half
     const Result<Bytes> exr = encodeExr(image);
     REQUIRE(exr);
     const Decoded decoded = decode(exr.value());
     REQUIRE(decoded.image.channels == channels);
     CHECK(decoded.notes.empty());
     CHECK(decoded.image.values[0] == 65504.0f);
-    for (std::size_t i = 1; i < image.values.size(); ++i) // half keeps 11 bits
+    for (std::size_t i = 1; i < image.values.size(); ++i) // half has 11 bits
       CHECK(decoded.image.values[i] == Approx(image.values[i]).epsilon(1.0 / 2048));
     CHECK(encodeExr(image).value() == exr.value());
   }
 }
 
-TEST_CASE("an image that no EXR can hold is refused by the encoder") {
-  CHECK(encodeExr(LinearImage(1, 1, 0)).error().message == "EXR: 0 channels; 1 to 4 are accepted");
+TEST_CASE("encoding an image that EXR cannot store is an error") {
+  CHECK(encodeExr(LinearImage(1, 1, 0)).error().message == "EXR: 0 channels; expected 1 to 4");
   LinearImage image(1, 1, 1);
   image.values[0] = std::numeric_limits<float>::infinity();
-  CHECK(encodeExr(image).error().message == "EXR: value 0 is inf; finite values are accepted");
+  CHECK(encodeExr(image).error().message == "EXR: value 0 is inf; all values must be finite");
 }

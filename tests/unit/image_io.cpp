@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all formats share: recognition, truncation, exhausted memory, and files on disk.
+// What all formats share: detection, truncation, exhausted memory, and files on disk.
 #include "image_samples.h"
 #include "temporary_folder.h"
 
@@ -28,14 +28,14 @@ Bytes bytesOf(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("what is not an image is refused with its first bytes") {
-  CHECK(refusal({}) == "file: empty file; a PNG, JPEG or EXR image is accepted");
+TEST_CASE("the error for a file that is not an image quotes its first bytes") {
+  CHECK(refusal({}) == "file: empty file; expected a PNG, JPEG or EXR image");
   CHECK(refusal(bytesOf("<html>")) ==
-        "file: not a PNG, JPEG or EXR image (starts with 3c 68 74 6d)");
-  CHECK(refusal(bytesOf("\xff")) == "file: not a PNG, JPEG or EXR image (starts with ff)");
+        "file: is not a PNG, JPEG or EXR image (starts with 3c 68 74 6d)");
+  CHECK(refusal(bytesOf("\xff")) == "file: is not a PNG, JPEG or EXR image (starts with ff)");
 }
 
-TEST_CASE("an image of another format is refused by the format's name") {
+TEST_CASE("the error for another image format names it") {
   // The first bytes of files that libwebp, ImageMagick, libtiff, libheif and libjxl write.
   const std::pair<std::string, const char*> files[] = {
       {"RIFF\x24\0\0\0WEBPVP8 "s, "a WebP"},
@@ -52,30 +52,30 @@ TEST_CASE("an image of another format is refused by the format's name") {
   };
   for (const auto& [start, format] : files) {
     CHECK(refusal(bytesOf(start)) ==
-          "file: " + std::string(format) + " file; PNG, JPEG and EXR are read");
+          "file: is " + std::string(format) + " file; expected PNG, JPEG or EXR");
     const Bytes cut = bytesOf(start.substr(0, 1));
-    CHECK(refusal(cut).starts_with("file: not a PNG, JPEG or EXR image (starts with "));
+    CHECK(refusal(cut).starts_with("file: is not a PNG, JPEG or EXR image (starts with "));
   }
-  // A WAV file is a RIFF too.
-  CHECK(refusal(bytesOf("RIFF\x24\0\0\0WAVEfmt "s)).starts_with("file: not a PNG"));
+  // WAV files also start with RIFF.
+  CHECK(refusal(bytesOf("RIFF\x24\0\0\0WAVEfmt "s)).starts_with("file: is not a PNG"));
 }
 
-TEST_CASE("every kind of sample is accepted, also with bytes after its end") {
-  for (Bytes file : everyAcceptedKind()) {
-    CHECK(refusal(file) == "(accepted)");
+TEST_CASE("every kind of sample decodes, even with bytes after its end") {
+  for (Bytes file : everySupportedKind()) {
+    CHECK(refusal(file) == "(no error)");
     file.insert(file.end(), 100, std::byte(0x5a));
-    CHECK(refusal(file) == "(accepted)");
+    CHECK(refusal(file) == "(no error)");
   }
 }
 
-TEST_CASE("every truncated length of every kind of file is refused on one line") {
-  for (const Bytes& file : everyAcceptedKind()) {
-    // The smaller levels of a mip-mapped EXR come last and are not read.
+TEST_CASE("every truncated length of every kind of file gives a one-line error") {
+  for (const Bytes& file : everySupportedKind()) {
+    // The smaller levels of a mip-mapped EXR come last and are never read.
     const bool mipMapped = find(file, std::string("\x04\0\0\0\x04\0\0\0\x01", 9)) < file.size();
     for (std::size_t size = 0; size < file.size(); ++size) {
       const std::string message = refusal(Bytes(file.begin(), file.begin() + std::ptrdiff_t(size)));
       const bool refused = message.starts_with("file: ") && message.find('\n') == std::string::npos;
-      if (!refused && !(mipMapped && message == "(accepted)"))
+      if (!refused && !(mipMapped && message == "(no error)"))
         FAIL(size << " of " << file.size() << " bytes: " << message);
     }
   }
@@ -89,14 +89,14 @@ TEST_CASE("a truncated file is called truncated") {
   CHECK(withoutLastByte(makePng({})) ==
         "file: truncated: the PNG ends before its IEND chunk is complete");
   CHECK(withoutLastByte(makeJpeg({})) ==
-        "file: truncated: the JPEG ends before its pixels or its end marker");
-  CHECK(withoutLastByte(makeExr({})).starts_with("file: truncated: the EXR lacks the chunk at "));
+        "file: truncated: the JPEG ends before its last pixel or its end marker");
+  CHECK(withoutLastByte(makeExr({})).starts_with("file: truncated: the EXR chunk at byte "));
   const Bytes exr = makeExr({});
   CHECK(refusal(Bytes(exr.begin(), exr.begin() + 100)) ==
         "file: truncated: the EXR ends inside its header");
 }
 
-TEST_CASE("an image written to disk is read back in its own encoding or the other's") {
+TEST_CASE("an image written to disk reads back in its own encoding or the other one") {
   const TemporaryFolder folder;
   SrgbImage srgb(3, 2, 3);
   for (std::size_t i = 0; i < srgb.values.size(); ++i)
@@ -119,34 +119,34 @@ TEST_CASE("an image written to disk is read back in its own encoding or the othe
     CHECK(back.values[i] == Approx(linear.values[i]).epsilon(1.0 / 2048));
 }
 
-TEST_CASE("writing an image fails with a reason and leaves what was there") {
+TEST_CASE("a failed write gives the reason and leaves the old file unchanged") {
   const TemporaryFolder folder;
   const SrgbImage image(2, 2, 3);
   const Result<void> extension = writeImage(folder / "image.bmp", image);
   CHECK(extension.error().kind == ErrorKind::usage);
   CHECK(extension.error().message ==
-        (folder / "image.bmp").string() + ": extension .bmp; .png and .exr are accepted");
+        (folder / "image.bmp").string() + ": unknown extension .bmp; use .png or .exr");
   CHECK(writeImage(folder / "image", image).error().message ==
-        (folder / "image").string() + ": extension missing; .png and .exr are accepted");
+        (folder / "image").string() + ": missing extension; use .png or .exr");
   const Result<void> absent = writeImage(folder / "absent/image.png", image);
   CHECK(absent.error().kind == ErrorKind::environment);
   CHECK(absent.error().message ==
         (folder / "absent/image.png").string() + ": cannot be written: No such file or directory");
   REQUIRE(writeImage(folder / "old.png", image));
   CHECK(writeImage(folder / "old.png", SrgbImage(2, 2, 7)).error().message ==
-        (folder / "old.png").string() + ": PNG: 7 channels; 1 to 4 are accepted");
+        (folder / "old.png").string() + ": PNG: 7 channels; expected 1 to 4");
   CHECK(readImage(folder / "old.png"));
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("an absent file and a folder are refused") {
+TEST_CASE("reading a missing file or a folder is an error") {
   const TemporaryFolder folder;
   const Result<ImageFile> absent = readImage(folder / "absent.png");
   CHECK(absent.error().kind == ErrorKind::badInput);
   CHECK(absent.error().message ==
         (folder / "absent.png").string() + ": cannot be read: No such file or directory");
   CHECK(readImage(folder / "").error().message ==
-        (folder / "").string() + ": is a folder; a file is accepted");
+        (folder / "").string() + ": is a folder; expected a file");
 }
 
 // The sanitizers reserve the address space that this test limits.
@@ -154,13 +154,13 @@ TEST_CASE("an absent file and a folder are refused") {
 
 namespace {
 
-/// The kind of error of `operation` in a child process that may use only `spare` bytes more than
-/// it has; 0 when it succeeds.
+/// Runs `operation` in a child process that may allocate only `spare` more bytes, and returns the
+/// kind of its error; 0 for success.
 template <class Operation>
 int errorKindWithLittleMemory(std::size_t spare, Operation operation) {
   const pid_t child = ::fork();
   if (child == 0) {
-    ::malloc_trim(0); // or what the parent has freed would be spare memory too
+    ::malloc_trim(0); // otherwise memory that the parent has freed would count as spare
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const rlim_t limit = pages * std::size_t(::sysconf(_SC_PAGESIZE)) + spare;
@@ -177,7 +177,7 @@ int errorKindWithLittleMemory(std::size_t spare, Operation operation) {
 
 } // namespace
 
-TEST_CASE("whatever memory there is, an image is decoded or the lack of memory reported") {
+TEST_CASE("with any amount of memory, decoding succeeds or reports exhausted memory") {
   constexpr int kSide = 1024;
   constexpr std::size_t kStep = std::size_t(128) << 10; // less than most chunks
   constexpr std::size_t kEnough = std::size_t(256) << 20;
@@ -194,11 +194,11 @@ TEST_CASE("whatever memory there is, an image is decoded or the lack of memory r
       kind = errorKindWithLittleMemory(spare, decode);
     INFO("with " << spare << " bytes to spare");
     CHECK(kind == 0);
-    CHECK(spare > 3 * kSide * kSide); // or no allocation was ever refused
+    CHECK(spare > 3 * kSide * kSide); // otherwise no allocation ever failed
   }
 }
 
-TEST_CASE("memory that runs out inside OpenEXR's DWA decoder is reported") {
+TEST_CASE("exhausted memory inside OpenEXR's DWA decoder is an error") {
   constexpr int kSide = 2048;
   constexpr std::size_t kImageBytes = std::size_t(kSide) * kSide * 3 * sizeof(float);
   constexpr std::size_t kChunkBytes = std::size_t(kSide) * 32 * 3 * 2;
@@ -211,7 +211,7 @@ TEST_CASE("memory that runs out inside OpenEXR's DWA decoder is reported") {
   }
 }
 
-TEST_CASE("exhausted memory is reported by the encoders, and nothing is written") {
+TEST_CASE("encoders report exhausted memory and write nothing") {
   constexpr int kSide = 2048;
   const SrgbImage codes(kSide, kSide, 1);
   const LinearImage light(kSide, kSide, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JPEG in: every accepted kind, every refused one with its message.
+// JPEG in: every supported kind, every error with its message.
 #include "image_samples.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ using namespace lichen::samples;
 
 namespace {
 
-// One code for the rounding of YCbCr, one for that of the transform.
+// One code for rounding YCbCr, one for rounding the transform.
 constexpr double kCodeTolerance = 2.0 / 255.0;
 
 ImageFile decode(const Bytes& bytes) {
@@ -19,15 +19,15 @@ ImageFile decode(const Bytes& bytes) {
   return std::move(result).value();
 }
 
-void checkConstant(const ImageFile& file, const std::vector<double>& wanted) {
+void checkConstant(const ImageFile& file, const std::vector<double>& expected) {
   const SrgbImage& image = std::get<SrgbImage>(file.pixels);
-  REQUIRE(std::size_t(image.channels) == wanted.size());
+  REQUIRE(std::size_t(image.channels) == expected.size());
   CHECK(file.bitsPerChannel == 8);
   for (std::size_t i = 0; i < image.values.size(); ++i)
-    CHECK(double(image.values[i]) == Approx(wanted[i % wanted.size()]).margin(kCodeTolerance));
+    CHECK(double(image.values[i]) == Approx(expected[i % expected.size()]).margin(kCodeTolerance));
 }
 
-/// Overwrites the sides in the frame header.
+/// Overwrites width and height in the frame header.
 void patchSides(Bytes& jpeg, unsigned width, unsigned height) {
   const std::size_t frame = find(jpeg, "\xff\xc0");
   REQUIRE(frame < jpeg.size());
@@ -39,7 +39,7 @@ void patchSides(Bytes& jpeg, unsigned width, unsigned height) {
 
 } // namespace
 
-TEST_CASE("grey and colour JPEG is read, baseline and progressive, of any size") {
+TEST_CASE("grey and colour JPEG of any size decode, baseline and progressive") {
   for (const bool progressive : {false, true})
     for (const auto& [width, height] : {std::pair(16, 16), {1, 1}, {1, 100}, {37, 23}}) {
       const ImageFile grey = decode(makeJpeg({.width = width,
@@ -57,11 +57,12 @@ TEST_CASE("grey and colour JPEG is read, baseline and progressive, of any size")
 }
 
 TEST_CASE("Adobe's inverted CMYK and YCCK become RGB, with a note") {
-  // 255 means no ink: the light left is the product of what each ink and black let through.
-  const std::vector<double> wanted = {200.0 * 220 / 65025, 100.0 * 220 / 65025, 50.0 * 220 / 65025};
+  // 255 means no ink: the light is the product of what each ink and black transmit.
+  const std::vector<double> expected = {200.0 * 220 / 65025, 100.0 * 220 / 65025,
+                                        50.0 * 220 / 65025};
   for (const JpegColour colour : {JpegColour::cmyk, JpegColour::ycck}) {
     const ImageFile file = decode(makeJpeg({.colour = colour}));
-    checkConstant(file, wanted);
+    checkConstant(file, expected);
     CHECK(file.notes == std::vector<std::string>{"CMYK converted to RGB without a colour profile"});
   }
 }
@@ -71,65 +72,68 @@ TEST_CASE("CMYK without Adobe's marker has 255 for full ink") {
                 {55.0 * 35 / 65025, 155.0 * 35 / 65025, 205.0 * 35 / 65025});
 }
 
-TEST_CASE("a JPEG with a side of 0 or over the limit is refused") {
+TEST_CASE("a JPEG with a side of 0 or over the limit is an error") {
   Bytes jpeg = makeJpeg({});
   patchSides(jpeg, 0, 16);
-  CHECK(refusal(jpeg) == "file: 0 x 16 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(jpeg) == "file: 0 x 16 pixels; each side must be 1 to 16384");
   patchSides(jpeg, 16, 16385);
-  CHECK(refusal(jpeg) == "file: 16 x 16385 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(jpeg) == "file: 16 x 16385 pixels; each side must be 1 to 16384");
   patchSides(jpeg, 65535, 65535);
-  CHECK(refusal(jpeg) == "file: 65535 x 65535 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(jpeg) == "file: 65535 x 65535 pixels; each side must be 1 to 16384");
 }
 
-TEST_CASE("a JPEG that claims more pixels than its bits can code is refused") {
+TEST_CASE("a JPEG that claims more pixels than its bits can encode is an error") {
   Bytes jpeg = makeJpeg({});
   patchSides(jpeg, 16384, 16384);
   CHECK(refusal(jpeg) == "file: claims 268435456 bytes of pixels in a file of " +
-                             std::to_string(jpeg.size()) + "; JPEG expands at most 1024 times");
+                             std::to_string(jpeg.size()) +
+                             " bytes; JPEG expands at most 1024 times");
 }
 
-TEST_CASE("a JPEG whose scan stops early is refused, though it has an end marker") {
+TEST_CASE("a JPEG whose scan ends early is an error, even with an end marker") {
   Bytes jpeg = makeJpeg({});
   patchSides(jpeg, 16, 64);
-  CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its pixels or its end marker");
+  CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its last pixel or its end marker");
 }
 
-TEST_CASE("a JPEG that lacks only its end marker is refused, though its pixels are there") {
-  // Whether the decoder of pixels runs into the end depends on how the last bits fall.
+TEST_CASE("a JPEG that lacks only its end marker is an error") {
+  // Whether the pixel decoder reaches the end depends on the last bits.
   for (int code = 0; code < 256; ++code) {
     Bytes jpeg = makeJpeg({.width = 8,
                            .height = 8 + code % 64,
                            .colour = JpegColour::grey,
                            .codes = {static_cast<unsigned char>(code)}});
     jpeg.resize(jpeg.size() - 2);
-    CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its pixels or its end marker");
+    CHECK(refusal(jpeg) ==
+          "file: truncated: the JPEG ends before its last pixel or its end marker");
   }
 }
 
-TEST_CASE("arithmetic-coded, 2-component and 12-bit JPEG are refused by name") {
+TEST_CASE("the errors for arithmetic-coded, 2-component and 12-bit JPEG name the kind") {
   CHECK(refusal(makeJpeg({.arithmetic = true})) ==
-        "file: arithmetic-coded JPEG; Huffman-coded files are accepted");
+        "file: is an arithmetic-coded JPEG; expected Huffman coding");
   Bytes deep = makeJpeg({});
   deep[find(deep, "\xff\xc0") + 4] = std::byte(12);
   CHECK(refusal(deep) == "file: damaged or unsupported JPEG: Unsupported JPEG data precision 12; "
-                         "baseline and progressive 8-bit files are accepted");
+                         "expected a baseline or progressive 8-bit file");
 }
 
-TEST_CASE("a damaged JPEG is refused") {
+TEST_CASE("a damaged JPEG is an error") {
   Bytes tables = makeJpeg({});
-  tables[find(tables, "\xff\xc4") + 4] = std::byte(0x77); // no class of Huffman table
+  tables[find(tables, "\xff\xc4") + 4] = std::byte(0x77); // not a class of Huffman table
   CHECK(refusal(tables) == "file: damaged or unsupported JPEG: Bogus DHT index 103; "
-                           "baseline and progressive 8-bit files are accepted");
+                           "expected a baseline or progressive 8-bit file");
 }
 
-TEST_CASE("a progressive JPEG of very many scans is refused instead of decoded for minutes") {
+TEST_CASE("a progressive JPEG with very many scans is an error instead of decoding for minutes") {
   CHECK(refusal(makeJpeg({.colour = JpegColour::grey, .scanPerCoefficient = true})) ==
-        "file: progressive JPEG of more than 64 scans; 64 are accepted");
+        "file: is a progressive JPEG with more than 64 scans; re-encode it with fewer");
 }
 
-TEST_CASE("an unknown JFIF version is accepted with a note") {
+TEST_CASE("an unknown JFIF version decodes with a note") {
   Bytes jpeg = makeJpeg({});
   jpeg[find(jpeg, "JFIF") + 5] = std::byte(7);
-  CHECK(decode(jpeg).notes ==
-        std::vector<std::string>{"libjpeg warns: Warning: unknown JFIF revision number 7.01"});
+  CHECK(
+      decode(jpeg).notes ==
+      std::vector<std::string>{"warning from libjpeg: Warning: unknown JFIF revision number 7.01"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG in and out: every accepted kind pixel by pixel, every refused one with its message.
+// PNG in and out: every supported kind pixel by pixel, every error with its message.
 #include "image_samples.h"
 
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ Decoded decode(const Bytes& bytes) {
   return {std::get<SrgbImage>(std::move(file.pixels)), file.bitsPerChannel, file.notes};
 }
 
-/// Checks a grey, RGB or alpha PNG without tRNS against the codes it was made of.
+/// Checks a grey, RGB or alpha PNG without tRNS against its original codes.
 void checkPixels(const Png& png) {
   const Decoded decoded = decode(makePng(png));
   const SrgbImage& image = decoded.image;
@@ -48,7 +48,7 @@ void checkPixels(const Png& png) {
 
 } // namespace
 
-TEST_CASE("grey PNG of every bit depth is read exactly, interlaced or not") {
+TEST_CASE("grey PNG of every bit depth decodes exactly, interlaced or not") {
   for (const bool interlaced : {false, true})
     for (const int bitDepth : {1, 2, 4, 8, 16}) {
       checkPixels({.width = 37,
@@ -64,7 +64,7 @@ TEST_CASE("grey PNG of every bit depth is read exactly, interlaced or not") {
     }
 }
 
-TEST_CASE("colour and alpha PNG of 8 and 16 bits is read exactly, interlaced or not") {
+TEST_CASE("colour and alpha PNG of 8 and 16 bits decodes exactly, interlaced or not") {
   for (const bool interlaced : {false, true})
     for (const int bitDepth : {8, 16})
       for (const int colourType : {2, 4, 6}) {
@@ -81,7 +81,7 @@ TEST_CASE("colour and alpha PNG of 8 and 16 bits is read exactly, interlaced or 
       }
 }
 
-TEST_CASE("a palette is expanded to RGB, with a note") {
+TEST_CASE("a palette expands to RGB, with a note") {
   for (const int bitDepth : {1, 2, 4, 8}) {
     const Png png = {.width = 19, .height = 5, .bitDepth = bitDepth, .colourType = 3};
     const Decoded decoded = decode(makePng(png));
@@ -100,7 +100,7 @@ TEST_CASE("transparency of a palette and of a colour becomes an alpha channel, w
   const Png palette = {.colourType = 3, .transparency = true};
   const Decoded fromPalette = decode(makePng(palette));
   REQUIRE(fromPalette.image.channels == 4);
-  CHECK(fromPalette.notes.back() == "transparent colour turned into an alpha channel");
+  CHECK(fromPalette.notes.back() == "transparent colour converted to an alpha channel");
   const Png grey = {.bitDepth = 2, .colourType = 0, .transparency = true};
   const Decoded fromGrey = decode(makePng(grey));
   REQUIRE(fromGrey.image.channels == 2);
@@ -112,7 +112,7 @@ TEST_CASE("transparency of a palette and of a colour becomes an alpha channel, w
     }
 }
 
-TEST_CASE("low bit depths are named in a note, and plain files have none") {
+TEST_CASE("a note names low bit depths, and plain files have no notes") {
   CHECK(decode(makePng({.bitDepth = 1, .colourType = 0})).notes ==
         std::vector<std::string>{"1-bit grey expanded to 8 bits"});
   CHECK(decode(makePng({})).notes.empty());
@@ -122,37 +122,37 @@ TEST_CASE("gamma and chromaticity chunks change no pixel") {
   CHECK(decode(makePng({.colourChunks = true})).image.values == decode(makePng({})).image.values);
 }
 
-TEST_CASE("a PNG at the largest side is accepted and one beyond it is refused") {
+TEST_CASE("a PNG with the largest side decodes, and one beyond it is an error") {
   CHECK(decode(makePng({.width = kMaxImageSide, .height = 1})).image.width == kMaxImageSide);
   CHECK(refusal(makePng({.width = kMaxImageSide + 1, .height = 1})) ==
-        "file: 16385 x 1 pixels; 1 to 16384 on a side are accepted");
+        "file: 16385 x 1 pixels; each side must be 1 to 16384");
   Bytes huge = makePng({});
   patchPngHeader(huge, kHeightOffset, 0xffffffffu);
-  CHECK(refusal(huge) == "file: 8 x 4294967295 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(huge) == "file: 8 x 4294967295 pixels; each side must be 1 to 16384");
 }
 
-TEST_CASE("a PNG without pixels is refused") {
+TEST_CASE("a PNG without pixels is an error") {
   Bytes png = makePng({});
   patchPngHeader(png, kWidthOffset, 0);
-  CHECK(refusal(png) == "file: 0 x 8 pixels; 1 to 16384 on a side are accepted");
+  CHECK(refusal(png) == "file: 0 x 8 pixels; each side must be 1 to 16384");
 }
 
-TEST_CASE("a PNG that claims more than deflate can give is refused before it is decoded") {
+TEST_CASE("a PNG that claims more than deflate can produce is an error before decoding") {
   Bytes png = makePng({});
   patchPngHeader(png, kWidthOffset, kMaxImageSide);
   patchPngHeader(png, kHeightOffset, kMaxImageSide);
   CHECK(refusal(png) == "file: claims 805306368 bytes of pixels in a file of " +
-                            std::to_string(png.size()) + "; PNG expands at most 1032 times");
+                            std::to_string(png.size()) + " bytes; PNG expands at most 1032 times");
 }
 
-TEST_CASE("a constant PNG, close to deflate's limit, is accepted") {
+TEST_CASE("a constant PNG, close to deflate's limit, decodes") {
   const Result<Bytes> png = encodePng(SrgbImage(2048, 2048, 1), 8);
   REQUIRE(png);
   CHECK(png.value().size() * 900 < std::size_t(2048) * 2048);
   CHECK(decode(png.value()).image.values == std::vector<float>(std::size_t(2048) * 2048, 0.0f));
 }
 
-TEST_CASE("a PNG with too few rows, a bad checksum or a bad header is refused") {
+TEST_CASE("a PNG with too few rows, a bad checksum or a bad header is an error") {
   Bytes tall = makePng({});
   patchPngHeader(tall, kHeightOffset, 9);
   CHECK(refusal(tall) == "file: damaged PNG: Not enough image data");
@@ -178,13 +178,13 @@ TEST_CASE("a message quotes a file's bytes as printable ASCII only") {
     CHECK((c >= ' ' && c <= '~'));
 }
 
-TEST_CASE("unknown chunks and an untrue profile are skipped") {
+TEST_CASE("decoding skips unknown chunks and a wrong profile") {
   Bytes png = makePng({});
   insertPngChunk(png, "liCh", std::string(1000, 'x'));
   insertPngChunk(png, "iCCP", "not a profile");
   insertPngChunk(png, "zTXt", "not compressed");
   CHECK(decode(png).image.values == decode(makePng({})).image.values);
-  CHECK(decode(png).notes.empty()); // libpng would warn of what it had looked into
+  CHECK(decode(png).notes.empty()); // libpng would warn about chunks that it parses
 }
 
 TEST_CASE("an encoded PNG has only the chunks it needs, and decodes to the nearest codes") {
@@ -192,7 +192,7 @@ TEST_CASE("an encoded PNG has only the chunks it needs, and decodes to the neare
     for (const int channels : {1, 2, 3, 4}) {
       SrgbImage image(13, 7, channels);
       for (std::size_t i = 0; i < image.values.size(); ++i)
-        image.values[i] = float(i) / 70.0f - 0.25f; // below 0 and above 1 too
+        image.values[i] = float(i) / 70.0f - 0.25f; // includes values below 0 and above 1
       const Result<Bytes> png = encodePng(image, bits);
       REQUIRE(png);
       for (const char* chunk : {"gAMA", "sRGB", "iCCP", "cHRM", "tEXt", "tIME"})
@@ -209,22 +209,21 @@ TEST_CASE("an encoded PNG has only the chunks it needs, and decodes to the neare
     }
 }
 
-TEST_CASE("linear data is written to PNG without conversion") {
+TEST_CASE("writing linear data to PNG does not convert it") {
   LinearImage data(2, 1, 1);
   data.values = {0.2f, 0.8f};
   CHECK(decode(encodePng(data, 8).value()).image.values == std::vector<float>{0.2f, 0.8f});
 }
 
-TEST_CASE("an image that no PNG can hold is refused by the encoder") {
+TEST_CASE("encoding an image that PNG cannot store is an error") {
   CHECK(encodePng(SrgbImage(1, 1, 1), 12).error().message ==
-        "PNG: 12 bits per channel; 8 and 16 are accepted");
-  CHECK(encodePng(SrgbImage(1, 1, 5), 8).error().message == "PNG: 5 channels; 1 to 4 are accepted");
+        "PNG: 12 bits per channel; expected 8 or 16");
+  CHECK(encodePng(SrgbImage(1, 1, 5), 8).error().message == "PNG: 5 channels; expected 1 to 4");
   CHECK(encodePng(SrgbImage(0, 1, 1), 8).error().message ==
-        "PNG: 0 x 1 pixels; 1 to 16384 on a side are accepted");
+        "PNG: 0 x 1 pixels; each side must be 1 to 16384");
   SrgbImage image(2, 2, 1);
   image.values[3] = std::numeric_limits<float>::quiet_NaN();
-  CHECK(encodePng(image, 8).error().message == "PNG: value 3 is nan; finite values are accepted");
+  CHECK(encodePng(image, 8).error().message == "PNG: value 3 is nan; all values must be finite");
   image.values.pop_back();
-  CHECK(encodePng(image, 8).error().message ==
-        "PNG: 3 values; the image's sides and channels make 4");
+  CHECK(encodePng(image, 8).error().message == "PNG: 3 values; the image's size requires 4");
 }

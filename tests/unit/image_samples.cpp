@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the three kinds of sample files have in common.
+// What the sample files of all formats have in common.
 #include "image_samples.h"
 
 #include <algorithm>
 
 namespace lichen::samples {
 
-std::vector<Bytes> everyAcceptedKind() {
+std::vector<Bytes> everySupportedKind() {
   std::vector<Bytes> files;
   for (const bool interlaced : {false, true}) {
     for (const int bitDepth : {1, 2, 4, 8, 16})
@@ -46,7 +46,7 @@ std::size_t find(const Bytes& bytes, const std::string& pattern) {
 std::string refusal(const Bytes& bytes, const std::string& name) {
   const Result<ImageFile> result = decodeImage(bytes, name);
   if (result)
-    return "(accepted)";
+    return "(no error)";
   if (result.error().kind != ErrorKind::badInput)
     return "(another kind of error) " + result.error().message;
   return result.error().message;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Image files of every kind for the tests, made with libpng, libjpeg and OpenEXR directly, so that
-// they owe nothing to the code under test.
+// Sample image files of every kind, made directly with libpng, libjpeg and OpenEXR, so that they do
+// not depend on the code under test.
 #pragma once
 
 #include <lichen/image_io.h>
@@ -23,22 +23,22 @@ struct Png {
   bool transparency = false; ///< a tRNS chunk: code 1 (palette: alpha 128 for entry 1)
   bool colourChunks = false; ///< gAMA and cHRM that would change every pixel if they were applied
 };
-/// The code of channel c (palette: the index) at (x, y); every code of the depth occurs.
+/// The code of channel c (palette: the index) at (x, y); all codes of the bit depth occur.
 [[nodiscard]] unsigned pngCode(const Png& png, int x, int y, int c);
 /// The 8-bit colour of palette entry i.
 [[nodiscard]] unsigned paletteCode(unsigned i, int c);
 [[nodiscard]] Bytes makePng(const Png& png);
 
-/// Overwrites 4 bytes at `offset`, most significant first, and mends the checksums.
+/// Overwrites 4 bytes at `offset`, most significant first, and corrects the checksums.
 void patchPngHeader(Bytes& png, std::size_t offset, std::uint32_t value);
-/// Mends the checksum of every chunk that is whole; other files are left alone.
-void mendPngChecksums(Bytes& file);
-/// An EXIF block whose IFD 0 has nothing but an orientation, as a short of either byte order.
+/// Corrects the checksum of every complete chunk; leaves other files unchanged.
+void correctPngChecksums(Bytes& file);
+/// An EXIF block whose IFD 0 only has an orientation, as a short in either byte order.
 [[nodiscard]] std::string exifBlock(int orientation, bool bigEndian);
-/// Inserts an APP1 marker of EXIF behind the first marker.
+/// Inserts an EXIF APP1 marker after the first marker.
 void insertJpegExif(Bytes& jpeg, const std::string& block);
 
-/// Inserts a chunk with a right checksum after IHDR.
+/// Inserts a chunk with a correct checksum after IHDR.
 void insertPngChunk(Bytes& png, const std::string& type, const std::string& data);
 
 enum class JpegColour { grey, ycbcr, cmyk, ycck };
@@ -47,10 +47,10 @@ struct Jpeg {
   int height = 16;
   JpegColour colour = JpegColour::ycbcr;
   bool progressive = false;
-  bool scanPerCoefficient = false; ///< progressive, of grey: 1 + 63 + 63 scans, all legal
+  bool scanPerCoefficient = false; ///< progressive grey: 1 + 63 + 63 scans, all legal
   bool arithmetic = false;
   bool darkFirstBlock = false;                            ///< the first 8 x 8 pixels have code 0
-  bool adobeMarker = true;                                ///< of CMYK and YCCK
+  bool adobeMarker = true;                                ///< for CMYK and YCCK
   std::vector<unsigned char> codes = {200, 100, 50, 220}; ///< of every pixel, channel by channel
 };
 [[nodiscard]] Bytes makeJpeg(const Jpeg& jpeg);
@@ -70,25 +70,26 @@ struct Exr {
   int tileSide = 0;    ///< 0: scan lines
   bool mipMapped = false;
   bool decreasingY = false;
-  bool wideDisplay = false; ///< a display window of its own
+  bool wideDisplay = false; ///< display window differs from the data window
   /// Replaces the value of the first channel at the first pixel.
   bool hasOddValue = false;
   float oddValue = 0.0f;
 };
-/// The value of channel c (in the order of Exr::channels) at (x, y): exact in half and in unsigned.
+/// The value of channel c (in the order of Exr::channels) at (x, y); exact in half and unsigned.
 [[nodiscard]] float exrValue(int x, int y, int c);
 [[nodiscard]] Bytes makeExr(const Exr& exr);
 [[nodiscard]] Bytes makeMultiPartExr();
 [[nodiscard]] Bytes makeDeepExr();
 [[nodiscard]] Bytes makeLuminanceChromaExr();
 
-/// Small valid files of every accepted kind.
-[[nodiscard]] std::vector<Bytes> everyAcceptedKind();
+/// Small valid files of every supported kind.
+[[nodiscard]] std::vector<Bytes> everySupportedKind();
 
-/// Where `pattern` first occurs in `bytes`; the end when nowhere.
+/// Offset of the first occurrence of `pattern` in `bytes`; the size if there is none.
 [[nodiscard]] std::size_t find(const Bytes& bytes, const std::string& pattern);
 
-/// The message of a refusal as ErrorKind::badInput; another outcome as text that no message has.
+/// The message of decoding's badInput error; for any other outcome, a text in parentheses that no
+/// message has.
 [[nodiscard]] std::string refusal(const Bytes& bytes, const std::string& name = "file");
 
 } // namespace lichen::samples

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sample EXR files through OpenEXR.
+// Sample EXR files, written with OpenEXR.
 #include "image_samples.h"
 
 #include <OpenEXR/ImfArray.h>
@@ -38,7 +38,7 @@ private:
   std::size_t offset_ = 0;
 };
 
-/// The samples of one channel inside the data window, in the file's type.
+/// Samples of one channel inside the data window, in the file's type.
 std::vector<char> channelSamples(const Exr& exr, std::size_t c) {
   const int sampling = exr.channels[c].sampling;
   std::vector<char> samples;
@@ -97,7 +97,7 @@ Bytes makeExr(const Exr& exr) {
   header.setTileDescription(
       Imf::TileDescription(side, side, exr.mipMapped ? Imf::MIPMAP_LEVELS : Imf::ONE_LEVEL));
   Imf::TiledOutputFile file(stream, header, 0);
-  file.setFrameBuffer(frame); // large enough for every level; smaller ones show its corner
+  file.setFrameBuffer(frame); // large enough for every level; smaller levels show its corner
   for (int level = 0; level < file.numLevels(); ++level)
     file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
   return bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sample JPEG files through libjpeg.
+// Sample JPEG files, written with libjpeg.
 #include "image_samples.h"
 
 #include <jpeglib.h>
@@ -75,7 +75,7 @@ std::string exifBlock(int orientation, bool bigEndian) {
       block += char(value >> 8 * (bigEndian ? bytes - 1 - b : b) & 0xff);
   };
   append(42, 2); // TIFF
-  append(8, 4);  // where IFD 0 begins
+  append(8, 4);  // offset of IFD 0
   append(1, 2);  // its entries: tag, type SHORT, count, value, 2 bytes of padding
   append(0x112, 2);
   append(3, 2);

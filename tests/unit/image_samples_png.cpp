@@ -118,7 +118,7 @@ Bytes makePng(const Png& png) {
   return bytes;
 }
 
-void mendPngChecksums(Bytes& file) {
+void correctPngChecksums(Bytes& file) {
   constexpr std::size_t kSignatureBytes = 8;
   constexpr std::size_t kFramingBytes = 12; // length, type and checksum
   if (find(file, "\x89PNG") != 0)
@@ -137,7 +137,7 @@ void mendPngChecksums(Bytes& file) {
 void patchPngHeader(Bytes& png, std::size_t offset, std::uint32_t value) {
   const Bytes bytes = bigEndian(value);
   std::copy(bytes.begin(), bytes.end(), png.begin() + std::ptrdiff_t(offset));
-  mendPngChecksums(png);
+  correctPngChecksums(png);
 }
 
 void insertPngChunk(Bytes& png, const std::string& type, const std::string& data) {
@@ -145,9 +145,9 @@ void insertPngChunk(Bytes& png, const std::string& type, const std::string& data
   Bytes chunk = bigEndian(std::uint32_t(data.size()));
   for (const char c : type + data)
     chunk.push_back(std::byte(static_cast<unsigned char>(c)));
-  chunk.insert(chunk.end(), 4, std::byte(0)); // the checksum
+  chunk.insert(chunk.end(), 4, std::byte(0)); // placeholder of the checksum
   png.insert(png.begin() + kHeaderEnd, chunk.begin(), chunk.end());
-  mendPngChecksums(png);
+  correctPngChecksums(png);
 }
 
 } // namespace lichen::samples

@@ -25,14 +25,14 @@ constexpr double kRelativeTolerance = 8 * std::numeric_limits<float>::epsilon();
 
 } // namespace
 
-TEST_CASE("sRGB codes become light by the closed form") {
+TEST_CASE("srgbToLinear() matches the closed form") {
   for (int i = 0; i <= 4000; ++i) {
     const float code = float(i) / 2000.0f; // up to 2: values above 1 follow the same formula
     CHECK(srgbToLinear(code) == Approx(lightOf(double(code))).epsilon(kRelativeTolerance));
   }
 }
 
-TEST_CASE("light becomes sRGB codes by the closed form") {
+TEST_CASE("linearToSrgb() matches the closed form") {
   for (int i = 0; i <= 4000; ++i) {
     const float light = float(i) / 2000.0f;
     CHECK(linearToSrgb(light) ==
@@ -40,14 +40,14 @@ TEST_CASE("light becomes sRGB codes by the closed form") {
   }
 }
 
-TEST_CASE("the sRGB functions keep 0 and 1 exactly") {
+TEST_CASE("the sRGB functions map 0 and 1 to themselves exactly") {
   CHECK(srgbToLinear(0.0f) == 0.0f);
   CHECK(srgbToLinear(1.0f) == 1.0f);
   CHECK(linearToSrgb(0.0f) == 0.0f);
   CHECK(linearToSrgb(1.0f) == 1.0f);
 }
 
-TEST_CASE("the sRGB functions are odd and inverse to each other") {
+TEST_CASE("the sRGB functions are odd and inverses of each other") {
   for (int i = 0; i <= 4000; ++i) {
     const float code = float(i) / 2000.0f;
     CHECK(srgbToLinear(-code) == -srgbToLinear(code));
@@ -58,7 +58,7 @@ TEST_CASE("the sRGB functions are odd and inverse to each other") {
   }
 }
 
-TEST_CASE("every 8- and 16-bit code survives the way to light and back") {
+TEST_CASE("every 8- and 16-bit code survives the round trip through light") {
   for (int code = 0; code <= 65535; ++code) {
     const float back = linearToSrgb(srgbToLinear(float(code) / 65535.0f));
     if (int(back * 65535.0f + 0.5f) != code)
@@ -66,11 +66,11 @@ TEST_CASE("every 8- and 16-bit code survives the way to light and back") {
   }
 }
 
-TEST_CASE("converting an image gives the bits of the value functions and keeps alpha") {
+TEST_CASE("converting an image is bit-identical to converting values, and keeps alpha") {
   for (const int channels : {1, 2, 3, 4}) {
     SrgbImage image(16, 16, channels);
     for (std::size_t i = 0; i < image.values.size(); ++i)
-      // Codes of 8 bits, values between them, and values outside [0, 1].
+      // 8-bit codes, values between them, and values outside [0, 1].
       image.values[i] = i % 3 == 0 ? float(i % 256) / 255.0f : float(i) / 300.0f - 0.5f;
     const LinearImage linear = toLinear(image);
     const SrgbImage back = toSrgb(linear);

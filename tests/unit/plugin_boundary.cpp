@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The boundary of the engine plugin: structs of older and newer headers, NULL and indices out of
-// range, diagnostics, and that whatever is thrown inside becomes a result.
+// range, diagnostics, and conversion of exceptions into results.
 #include "abi.h"
 #include "exhausted_memory.h"
 #include "plugin_plan.h"
@@ -14,7 +14,7 @@
 using namespace lichen;
 using namespace lichen::test;
 
-TEST_CASE("NULL arguments and indices out of range are refused, and outputs untouched") {
+TEST_CASE("NULL arguments and indices out of range are errors and leave outputs unchanged") {
   const OwnedBundle owned(example::smallest());
   const LichenBundle b = owned.handle;
   const LichenUniformInfo uniforms = uniformInfo();
@@ -69,7 +69,7 @@ TEST_CASE("NULL arguments and indices out of range are refused, and outputs unto
   lichenDestroyBundle(nullptr);
 }
 
-TEST_CASE("whatever is thrown inside becomes a result") {
+TEST_CASE("exceptions become results") {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   const auto result = [&](const auto& thrown) {
@@ -82,7 +82,7 @@ TEST_CASE("whatever is thrown inside becomes a result") {
   CHECK(result(7) == LICHEN_ERROR_INTERNAL);
 }
 
-TEST_CASE("memory exhausted at any allocation of a parse is a result") {
+TEST_CASE("failure of any allocation while parsing is a result") {
   BundleFile file = example::smallest();
   file.bundle.tables[0] = example::patternTable("", TexelFormat::r8Unorm, 64, 64, 0, 7);
   file.bundle.noises[0].maps[0].as<TilingMap>().mipLoss.assign(7, 0.0);
@@ -111,7 +111,7 @@ TEST_CASE("memory exhausted at any allocation of a parse is a result") {
   CHECK(failures > 100);
 }
 
-TEST_CASE("inputs of other sizes and versions are read or refused as documented") {
+TEST_CASE("inputs of other sizes and versions behave as documented") {
   const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
   SECTION("an older, smaller struct lacks the name") {
     LichenParseInfo info = parseInfo(glb);
@@ -133,7 +133,7 @@ TEST_CASE("inputs of other sizes and versions are read or refused as documented"
     newer.added = 1;
     CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
   }
-  SECTION("a value that a newer header names is refused") {
+  SECTION("a non-zero member of a newer header is an error") {
     const OwnedBundle bundle(example::smallest());
     LichenUniformInfo info = uniformInfo();
     info.overrides = LICHEN_OVERRIDE_POINT_PROCESS;
@@ -142,7 +142,7 @@ TEST_CASE("inputs of other sizes and versions are read or refused as documented"
     CHECK(filled.result == LICHEN_ERROR_USAGE);
     CHECK(filled.message.find("pointProcess 2") != std::string::npos);
   }
-  SECTION("a wrong type or a chain is refused") {
+  SECTION("a wrong type or a chain is an error") {
     LichenParseInfo info = parseInfo(glb);
     info.type = LICHEN_STRUCTURE_DIAGNOSTIC;
     CHECK(parse(info).result == LICHEN_ERROR_USAGE);
@@ -152,7 +152,7 @@ TEST_CASE("inputs of other sizes and versions are read or refused as documented"
   }
 }
 
-TEST_CASE("shaders of another interface are refused") {
+TEST_CASE("shaders with another interface version are an error") {
   const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
   LichenParseInfo info = parseInfo(glb);
   info.interfaceVersion = LICHEN_INTERFACE_VERSION + 1;
@@ -165,7 +165,7 @@ TEST_CASE("shaders of another interface are refused") {
   lichenDestroyBundle(accepted.bundle);
 }
 
-TEST_CASE("a host with a header of another minor version is taken, of another major version not") {
+TEST_CASE("a host header may have another minor version, but not another major version") {
   constexpr std::uint32_t kMajor = 0x10000u;
   const std::vector<std::byte> glb = encodeGlb(example::smallest()).value();
   const auto resultWith = [&](std::uint32_t headerVersion) {
@@ -183,9 +183,9 @@ TEST_CASE("a host with a header of another minor version is taken, of another ma
   CHECK(resultWith(0) == LICHEN_ERROR_VERSION);
 }
 
-TEST_CASE("outputs of other sizes and versions are filled or refused as documented") {
+TEST_CASE("outputs of other sizes and versions behave as documented") {
   const OwnedBundle bundle(example::smallest());
-  SECTION("an output with a chain or without its type is refused") {
+  SECTION("an output with a chain or without its type is an error") {
     LichenBundleProperties properties;
     LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
     properties.next = &properties;
@@ -197,7 +197,7 @@ TEST_CASE("outputs of other sizes and versions are filled or refused as document
     CHECK(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_ERROR_USAGE);
     CHECK(properties.noiseCount == 0);
   }
-  SECTION("an older properties struct is filled as far as it goes") {
+  SECTION("an older, smaller properties struct is filled up to its size") {
     LichenBundleProperties properties;
     LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
     properties.size = offsetof(LichenBundleProperties, imageCount);
@@ -208,7 +208,7 @@ TEST_CASE("outputs of other sizes and versions are filled or refused as document
   }
 }
 
-TEST_CASE("a diagnostic buffer that is too short is cut and terminated") {
+TEST_CASE("a diagnostic is truncated and terminated if its buffer is too short") {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   diagnostic.size = offsetof(LichenDiagnostic, text) + 8;
@@ -224,11 +224,11 @@ TEST_CASE("a diagnostic that cannot be formatted is empty") {
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   std::memset(diagnostic.text, 'x', sizeof diagnostic.text);
   const wchar_t noCharacter[] = {wchar_t(0x110000), 0};
-  plugin::say(&diagnostic, "before %ls", noCharacter);
+  plugin::writeDiagnostic(&diagnostic, "before %ls", noCharacter);
   CHECK(std::string(diagnostic.text).empty());
 }
 
-TEST_CASE("a diagnostic is one line of whole characters, whatever names it quotes") {
+TEST_CASE("a diagnostic is one line of whole characters for any quoted name") {
   const std::vector<std::byte> notABundle(100, std::byte(7));
   const auto messageFor = [&](const std::string& name, std::size_t capacity) {
     LichenDiagnostic diagnostic;
@@ -255,7 +255,7 @@ TEST_CASE("a diagnostic is one line of whole characters, whatever names it quote
   const std::string four = "\U0001f33f";
   for (std::size_t capacity = 1; capacity <= 12; ++capacity)
     CHECK(messageFor(four + four + four, capacity).size() == (capacity - 1) / 4 * 4);
-  for (std::size_t before = 480; before < 484; ++before) // the cut at each byte of a character
+  for (std::size_t before = 480; before < 484; ++before) // truncates at each byte of a character
     CHECK(messageFor(std::string(before, 'x') + four + four + four + four, kWhole).size() ==
           before + (kWhole - 1 - before) / 4 * 4);
 }

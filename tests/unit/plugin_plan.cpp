@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine plugin's plan layer: what it describes and what it refuses.
+// The engine plugin's plan layer: its descriptions and its errors.
 #include "plugin_plan.h"
 
 #include "bundle_surgery.h"
@@ -16,7 +16,7 @@
 using namespace lichen;
 using namespace lichen::test;
 
-TEST_CASE("an inverse table of one channel is described as a 3-D image with a slab a level") {
+TEST_CASE("the inverse table of one channel is a 3-D image with one slice per level") {
   const OwnedBundle bundle(example::smallest());
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
@@ -37,7 +37,7 @@ TEST_CASE("an inverse table of one channel is described as a 3-D image with a sl
   CHECK(image.mipLevels == 3);
 }
 
-TEST_CASE("the copies of an image cover its bytes without a gap") {
+TEST_CASE("the copies of an image cover its bytes without gaps") {
   const OwnedBundle bundle(example::smallest());
   LichenBundleProperties properties;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
@@ -90,7 +90,7 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(noise.uvToTileXX == Approx(2.0 * std::cos(0.25)));
   CHECK(noise.uvToTileXY == Approx(2.0 * std::sin(0.25)));
   CHECK(noise.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
-  CHECK(noise.offsetX == 0.0f); // whole tiles are in the lattice's origin
+  CHECK(noise.offsetX == 0.0f); // the lattice's origin contains the whole tiles
   CHECK(noise.offsetY == 0.25f);
   const LatticeOrigin origin = latticeOrigin(3, -2);
   CHECK(std::array{noise.cellI, noise.cellJ} == origin.cell);
@@ -106,7 +106,7 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(map.dimensions == 1);
   CHECK(map.tableLevels == 2);
   CHECK(map.alignedMips == 1);
-  // sqrt(1 - loss) of losses 0, 1/3, 2/3 in 255ths: 255, 208, 147; the last repeats.
+  // sqrt(1 - loss) in 255ths for losses 0, 1/3, 2/3: 255, 208, 147; the last one repeats.
   CHECK(map.mipKept0.x == 0x9393d0ffu);
   CHECK(map.mipKept0.w == 0x93939393u);
   const Table& table = file.bundle.tables[1];
@@ -120,7 +120,7 @@ TEST_CASE("an override replaces the material's value, and a tile origin moves th
   info.overrides = LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_SCALE;
   info.seed = 77;
   info.scale = 4.0;
-  info.contrast = 3.0; // not in `overrides`: ignored
+  info.contrast = 3.0; // ignored: not in `overrides`
   info.tileOrigin[0] = 10000000;
   info.tileOrigin[1] = -3;
   const Filled filled = fill(bundle.handle, info);
@@ -134,7 +134,7 @@ TEST_CASE("an override replaces the material's value, and a tile origin moves th
   CHECK(filled.uniforms.noise.fractionI == origin.fraction[0]);
 }
 
-TEST_CASE("each parameter outside its range is refused by name") {
+TEST_CASE("the error for a parameter outside its range names it") {
   const OwnedBundle bundle(example::smallest());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -187,7 +187,7 @@ TEST_CASE("each parameter outside its range is refused by name") {
          i.overrides |= LICHEN_OVERRIDE_MAPPING;
          i.mapping = LichenMapping(int(v));
        },
-       {2.0, 3.0, 4.0}}, // 2, surface, is of textons
+       {2.0, 3.0, 4.0}}, // 2 (surface) needs textons
   };
   for (const Case& one : cases)
     for (const double value : one.bad) {
@@ -207,7 +207,7 @@ TEST_CASE("each parameter outside its range is refused by name") {
   CHECK(fill(bundle.handle, info).message.find("material 1") != std::string::npos);
 }
 
-TEST_CASE("a bundle's period with a fraction needs the tile origin 0") {
+TEST_CASE("a fractional period requires a tile origin of 0") {
   const OwnedBundle bundle(example::smallest());
   LichenUniformInfo info = uniformInfo();
   info.periodTiles[0] = info.periodTiles[1] = 1.5;
@@ -216,7 +216,7 @@ TEST_CASE("a bundle's period with a fraction needs the tile origin 0") {
   CHECK(fill(bundle.handle, info).result == LICHEN_ERROR_USAGE);
 }
 
-TEST_CASE("a period is refused for noise in three planes") {
+TEST_CASE("a period is an error for triplanar mapping") {
   const OwnedBundle bundle(example::smallest());
   LichenUniformInfo info = uniformInfo();
   info.overrides = LICHEN_OVERRIDE_MAPPING;
@@ -226,7 +226,7 @@ TEST_CASE("a period is refused for noise in three planes") {
   const Filled filled = fill(bundle.handle, info);
   CHECK(filled.result == LICHEN_ERROR_USAGE);
   CHECK(filled.message ==
-        "periodTiles 2: noise of the mapping triplanar does not repeat; 0 is accepted");
+        "periodTiles 2 is not supported for triplanar mapping, which cannot repeat; set it to 0");
 }
 
 TEST_CASE("a file without noises is an empty bundle") {
@@ -246,7 +246,7 @@ TEST_CASE("a file without noises is an empty bundle") {
   lichenDestroyBundle(parsed.bundle);
 }
 
-TEST_CASE("a material whose noise is of a later revision has none, and says which") {
+TEST_CASE("a material whose noise has a later revision has no noise, and states the revision") {
   example::GlbParts parts(encodeGlb(example::smallest()).value());
   parts.extension()["noises"][0]["revision"] = 3;
   const std::vector<std::byte> glb = parts.join();
@@ -269,7 +269,7 @@ TEST_CASE("a material whose noise is of a later revision has none, and says whic
   CHECK(material.unknownRevision == 0);
 }
 
-TEST_CASE("a map without an inverse table has an image of two texels at its table's binding") {
+TEST_CASE("a map without an inverse table has a placeholder of two texels at its table's binding") {
   const BundleFile file = example::everyMap();
   const OwnedBundle bundle(file);
   constexpr std::uint32_t opacity = 3;
@@ -295,7 +295,7 @@ TEST_CASE("a map without an inverse table has an image of two texels at its tabl
 }
 
 TEST_CASE(
-    "each map of a mix has a table of its steps, and the material says who gives the weight") {
+    "each map of a mix has a table of its steps, and the material states the weight's source") {
   const BundleFile file = example::textonMix();
   const std::vector<double>& losses =
       file.bundle.noises[1].maps[0].as<TextonMap>().mipLoss; // of all steps
@@ -318,7 +318,7 @@ TEST_CASE(
   CHECK(image.width == 3);
   CHECK(image.height == 1);
   CHECK(image.depth == LICHEN_MIX_ROWS);
-  // Means of 0.5, 0.375 and 0.25 less the first, deviations of 1, 0.75 and 0.5 of the greatest.
+  // Means 0.5, 0.375 and 0.25 minus the first; deviations 1, 0.75 and 0.5 of the largest.
   Table table{"mix", TexelFormat::rgba16Sfloat, 3, 1, LICHEN_MIX_ROWS, 1, {}};
   const auto* bytes = static_cast<const std::byte*>(image.bytes);
   table.texels.assign(bytes, bytes + image.byteCount);
@@ -333,7 +333,7 @@ TEST_CASE(
       const std::span<const double> ofChannel = lossRow(losses, c, 3);
       CHECK(texel(LICHEN_MIX_KEPT + 1, step, c) ==
             Approx(std::sqrt(1.0 - ofChannel[1])).epsilon(1e-3));
-      // The last one repeats.
+      // The last value repeats.
       CHECK(texel(LICHEN_MIX_KEPT + 15, step, c) ==
             Approx(std::sqrt(1.0 - ofChannel.back())).epsilon(1e-3));
     }
@@ -346,7 +346,7 @@ TEST_CASE(
   CHECK(material.mixChannel == 2);
 }
 
-TEST_CASE("a material tells the space of its positions") {
+TEST_CASE("a material states the space of its positions") {
   for (const NoiseSpace space : {NoiseSpace::world, NoiseSpace::object}) {
     BundleFile file = example::smallest();
     file.bundle.materials[0]->mapping = Mapping::triplanar;
@@ -360,7 +360,7 @@ TEST_CASE("a material tells the space of its positions") {
   }
 }
 
-TEST_CASE("a material tells its parameters: given back as overrides they change nothing") {
+TEST_CASE("a material's parameters, passed back as overrides, change nothing") {
   BundleFile file = example::smallest();
   MaterialNoise& own = *file.bundle.materials[0];
   own.mapping = Mapping::triplanar;
@@ -405,7 +405,7 @@ TEST_CASE("a material tells its parameters: given back as overrides they change 
   CHECK(std::memcmp(&byOverrides.uniforms, &byMaterial.uniforms, sizeof byMaterial.uniforms) == 0);
 }
 
-TEST_CASE("what is no bundle is refused") {
+TEST_CASE("parsing something that is not a bundle is an error") {
   const std::vector<std::byte> noise(100, std::byte(7));
   CHECK(parse(parseInfo(noise)).result == LICHEN_ERROR_BAD_BUNDLE);
 }

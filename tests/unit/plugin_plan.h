@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundles and uniforms by the engine plugin's plan layer, with what it says of them.
+// Parses bundles and fills uniforms with the engine plugin's plan layer, and keeps its diagnostics.
 #pragma once
 
 #include "bundle_example.h"
@@ -38,7 +38,7 @@ inline Parsed parse(const LichenParseInfo& info) {
   return parsed;
 }
 
-/// A bundle that is destroyed with its test.
+/// A bundle that is destroyed at the end of the test.
 struct OwnedBundle {
   explicit OwnedBundle(const BundleFile& file) {
     const std::vector<std::byte> glb = encodeGlb(file).value();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out, so that an interrupted run leaves the old file whole and no partial one,
-// and what a folder holds.
+// Reads and writes whole files, and lists folders. Writing is atomic: an interrupted run leaves the
+// old file intact.
 #pragma once
 
 #include <lichen/result.h>
@@ -12,25 +12,30 @@
 
 namespace lichen {
 
-/// Reads a regular file of at most `maxBytes`. Errors: badInput when it is absent,
-/// a folder or unreadable, or longer; resources when memory does not suffice. Thread-safe.
+/// Reads a regular file. Errors: badInput if it does not exist, is a folder, is unreadable or is
+/// longer than `maxBytes`; resources if memory does not suffice. Thread-safe.
 [[nodiscard]] Result<std::vector<std::byte>> readFile(const std::filesystem::path& path,
                                                       std::size_t maxBytes = std::size_t(4) << 30);
-/// As above, of a file of any size: its first `size` bytes. badInput too when it has fewer.
+/// Reads the first `size` bytes of a regular file. Errors as readFile(), but badInput if the file
+/// is shorter than `size`, whatever its length.
 [[nodiscard]] Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path,
                                                            std::size_t size);
 
-/// Writes `bytes` to a new file in the folder of `path`, flushes it to the disk, and renames it
-/// over `path`. Errors: environment when the folder is absent or cannot be written, resources when
-/// the disk is full or memory does not suffice; in all the old file, if any, is untouched and
-/// nothing is left beside it. A process that is killed leaves nothing either, where the file system
-/// has files without a name (ext4, XFS, Btrfs, tmpfs; not NFS, FAT); elsewhere a file PATH.part-*
-/// may stay. Thread-safe; of several calls for one path at the same time one wins, whole.
+/// Writes `bytes` to a temporary file in the folder of `path`, flushes it to disk, and renames it
+/// to `path`.
+/// Errors: environment if the folder does not exist or is not writable; resources if the disk is
+/// full or memory does not suffice. On any error the old file is unchanged and no temporary file
+/// remains.
+/// If the process is killed, a file PATH.part-* may remain. On file systems with unnamed files
+/// (ext4, XFS, Btrfs, tmpfs; not NFS, FAT) that is only possible in the moment between naming the
+/// temporary file and renaming it.
+/// Thread-safe. If several calls write the same path, one of them wins as a whole.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
 
-/// The paths of a folder's entries, without "." and "..", sorted. Errors: badInput when it is
-/// absent, no folder or unreadable; resources when memory does not suffice. Thread-safe.
+/// The sorted paths of a folder's entries, without "." and "..". Errors: badInput if the folder
+/// does not exist, is not a folder or is unreadable; resources if memory does not suffice.
+/// Thread-safe.
 [[nodiscard]] Result<std::vector<std::filesystem::path>>
 listFolder(const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels with their encoding.
+// Images with their encoding as part of the type.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 
 namespace lichen {
 
-/// What a stored value means. It is part of an image's type, so that light and its sRGB code are
-/// never mixed without a conversion by name.
+/// What a stored value means. The encoding is part of an image's type, so linear light and sRGB
+/// codes never mix without an explicit conversion.
 enum class Encoding {
   srgb,   ///< IEC 61966-2-1 code values; [0, 1] is the displayable range
   linear, ///< values proportional to light, or plain data (slopes, heights, roughness)
 };
 
-/// A width x height image of interleaved float channels, row 0 at the top:
-/// value (x, y, c) is values[(y * width + x) * channels + c]. Throws std::bad_alloc, as vectors do.
+/// A width x height image of interleaved float channels, row 0 at the top: value (x, y, c) is
+/// values[(y * width + x) * channels + c]. May throw std::bad_alloc.
 template <Encoding kEncoding>
 struct Image {
   static constexpr Encoding encoding = kEncoding;
@@ -45,8 +45,8 @@ struct Image {
 using SrgbImage = Image<Encoding::srgb>;
 using LinearImage = Image<Encoding::linear>;
 
-/// Data of two channels as red and green, which files take for grey and alpha; other images as they
-/// are. The argument's storage becomes the result's where it can.
+/// Converts two-channel data to red and green, because files interpret two channels as grey and
+/// alpha. Returns other images unchanged, reusing their storage.
 template <Encoding kEncoding>
 [[nodiscard]] Image<kEncoding> twoAsRedGreen(Image<kEncoding> image) {
   if (image.channels != 2)
@@ -57,13 +57,13 @@ template <Encoding kEncoding>
   return rgb;
 }
 
-/// IEC 61966-2-1 transfer functions, extended beyond [0, 1] by the same formula for values above 1
-/// and by odd symmetry for values below 0. Exact inverses of each other up to rounding.
+/// IEC 61966-2-1 transfer functions, extended by the same formula above 1 and by odd symmetry below
+/// 0. They are inverses of each other up to rounding.
 [[nodiscard]] float srgbToLinear(float code);
 [[nodiscard]] float linearToSrgb(float light);
 
-/// Converts colour channels; alpha (the last of 2 or 4 channels) stays. The argument's storage
-/// becomes the result's, so that an image moved in is converted in place.
+/// Converts the colour channels; alpha (the last of 2 or 4 channels) is unchanged. Reuses the
+/// argument's storage, so an image moved in is converted in place.
 [[nodiscard]] LinearImage toLinear(SrgbImage image);
 [[nodiscard]] SrgbImage toSrgb(LinearImage image);
 

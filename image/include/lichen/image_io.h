@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG, JPEG and EXR files in and out. Hostile input is expected.
+// Reads and writes PNG and EXR, and reads JPEG. Input may be hostile.
 #pragma once
 
 #include <lichen/image.h>
@@ -15,62 +15,64 @@
 
 namespace lichen {
 
-/// Largest accepted side of an image, in pixels.
+/// Maximum width and height of an image, in pixels.
 inline constexpr int kMaxImageSide = 16384;
 
-/// A decoded file. PNG and JPEG give an SrgbImage, EXR a LinearImage.
+/// A decoded file: an SrgbImage from PNG and JPEG, a LinearImage from EXR.
 struct ImageFile {
   std::variant<SrgbImage, LinearImage> pixels;
   int bitsPerChannel = 8; ///< of the file: 8, 16, or 32 for EXR (half or float)
-  /// How the pixels have to be turned to be upright: EXIF's number, 1 (not at all) to 8.
+  /// EXIF orientation, 1 (upright) to 8: how to rotate or mirror the stored pixels to make them
+  /// upright.
   int orientation = 1;
-  /// What was done to make the file usable (palette expanded, CMYK converted, negative values
-  /// clamped, missing channels filled), one short sentence each, for the user.
+  /// Conversions applied while reading (palette expanded, CMYK converted, negative values clamped,
+  /// missing channels filled), one short sentence each, for the user.
   std::vector<std::string> notes;
-  /// The orientation from which upright() turned the pixels. It leaves what they say of directions,
-  /// as normals do, to uprightDirection().
+  /// The orientation before upright(). upright() moves pixels only; for values that are directions,
+  /// such as normals, use uprightDirection().
   int turnedFrom = 1;
 };
 
-/// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
-/// single-part EXR (scan line or tiled, half, float or uint, R G B A, Y A or one other channel).
-/// The format is told from the first bytes, not from the name. Palette and low-bit-depth PNG are
-/// expanded. Colour profiles and gamma are not looked at. The pixels are as they are stored,
-/// whatever the orientation says: to those do a scene's texture coordinates refer. Refused with
-/// ErrorKind::badInput: not an image, truncated (a PNG without IEND and a JPEG without its end
-/// marker too), zero-sized, a side over kMaxImageSide, a file whose claim cannot fit its size, NaN
-/// or infinite values, multi-part, deep or luminance-chroma EXR, arithmetic-coded JPEG.
-/// ErrorKind::resources when memory does not suffice. Bytes after the image's end are ignored.
-/// `name` is used in messages. Thread-safe.
+/// Decodes a PNG (1 to 16 bit; grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
+/// single-part EXR (scan line or tiled; half, float or uint; R G B A, Y A or one other channel).
+/// Detects the format from the first bytes, not from the file name. Expands palettes and low bit
+/// depths. Ignores colour profiles and gamma, and any bytes after the image's end.
+/// Returns pixels as stored, whatever the orientation: a scene's texture coordinates refer to
+/// stored pixels.
+/// Errors: badInput for a file that is not an image, is truncated (including a PNG without IEND and
+/// a JPEG without end marker), has zero size or a side over kMaxImageSide, claims more pixels than
+/// its bytes can encode, contains NaN or infinity, or is a multi-part, deep or luminance-chroma EXR
+/// or an arithmetic-coded JPEG; resources if memory does not suffice.
+/// Messages start with `name`. Thread-safe.
 [[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
                                             const std::string& name);
 
-/// The image turned as its orientation says, which is 1 then, with a note. May throw
-/// std::bad_alloc.
+/// Rotates or mirrors the image according to its orientation, adds a note, and sets the orientation
+/// to 1. May throw std::bad_alloc.
 [[nodiscard]] ImageFile upright(ImageFile file);
 
-/// A direction, right and down, of pixels that are stored with `orientation`, 1 to 8: as it points
-/// once they are upright.
+/// Converts a direction (right, down) from stored pixels with `orientation`, 1 to 8, to upright
+/// pixels.
 [[nodiscard]] std::array<float, 2> uprightDirection(std::array<float, 2> stored, int orientation);
 
-/// As decodeImage(), and upright: what photographs show.
+/// Reads and decodes a file, and makes it upright, the way photographs are displayed.
 [[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
 
-/// PNG without colour chunks, 1 to 4 channels, `bitsPerChannel` 8 or 16, values clamped to [0, 1]
-/// and rounded to the nearest code. The same image gives the same bytes.
-/// Errors: usage for other bits, sides or channels; badInput for a value that is not finite.
+/// Encodes a PNG without colour chunks, with 1 to 4 channels and 8 or 16 bits per channel. Clamps
+/// values to [0, 1] and rounds to the nearest code. The result is deterministic. Errors: usage for
+/// other bit depths, sizes or channel counts; badInput for a value that is not finite.
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const SrgbImage& image, int bitsPerChannel);
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const LinearImage& data, int bitsPerChannel);
 
-/// Scan-line EXR of half floats, ZIP compressed, with channels Y, Y A, R G B or R G B A. Values
-/// beyond half's largest, 65504, become it. The same image gives the same bytes.
-/// Errors: usage for other sides or channels; badInput for a value that is not finite.
+/// Encodes a scan-line EXR of half floats, ZIP-compressed, with channels Y, Y A, R G B or R G B A.
+/// Clamps values to the range of half floats, +-65504. The result is deterministic. Errors: usage
+/// for other sizes or channel counts; badInput for a value that is not finite.
 [[nodiscard]] Result<std::vector<std::byte>> encodeExr(const LinearImage& image);
 
-/// Writes the file beside its target and renames it when complete. By extension: .png (8 bit,
-/// colour converted to sRGB when the image is linear) or .exr (colour converted to linear).
-/// Errors: usage for another extension, environment for a folder that cannot be written,
-/// resources for a full disk; the old file stays whole in each case.
+/// Writes an image atomically, with replaceFile(). The extension selects the format: .png (8 bit;
+/// converts linear colour to sRGB) or .exr (converts sRGB to linear). Errors: usage for another
+/// extension, environment for a folder that is not writable, resources for a full disk; on any
+/// error the old file is unchanged.
 [[nodiscard]] Result<void> writeImage(const std::filesystem::path& path, const SrgbImage& image);
 [[nodiscard]] Result<void> writeImage(const std::filesystem::path& path, const LinearImage& image);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Text from files, folders and users on one line that moves no cursor: control characters, C1 as
-// well, and bytes that are no UTF-8 as \xNN. All other characters stay.
+// Escapes text from files, folders and users so that it stays on one line and cannot control the
+// terminal: control characters (C0, DEL and C1) and invalid UTF-8 become \xNN; all other characters
+// are unchanged.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace lichen {
 
-/// Bytes of the UTF-8 character with which a text begins; 0 for a control character, and for what
-/// is no character [RFC 3629].
+/// Length in bytes of the UTF-8 character at the start of a non-empty text; 0 for a control
+/// character or invalid UTF-8 [RFC 3629].
 [[nodiscard]] inline std::size_t characterBytes(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) {
     return std::uint32_t(static_cast<unsigned char>(text[i]));
@@ -35,7 +36,7 @@ namespace lichen {
       return 0;
     code = code << kContinuationBits | (byte(i) - kFirstContinuation);
   }
-  // The least code that needs so many bytes; U+0080 to U+009F are control characters.
+  // The smallest valid code point for each length; U+0080 to U+009F are control characters.
   constexpr std::uint32_t kLeast[] = {0, 0, 0xa0, 0x800, 0x10000}, kMost = 0x10ffff,
                           kFirstSurrogate = 0xd800, kLastSurrogate = 0xdfff;
   const bool isCharacter =
@@ -43,16 +44,16 @@ namespace lichen {
   return isCharacter ? length : 0;
 }
 
-/// Calls `show` with one character or escaped byte after the other, until it returns false.
+/// Calls `show` with each character or escaped byte in turn, until it returns false.
 template <class Show>
 void showEscaped(std::string_view text, const Show& show) {
   while (!text.empty()) {
-    const std::size_t whole = characterBytes(text);
+    const std::size_t length = characterBytes(text);
     char byte[sizeof "\\xNN"];
     std::snprintf(byte, sizeof byte, "\\x%02x", static_cast<unsigned char>(text[0]));
-    if (!show(whole != 0 ? text.substr(0, whole) : std::string_view(byte)))
+    if (!show(length != 0 ? text.substr(0, length) : std::string_view(byte)))
       return;
-    text.remove_prefix(std::max<std::size_t>(whole, 1));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outcome of an operation on a caller's data: a value, or an error a person can act on.
+// The outcome of an operation on the caller's data: a value, or an error that a person can act on.
 #pragma once
 
 #include <cassert>
@@ -11,33 +11,33 @@
 
 namespace lichen {
 
-/// What went wrong, by who can mend it. The values are the command line's exit codes.
+/// Categories of errors by who can fix them. The values are the command line's exit codes.
 enum class ErrorKind {
-  usage = 2,       ///< a parameter outside its accepted range
-  badInput = 3,    ///< a file or image that cannot be used
-  environment = 4, ///< something the machine lacks: a device, a writable folder, a package
+  usage = 2,       ///< an invalid parameter
+  badInput = 3,    ///< an unusable file or image
+  environment = 4, ///< something missing on the machine: a device, a writable folder, a package
   resources = 5,   ///< memory or disk exhausted
 };
 
-/// An error as the user sees it: one line that names the file, the offending value and what would
-/// be accepted. No trailing period or newline.
+/// An error as shown to the user. The message is one line that names the file, the offending value
+/// and what was expected, without a trailing period or newline.
 struct Error {
   ErrorKind kind = ErrorKind::badInput;
   std::string message;
 };
 
-/// The error of what memory did not suffice for. `describe` makes its message; where not even that
-/// can be stored, it is one that needs no memory.
+/// An error for exhausted memory. `describe` returns its message; if that throws std::bad_alloc,
+/// the message is one that needs no allocation.
 template <class Describe>
 [[nodiscard]] Error memoryError(const Describe& describe) noexcept {
   try {
     return {ErrorKind::resources, describe()};
   } catch (const std::bad_alloc&) {
-    return {ErrorKind::resources, "out of memory"}; // fits into the string object itself
+    return {ErrorKind::resources, "out of memory"}; // short enough for the string object itself
   }
 }
 
-/// Either a value of type T or an Error. Asking for the one that is absent breaks the contract.
+/// Either a value of type T or an Error. Accessing the absent one violates the contract.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -86,8 +86,9 @@ private:
   std::optional<Error> error_;
 };
 
-/// Runs `operation`, which returns a Result, with std::bad_alloc turned into memoryError(describe).
-/// What a function checks belongs in there too: the message of a refusal needs memory as well.
+/// Runs `operation`, which returns a Result, and converts std::bad_alloc into
+/// memoryError(describe). Put a function's checks into `operation` too: their error messages also
+/// need memory.
 template <class Describe, class Operation>
 [[nodiscard]] auto withinMemory(const Describe& describe, const Operation& operation)
     -> decltype(operation()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One quantity of the noise that a pixel shows, as a colour; grey where the noise has none.
+// Debug views of the noise at a pixel as a colour; grey if the noise does not have the quantity.
 #ifndef DEBUG_VIEWS_GLSL
 #define DEBUG_VIEWS_GLSL
 
@@ -7,24 +7,24 @@
 #include "surface.glsl"
 
 layout(constant_id = 2) const int kDebugView = DEBUG_NONE;
-// Chosen to be told apart.
+// Chosen to be distinguishable.
 const vec3 kNothingToShow = vec3(0.5);
 const vec3 kLineColor = vec3(0.9, 0.35, 0.1);
-const float kLineWeight = 0.03; // the least weight that is no longer on a line of the lattice
+const float kLineWeight = 0.03; // smallest weight that is not on a line of the lattice
 const float kCellDarkest = 0.15;
 const float kCellContrast = 0.5;
-const float kMostImpacts = 60.0; // of a pixel, twice the usual mean
-const float kImpactsInSpace = 2.0; // times as many on a surface and in three planes
+const float kMostImpacts = 60.0; // per pixel; twice the usual mean
+const float kImpactsInSpace = 2.0; // times as many with surface and triplanar mapping
 
 /// Blue, cyan, green, yellow, red for 0, 1/4, 1/2, 3/4, 1, linear between.
 vec3 ramp(float x) {
   return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
 }
 
-/// The map that views show of those that have one of their own.
+/// The map whose values the views show.
 LichenMap shownMap() { return noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]]; }
 
-/// A Gaussian value of that map's dimensions.
+/// Shows a Gaussian value with this map's number of dimensions.
 vec3 shownGaussian(vec3 gaussian) {
   uint dimensions = shownMap().dimensions;
   if (dimensions == 1u)
@@ -32,7 +32,7 @@ vec3 shownGaussian(vec3 gaussian) {
   return vec3(gaussian.xy, dimensions == 2u ? kNothingToShow.z : gaussian.z);
 }
 
-/// What a tiling noise shows of its lattice.
+/// Views of a tiling noise that need only its lattice.
 vec3 tilingPlaceDebug(LichenTaps taps) {
   if (kDebugView == DEBUG_WEIGHTS)
     return taps.weights;
@@ -55,7 +55,7 @@ vec3 tilingDebug(LichenTaps taps) {
 }
 
 #ifndef LICHEN_OMIT_TEXTONS
-/// What a texton noise shows of its impacts but for their number.
+/// Views of a texton noise that need only its impacts, except their number.
 vec3 textonPlaceDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_MIP_LEVEL)
     return kNothingToShow;
@@ -92,7 +92,7 @@ vec3 surfaceDebug(LichenPlace place) {
 #endif
 
 #ifndef LICHEN_OMIT_TRIPLANAR
-/// What the planes that count show of their places, blended as their values are.
+/// Views of the contributing planes, blended like their values.
 vec3 planesDebug(LichenTriplanar triplanar) {
   vec3 shown = vec3(0.0);
   float impacts = 0.0;

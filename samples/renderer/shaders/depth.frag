@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Depth alone; fragments that an alpha mask takes away cast no shadow, nor do those of blended
-// surfaces that let through more than they cover: depth has no halves.
+// Depth only. Fragments removed by an alpha mask cast no shadow, and neither do fragments of
+// blended surfaces with alpha below 1/2, because depth cannot store partial coverage.
 #include "surface.glsl"
 
 layout(location = 0) in vec4 texCoords;
@@ -27,7 +27,7 @@ void main() {
     footprint.object = Spot(objectPosition, dFdx(objectPosition), dFdy(objectPosition),
                             objectNormal, objectTangent);
   LichenPlace place;
-  if (noiseHas(NOISE_OPACITY)) // of others the place is a cost without a use
+  if (noiseHas(NOISE_OPACITY)) // only opacity needs it here
     place = noisePlace(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
   if (material.baseColor.a * vertexAlpha * alphaAt(footprint, place) < cutoff)

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Vertices to the clip space of a light.
+// Transforms vertices to the clip space of a light.
 #include "scene_interface.h"
 #include "world_frame.glsl"
 
@@ -34,7 +34,7 @@ void main() {
   mixWeight = vertexMixWeight;
   worldPosition = (draw.worldFromObject * vec4(position, 1.0)).xyz;
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
-  vec3 worldOutward; // for slopes, which depth has not
+  vec3 worldOutward; // only needed for slopes, which depth does not use
   inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
            objectPosition, objectNormal, objectTangent, worldOutward);
   gl_Position = draw.clipFromObject * vec4(position, 1.0);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A surface's radiance toward the camera, or one quantity of it (debug views).
+// A surface's radiance toward the camera, or one of its quantities (debug views).
 #include "scene_interface.h"
 #include "surface.glsl"
 #include "debug_views.glsl"
@@ -34,7 +34,7 @@ vec3 shadingNormal(vec3 n, Surface surface) {
   t *= inversesqrt(length2);
   vec3 b = cross(n, t) * worldTangent.w;
   if (!gl_FrontFacing)
-    t = -t; // the whole frame turns with the normal; b has turned by the cross product
+    t = -t; // the normal is flipped, so flip the whole frame; the cross product has flipped b
   return normalize(t * tangentNormal.x + b * tangentNormal.y + n * tangentNormal.z);
 }
 
@@ -45,7 +45,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
   s.view = frame.cameraPosition.w != 0.0 ? normalize(frame.cameraPosition.xyz - worldPosition)
                                          : -frame.cameraForward.xyz;
   s.normal = shadingNormal(geometricNormal, surface);
-  // A normal map may turn a surface away from the camera that sees it.
+  // A normal map may tilt the normal away from the camera.
   s.nDotV = clamp(dot(s.normal, s.view), kLeastNDotV, 1.0);
   s.roughness = clamp(surface.roughness, 0.0, 1.0);
   s.alpha = alphaOf(s.roughness);

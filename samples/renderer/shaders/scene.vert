@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Vertices to the world and to clip space.
+// Transforms vertices to world and clip space.
 #include "scene_interface.h"
 #include "world_frame.glsl"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Structs and binding numbers that the renderer's C++ and GLSL share. Only vec4, ivec4 and mat4.
-// Places in the world are relative to an origin near the camera: FrameInputs::origin.
+// Structs and binding numbers shared by the renderer's C++ and GLSL. Uses only vec4, ivec4 and
+// mat4. World positions are relative to an origin near the camera, FrameInputs::origin.
 #ifndef SCENE_INTERFACE_H
 #define SCENE_INTERFACE_H
 
 #define MAX_LIGHTS 16
-// Directions toward the sky of which a frame draws the visibility, at most.
+// Maximum number of sky directions per frame.
 #define MAX_SKY_DIRECTIONS 16
 
 #define SET_FRAME 0
@@ -20,7 +20,7 @@
 
 #define SET_MATERIAL 1
 #define BINDING_MATERIAL 0
-// Texture k of a material at BINDING_TEXTURES + k.
+// Texture k of a material has binding BINDING_TEXTURES + k.
 #define BINDING_TEXTURES 1
 #define TEXTURE_BASE_COLOR 0
 #define TEXTURE_METALLIC_ROUGHNESS 1
@@ -32,7 +32,7 @@
 
 #define SET_NOISE 2
 #define BINDING_NOISE 0
-// Role k's image at BINDING_NOISE_ROLES + 2 k, its inverse table after it.
+// The image of role k has binding BINDING_NOISE_ROLES + 2 k; its inverse table follows.
 #define BINDING_NOISE_ROLES 1
 #define NOISE_BASE_COLOR 0
 #define NOISE_NORMAL 1
@@ -41,7 +41,7 @@
 #define NOISE_OPACITY 4
 #define NOISE_ROLES 5
 
-// Who gives the weight of a mix: the noise's uniform block, a mask or the vertices.
+// Source of the weight of a mix: the noise's uniform block, a mask or the vertices.
 #define MIX_FROM_BLOCK 0
 #define MIX_FROM_MASK 1
 #define MIX_FROM_VERTICES 2
@@ -77,41 +77,42 @@ using glm::vec4;
 
 struct LightData {
   vec4 positionAndKind;   // world; w is LIGHT_*
-  vec4 directionAndRange; // the way the light travels; w is 0 for an unlimited range
+  vec4 directionAndRange; // direction in which light travels; w is 0 for an unlimited range
   vec4 color;             // times intensity; w unused
   vec4 cone;              // x cosine of the outer angle, y 1 / (inner - outer cosine); zw unused
 };
 
 struct FrameData {
   mat4 clipFromWorld;
-  mat4 worldFromClip; // as if the camera stood at the origin
+  mat4 worldFromClip; // for a camera at the origin
   mat4 sunFromWorld;  // to [0, 1]^3 of the sun's depth map
   mat4 skyFromWorld[MAX_SKY_DIRECTIONS];
   vec4 skyDirection[MAX_SKY_DIRECTIONS]; // toward the sky
   vec4 cameraPosition;                   // w is 0 for an orthographic camera
   vec4 cameraForward;
-  // x 1 / the distance over which haze takes 63 %, 0 for none; y last level of the specular cube
-  // map; z scale of texture gradients; w 1 when light 0 is the sun, which the depth map is of.
+  // x 1 / distance at which haze absorbs 63 %, 0 for no haze; y last level of the specular cube
+  // map; z scale of texture gradients; w 1 if light 0 is the sun, whose depth map exists.
   vec4 environment;
-  vec4 shadow;  // x, y world size of a texel of the sun's and of a sky depth map; zw unused
-  ivec4 counts; // x lights; y directions toward the sky; zw unused
+  vec4 shadow;  // x, y world size of a texel of the sun's and the sky's depth maps; zw unused
+  ivec4 counts; // x number of lights; y number of sky directions; zw unused
   LightData lights[MAX_LIGHTS];
 };
 
 struct MaterialData {
   vec4 baseColor;
-  vec4 emissive;       // w is the alpha cutoff, 0 when it does not apply
+  vec4 emissive;       // w is the alpha cutoff, 0 without one
   vec4 factors;        // metallic, roughness, normal scale, occlusion strength
   ivec4 texCoords;     // of textures 0 to 3
   ivec4 flags;         // x texCoord of texture 4, y ALPHA_*,
                        // z map of the noise's opacity, -1 for none,
                        // w texCoord of the noise
-  ivec4 noiseMaps;     // map of each other role, -1 for none
+  ivec4 noiseMaps;     // map index of each other role, -1 for none
   ivec4 ormComponents; // of the noise's value: occlusion, roughness, metallic;
                        // -1 for none
   ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel;
                        // w 1 for a noise in the space of the object, 0 in the world
-  vec4 fromTileOrigin; // what a place is farther from the noise's origin; w unused
+  // offset from the renderer's origin to the noise's tile origin, added to positions; w unused
+  vec4 fromTileOrigin;
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
 };
 

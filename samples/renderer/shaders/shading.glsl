@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// glTF's metallic-roughness model under punctual lights and an environment.
-// [glTF 2.0, appendix B]; energy of multiple scattering, of lights [Kulla and Conty 2017, Revisiting
-// Physically Based Shading at Imageworks] and of the environment [Fdez-Aguera 2019, A
-// Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting]; GGX [Walter et al.
-// 2007, eq. 33]; Smith's visibility [Heitz 2014, eq. 99]; Fresnel [Schlick 1994].
+// glTF's metallic-roughness model under punctual lights and an environment [glTF 2.0, appendix B].
+// Multiple scattering: of lights [Kulla and Conty 2017, Revisiting Physically Based Shading at
+// Imageworks], of the environment [Fdez-Aguera 2019, A Multiple-Scattering Microfacet Model for
+// Real-Time Image-based Lighting]. GGX [Walter et al. 2007, eq. 33]; Smith visibility [Heitz 2014,
+// eq. 99]; Fresnel [Schlick 1994].
 #ifndef SHADING_GLSL
 #define SHADING_GLSL
 
@@ -33,7 +33,7 @@ struct Shading {
   vec3 f0;
   float roughness;
   float alpha;
-  vec4 brdf; // scale and bias of f0 under a uniform environment; loss; its mean
+  vec4 brdf; // scale and bias of f0 under a uniform environment; energy loss; its mean
 };
 
 float alphaOf(float roughness) { return max(roughness * roughness, kLeastAlpha); }
@@ -42,10 +42,10 @@ const float kMeanSchlick = 1.0 / 21.0; // cosine-weighted mean of Schlick's powe
 
 vec3 meanFresnel(vec3 f0) { return f0 + (1.0 - f0) * kMeanSchlick; }
 
-/// [Kulla and Conty 2017, "Multiple scattering"]: the lobe of what single scattering loses. The same
-/// when light and view change places, which a factor to single scattering would not be.
+/// [Kulla and Conty 2017, "Multiple scattering"]: a lobe with the energy that single scattering
+/// loses. Symmetric in light and view, unlike a factor on single scattering.
 vec3 scatteredAgain(Shading s, float nDotL) {
-  const float kLeastLost = 1e-5; // of a mirror
+  const float kLeastLost = 1e-5; // for a mirror
   float lostOfLight = textureLod(brdfTable, vec2(nDotL, s.roughness), 0.0).z;
   float lostOfView = s.brdf.z;
   float lost = max(s.brdf.w, kLeastLost);
@@ -54,7 +54,7 @@ vec3 scatteredAgain(Shading s, float nDotL) {
   return color * (lostOfLight * lostOfView / (kPi * lost));
 }
 
-/// Light reflected of a light from direction l with irradiance 1 on a surface that faces it.
+/// Light reflected from a light in direction l with irradiance 1 on a surface that faces it.
 vec3 reflected(Shading s, vec3 l) {
   float nDotL = dot(s.normal, l);
   if (nDotL <= 0.0)
@@ -72,16 +72,17 @@ vec3 reflected(Shading s, vec3 l) {
   return nDotL * ((1.0 - fresnel) * s.diffuseColor / kPi + specular);
 }
 
-// Shadow edges: four taps this far from the place, each a tent of one texel's radius (bilinear
-// comparison). Along an axis two tents a texel apart add up to a trapezoid, flat in its middle.
+// Offset of the four taps of the shadow filter. Each tap is a tent of one texel's radius (bilinear
+// comparison); two tents one texel apart add up to a trapezoid that is flat in its middle.
 const float kShadowTapTexels = 0.5;
-// So the filter reaches r texels along an axis. Lifted by r along its normal, a plane at angle a to
-// the light does not shadow itself: that gains r / cos a toward the light, and the plane rises by
-// r tan a at most. (Across the axes the reach is longer; the depth maps' slope bias is for that.)
+// Radius r of the shadow filter along an axis. A surface lifted by r along its normal does not
+// shadow itself: for a plane at angle a to the light, lifting gains r / cos a toward the light, and
+// the plane rises by at most r tan a. (The filter reaches farther along diagonals; the depth maps'
+// slope bias covers that.)
 const float kShadowReachTexels = kShadowTapTexels + 1.0;
 
-/// Four taps of hardware comparison around a place of a depth map. Here and below the level is
-/// explicit: neighbouring pixels may not come here, so there are no derivatives to choose it by.
+/// Visibility of the sun from four taps with hardware comparison. This and the functions below
+/// sample an explicit level: control flow is not uniform, so implicit derivatives are undefined.
 float sunVisibility(Shading s) {
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.x);
   vec3 place = (frame.sunFromWorld * vec4(lifted, 1.0)).xyz;
@@ -95,10 +96,10 @@ float sunVisibility(Shading s) {
                  textureLod(sunDepth, vec3(place.xy + texel, depth), 0.0));
 }
 
-/// The share of the upper sky, as it lights the normal, that nothing hides. One frame looks in a
-/// few directions; the average of frames looks everywhere.
+/// The unoccluded share of the upper sky, weighted by the cosine to the normal. One frame samples a
+/// few directions; the average of frames samples many.
 float skyVisibility(Shading s) {
-  const float kLeast = 0.02; // a normal that faces none of the directions sees no sky to be hidden
+  const float kLeast = 0.02; // avoids 0 / 0 for a normal that faces none of the directions
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.y);
   float seen = kLeast;
   float all = kLeast;
@@ -106,7 +107,8 @@ float skyVisibility(Shading s) {
     float weight = max(dot(s.normal, frame.skyDirection[k].xyz), 0.0);
     vec3 place = (frame.skyFromWorld[k] * vec4(lifted, 1.0)).xyz;
     bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
-    // textureLod takes no array of shadow maps in this GLSL; gradients of zero mean level 0 too.
+    // textureLod does not support sampler2DArrayShadow in this GLSL version; zero gradients also
+    // select level 0.
     float open = 1.0;
     if (!outside)
       open = textureGrad(skyDepth, vec4(place.xy, float(k), min(place.z, 1.0)), vec2(0.0),
@@ -122,12 +124,12 @@ vec3 punctualLight(Shading s, LightData light) {
   if (kind == LIGHT_DIRECTIONAL)
     return light.color.rgb * reflected(s, -light.directionAndRange.xyz);
   vec3 toLight = light.positionAndKind.xyz - s.position;
-  const float kLeastSquared = 1e-8; // a point at the light itself
+  const float kLeastSquared = 1e-8; // for a point at the light's position
   float squared = max(dot(toLight, toLight), kLeastSquared);
   vec3 l = toLight * inversesqrt(squared);
   float attenuation = 1.0 / squared;
   if (light.directionAndRange.w > 0.0) {
-    // KHR_lights_punctual's window.
+    // Range window of KHR_lights_punctual.
     float ratio = squared / (light.directionAndRange.w * light.directionAndRange.w);
     attenuation *= clamp(1.0 - ratio * ratio, 0.0, 1.0);
   }
@@ -149,7 +151,7 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
   vec3 average = meanFresnel(s.f0);
   vec3 multiScatter = lost * singleScatter * average / (1.0 - average * lost);
   vec3 diffuse = s.diffuseColor * (1.0 - singleScatter - multiScatter);
-  // [Lagarde and de Rousiers 2014, Moving Frostbite to PBR, listing 26], the exponent too.
+  // [Lagarde and de Rousiers 2014, Moving Frostbite to PBR, listing 26], including the exponent.
   float ambient = visibility * occlusion;
   float exponent = exp2(-16.0 * s.roughness - 1.0);
   float specularOcclusion = clamp(pow(s.nDotV + ambient, exponent) - 1.0 + ambient, 0.0, 1.0);
@@ -157,11 +159,12 @@ vec3 environmentLight(Shading s, float visibility, float occlusion) {
          (multiScatter + diffuse) * irradiance * ambient;
 }
 
-/// Light on its way to the camera: part is lost to haze, which glows like the sky at the horizon.
+/// Attenuates light by haze on its way to the camera; the haze has the colour of the sky at the
+/// horizon.
 vec3 throughHaze(Shading s, vec3 light) {
   if (frame.environment.x == 0.0 || frame.cameraPosition.w == 0.0)
     return light;
-  // Above the horizon by 1.6 texels of the built-in sky, so that filtering meets no ground.
+  // 1.6 texels of the built-in sky above the horizon, so that filtering does not reach the ground.
   const float kAboveHorizon = 0.01;
   float distance = length(frame.cameraPosition.xyz - s.position);
   vec3 horizon = normalize(vec3(-s.view.x, kAboveHorizon, -s.view.z));

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// What is seen where no surface is: the environment's panorama.
+// The background: the environment's panorama.
 #include "panorama.glsl"
 #include "scene_interface.h"
 
@@ -16,6 +16,6 @@ void main() {
   vec3 direction = frame.cameraPosition.w != 0.0
                        ? normalize(far.xyz / far.w)
                        : frame.cameraForward.xyz;
-  // Level 0: the derivatives jump where the longitude wraps.
+  // Level 0, because derivatives jump where the longitude wraps.
   color = vec4(textureLod(panorama, panoramaCoordinate(direction), 0.0).rgb, 1.0);
 }

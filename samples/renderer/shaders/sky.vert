@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One triangle over the whole picture, at infinity.
+// One triangle that covers the whole picture, at infinity.
 layout(location = 0) out vec2 clip;
 
 void main() {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What a surface is made of at a point, from a glTF material and, where it has one, its noise.
-// The noise replaces the core texture of each channel that it has, whose preview that texture is;
-// textures of other channels are drawn as usual, and factors multiply either.
+// Material properties of a surface at a point, from a glTF material and its noise, if it has one.
+// The noise replaces the core texture of each channel it provides (that texture is a preview of the
+// noise). Other channels use their core textures; factors multiply both.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether some noise of the scene has a separable table, or none; whether some are tiling noises.
+// Whether any noise of the scene has a separable table, or none; whether any is a tiling noise.
 layout(constant_id = 3) const bool kOtherTables = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
-layout(constant_id = 5) const bool kMixedTextons = true; // whether some are mixes
-layout(constant_id = 6) const bool kTriplanar = true; // whether some are mapped onto three planes
-layout(constant_id = 7) const bool kOtherMappings = true; // whether some are mapped otherwise
-layout(constant_id = 8) const bool kObjectSpaces = true; // whether some are in object space
-layout(constant_id = 9) const bool kTileRotation = true; // whether some turn their tiles
+layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
+layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
+layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping
+layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in object space
+layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
 #define LICHEN_TILING_NOISES kTilingNoises
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
@@ -57,7 +57,7 @@ NOISE_SAMPLERS(NOISE_ORM, orm);
 NOISE_SAMPLERS(NOISE_EMISSIVE, emissive);
 NOISE_SAMPLERS(NOISE_OPACITY, opacity);
 
-// Whether this pipeline's materials have a noise, and a normal texture.
+// Whether this pipeline's materials have a noise, and whether they have a normal texture.
 layout(constant_id = 0) const bool kHasNoise = false;
 layout(constant_id = 1) const bool kHasNormalMap = false;
 
@@ -68,28 +68,28 @@ struct Surface {
   float roughness;
   float occlusion;
   vec3 tangentNormal; // in tangent space
-  vec3 gradient;      // of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
+  vec3 gradient; // gradient of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
 };
 
-/// A place in a space of three dimensions.
+/// A surface point in world or object space.
 struct Spot {
   vec3 position;
-  vec3 dx, dy; // its screen-space gradients, scaled for averaging frames
-  vec3 normal; // of the side that is front, not normalised
+  vec3 dx, dy; // screen-space derivatives of position, scaled for averaging frames
+  vec3 normal; // of the front face, not normalised
   vec4 tangent;
 };
 
 struct Footprint {
   vec4 texCoords; // two sets
-  vec4 dx;        // their screen-space gradients, likewise
+  vec4 dx; // screen-space derivatives, scaled likewise
   vec4 dy;
   Spot world;
-  Spot object;       // unset where kObjectSpaces is false, and what follows too
-  vec3 worldOutward; // what a unit step along the object's normal becomes
-  float mixWeight;   // of the vertices
+  Spot object; // unset if kObjectSpaces is false, like worldOutward
+  vec3 worldOutward; // a unit step along the object's normal, in the world
+  float mixWeight; // from the vertices
 };
 
-/// A texture's own coordinates and, as columns, their gradients.
+/// A texture's transformed coordinates and, as columns, their gradients.
 struct TexturePlace {
   vec2 uv;
   mat2 gradients;
@@ -110,8 +110,9 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
   return textureGrad(image, place.uv, place.gradients[0], place.gradients[1]);
 }
 
-/// The weight of a mix that is not in the noise's uniform block. The tile coordinate's gradients
-/// are 0 where there is none: on a surface all impacts have the weight of the point.
+/// Sets the weight of a mix whose source is not the uniform block. The gradients of the tile
+/// coordinate are 0 if there is none: with surface mapping, all impacts use the weight at the
+/// point.
 void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
   if (material.mixSource.x == MIX_FROM_VERTICES)
     lichenSetMix(impacts, f.mixWeight, vec2(0.0));
@@ -123,12 +124,13 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
                   noiseData.texton);
 }
 
-/// The same of a noise that texture coordinates do not place, but that may be mixed by them.
+/// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture
+/// coordinates.
 void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (!lichenIsTexton(noiseData.noise) || !lichenIsMix(noiseData.texton))
     return;
-  // A direction, and a constant anyway.
+  // For the sources direction and constant.
   lichenSetMix(impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
   setMix(impacts, f, mat2(0.0));
 #endif
@@ -136,7 +138,7 @@ void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
 
 bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
 
-/// The place in the noise, which all its maps share.
+/// Where to evaluate the noise; shared by all its maps.
 LichenPlace noisePlace(Footprint f) {
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
@@ -144,7 +146,7 @@ LichenPlace noisePlace(Footprint f) {
   Spot spot = f.world;
   if (isInObject())
     spot = f.object;
-  spot.position += material.fromTileOrigin.xyz; // 0 of an object's space
+  spot.position += material.fromTileOrigin.xyz; // 0 in object space
 #endif
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(noiseData.noise)) {
@@ -191,7 +193,7 @@ float alphaAt(Footprint f, LichenPlace place) {
   return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
 }
 
-/// Without the factor.
+/// Base colour and alpha without the factor.
 vec4 baseColorAt(Footprint f, LichenPlace place) {
   bool fromNoise = noiseHas(NOISE_BASE_COLOR);
   bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
@@ -228,29 +230,30 @@ vec3 ormAt(Footprint f, LichenPlace place) {
   return orm;
 }
 
-/// A gradient in the object's space becomes one in the world over whose surface the normal is what
-/// the object's normal with relief becomes, transformed as normals are.
+/// Transforms a gradient from object to world space, such that the perturbed normal transforms like
+/// any normal.
 vec3 gradientInWorld(vec3 gradient, Footprint f) {
   vec3 objectNormal = normalize(f.object.normal);
   vec3 along = gradient - dot(gradient, objectNormal) * objectNormal;
-  // Whatever node, morph targets and skin have made of the surface, three directions tell the map:
-  // two along the screen [Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU] and the
-  // normal's. Of its inverse transpose, the gradient has no part along the normal.
+  // Three directions determine the local linear map from object to world, including node, morph
+  // targets and skin: the two screen-space derivatives [Mikkelsen 2010, Bump Mapping Unparametrized
+  // Surfaces on the GPU] and the normal. Its inverse transpose transforms the gradient, which has
+  // no component along the normal.
   float volume = dot(cross(f.world.dx, f.world.dy), f.worldOutward);
   if (volume == 0.0)
     return vec3(0.0);
   vec3 inWorld = (dot(along, f.object.dx) * cross(f.world.dy, f.worldOutward) +
                   dot(along, f.object.dy) * cross(f.worldOutward, f.world.dx)) /
                  volume;
-  // The normal itself becomes one of length 1 / height.
+  // The normal itself transforms to a vector of length 1 / height.
   vec3 normal = normalize(f.world.normal);
   float height = dot(f.worldOutward, normal);
   float outward = height * dot(inWorld, normal) * (gl_FrontFacing ? 1.0 : -1.0);
-  const float kLeastRest = 1e-3; // of a normal that relief nearly turns over
+  const float kLeastRest = 1e-3; // for a normal that relief almost flips
   return height * inWorld / max(1.0 - outward, kLeastRest);
 }
 
-/// The gradient of triplanar slopes, and in w the variance of the slopes that a pixel hides.
+/// xyz: gradient of triplanar slopes; w: slope variance lost to filtering.
 vec4 gradientAt(Footprint f, LichenPlace place) {
   if (!kHasNoise || !lichenIsTriplanar(noiseData.noise) || !noiseHas(NOISE_NORMAL))
     return vec4(0.0);
@@ -261,8 +264,7 @@ vec4 gradientAt(Footprint f, LichenPlace place) {
   return vec4(scale * value.xyz, scale * scale * value.w);
 }
 
-/// The normal in tangent space, and in w the variance of the slopes that a pixel hides. Not of
-/// triplanar slopes.
+/// xyz: normal in tangent space; w: slope variance lost to filtering. Not for triplanar slopes.
 vec4 tangentNormalAt(Footprint f, LichenPlace place) {
   if (lichenIsTriplanar(noiseData.noise) && noiseHas(NOISE_NORMAL))
     return vec4(0.0, 0.0, 1.0, 0.0);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A vertex's directions in the world. Normals transform by the cofactors, which a singular matrix
-// has too; mirroring turns them. And its place in the space of its object.
+// Transforms a vertex's normal and tangent to world space, and computes its attributes in object
+// space. Normals transform by the cofactor matrix, which also exists for singular matrices;
+// mirroring flips them.
 #ifndef WORLD_FRAME_GLSL
 #define WORLD_FRAME_GLSL
 
-// Whether some noise of the scene is placed in the space of its objects.
+// Whether any noise of the scene is placed in object space.
 layout(constant_id = 8) const bool kObjectSpaces = false;
 
 void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNormal,
@@ -17,9 +18,9 @@ void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNorm
   worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
 }
 
-/// A vertex in the space of its object, before morph targets and skins, and what becomes of a unit
-/// step along its normal: `undeformedNormal` is as long as the skin stretches it. All 0 where no
-/// noise of the scene needs it.
+/// A vertex in object space before morph targets and skinning, and `worldOutward`, the world-space
+/// result of a unit step along its normal. The length of `undeformedNormal` is the factor by which
+/// the skin stretches space along it. All outputs are 0 if no noise of the scene needs them.
 void inObject(vec3 undeformedPosition, vec3 undeformedNormal, vec4 undeformedTangent, vec3 normal,
               mat4 worldFromObject, out vec3 objectPosition, out vec3 objectNormal,
               out vec4 objectTangent, out vec3 worldOutward) {

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// The sum of frames -> their average, in sRGB code [IEC 61966-2-1].
+// Averages the sum of frames and encodes it as sRGB [IEC 61966-2-1].
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D sum;
 layout(set = 0, binding = 1, rgba8) uniform writeonly image2D shown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan 1.3 instance and device, with or without a window, for the renderer, the GPU tests and
-// the benchmark: device choice, validation messages, plain buffers and images, one-shot submits and
-// readback. Vulkan's own functions come from volk.
+// A Vulkan 1.3 instance and device for the renderer, the GPU tests and the benchmark, with or
+// without a window. Chooses the device, collects validation messages, creates plain buffers and
+// images, submits work once and reads images back. Vulkan's functions come from volk.
 #pragma once
 
 #include <lichen/result.h>
@@ -20,22 +20,23 @@
 namespace lichen {
 
 struct VulkanDeviceOptions {
-  /// An index into listDevices(), or a part of a name (case-insensitive). Empty: the first discrete
-  /// GPU, else the first integrated, virtual, or CPU device, of those that can present where that
-  /// is asked for.
+  /// An index into listDevices(), or part of a device name (case-insensitive). If empty, the first
+  /// discrete GPU is used, else the first integrated GPU, virtual GPU or CPU device. With
+  /// canPresent set, only devices that can present are considered.
   std::string choice;
-  bool validation = false; ///< the Khronos layer, with synchronization validation
-  /// Core features that must be there. dynamicRendering and synchronization2 always are, and
-  /// fullDrawIndexUint32 where the device has it: limits.maxDrawIndexedIndexValue holds as it is.
+  bool validation = false; ///< enables the Khronos layer with synchronization validation
+  /// Core features that the device must support. dynamicRendering and synchronization2 are always
+  /// enabled. fullDrawIndexUint32 is enabled where the device supports it, so
+  /// limits.maxDrawIndexedIndexValue applies unreduced.
   VkPhysicalDeviceFeatures features{};
   std::vector<const char*> instanceExtensions;
   std::vector<const char*> deviceExtensions;
-  /// Of a program with a window, which brings the extensions too: whether a queue family presents
-  /// to its window system. Null: nothing is presented.
+  /// Returns whether a queue family can present to the program's window system. A program with a
+  /// window sets it, together with the extensions above. Null: the program presents nothing.
   std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queueFamily)> canPresent;
 };
 
-/// What the validation layers said. Thread-safe.
+/// Messages of the validation layers. Thread-safe.
 class ValidationMessages {
 public:
   void add(bool isError, std::string text);
@@ -52,7 +53,7 @@ private:
 
 class VulkanDevice;
 
-/// A buffer with memory of its own, freed with it; must not outlive its device.
+/// A buffer with its own memory, which it frees. Must not outlive its device.
 class DeviceBuffer {
 public:
   DeviceBuffer() = default;
@@ -63,13 +64,14 @@ public:
 
   VkBuffer handle = VK_NULL_HANDLE;
   VkDeviceSize size = 0;
-  std::byte* mapped = nullptr; ///< coherent, for the buffer's whole life; null when device-local
+  /// coherent and mapped for the buffer's lifetime; null when device-local
+  std::byte* mapped = nullptr;
 
 private:
   friend class VulkanDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
+  std::uint32_t* allocations_ = nullptr; ///< the device's allocation count
 };
 
 struct DeviceImageInfo {
@@ -78,13 +80,14 @@ struct DeviceImageInfo {
   std::uint32_t mipLevels = 1;
   std::uint32_t layers = 1;
   VkImageUsageFlags usage = 0;
-  VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< of the view
+  VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< aspect of the view
   VkImageViewType viewType = VK_IMAGE_VIEW_TYPE_2D;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   VkImageCreateFlags flags = 0;
 };
 
-/// An optimally tiled, device-local image and a view of all of it; must not outlive its device.
+/// An optimally tiled, device-local image with a view of the whole image. Must not outlive its
+/// device.
 class DeviceImage {
 public:
   DeviceImage() = default;
@@ -101,16 +104,16 @@ private:
   friend class VulkanDevice;
   VkDevice device_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  std::uint32_t* allocations_ = nullptr; ///< of the device, which counts this memory
+  std::uint32_t* allocations_ = nullptr; ///< the device's allocation count
 };
 
-/// One device with one queue for graphics, compute and transfer. Not thread-safe, but several may
-/// exist: volk holds the loader's own entry points, which serve every device (those of extensions
-/// only where the device created last enabled them).
+/// One device with one queue for graphics, compute and transfer. Not thread-safe. Several devices
+/// may exist at once: volk holds the loader's entry points, which serve every device. Extension
+/// entry points work only if the most recently created device enabled the extension.
 class VulkanDevice {
 public:
-  /// Errors: environment without a loader, device, layer, feature or extension; usage when `choice`
-  /// names none. The message lists the devices there are.
+  /// Errors: environment if the loader, device, layer, feature or extension is missing; usage if
+  /// `choice` matches no device. The message lists the available devices.
   [[nodiscard]] static Result<std::unique_ptr<VulkanDevice>>
   create(const VulkanDeviceOptions& options);
   /// Names of the machine's Vulkan devices, in the loader's order.
@@ -127,20 +130,23 @@ public:
   [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
   [[nodiscard]] const VkPhysicalDeviceProperties& properties() const { return properties_; }
   [[nodiscard]] ValidationMessages& messages() { return *messages_; }
-  /// The same, to be read after the device's end, which may add to them.
+  /// The messages, shared so that a caller can read those that device destruction adds.
   [[nodiscard]] std::shared_ptr<const ValidationMessages> keptMessages() const { return messages_; }
 
-  /// `hostVisible` memory is mapped and coherent; otherwise the buffer is device-local. Errors, of
-  /// images too: resources when memory or limits.maxMemoryAllocationCount is exhausted.
+  /// If `hostVisible`, the memory is mapped and coherent; otherwise it is device-local. Errors of
+  /// createBuffer() and createImage(): resources when memory or limits.maxMemoryAllocationCount is
+  /// exhausted.
   [[nodiscard]] Result<DeviceBuffer> createBuffer(VkDeviceSize size, VkBufferUsageFlags usage,
                                                   bool hostVisible);
   [[nodiscard]] Result<DeviceImage> createImage(const DeviceImageInfo& info);
 
-  /// Records with `record` into a fresh primary command buffer, submits it and waits for its end.
+  /// Calls `record` with a new primary command buffer, submits the buffer and waits until it has
+  /// finished.
   [[nodiscard]] Result<void> submit(const std::function<void(VkCommandBuffer)>& record);
 
-  /// Level 0 of layer 0, tightly packed. The image has TRANSFER_SRC usage and is in `layout`, to
-  /// which it returns; `texelBytes` is the size of one texel of the view's aspect.
+  /// Level 0 of layer 0, tightly packed. The image must have TRANSFER_SRC usage and be in `layout`;
+  /// it is in `layout` again afterwards. `texelBytes` is the size of one texel of the view's
+  /// aspect.
   [[nodiscard]] Result<std::vector<std::byte>>
   readImage(const DeviceImage& image, VkImageLayout layout, std::size_t texelBytes);
 
@@ -150,7 +156,7 @@ private:
   [[nodiscard]] Result<void> chooseDevice(const VulkanDeviceOptions& options);
   [[nodiscard]] Result<void> createDevice(const VulkanDeviceOptions& options);
   [[nodiscard]] Result<VkDeviceMemory> allocate(const VkMemoryRequirements& requirements,
-                                                VkMemoryPropertyFlags wanted);
+                                                VkMemoryPropertyFlags required);
 
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -162,7 +168,7 @@ private:
   std::uint32_t queueFamily_ = 0;
   VkCommandPool commandPool_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
-  std::uint32_t allocations_ = 0; ///< that live
+  std::uint32_t allocations_ = 0; ///< currently live
   std::shared_ptr<ValidationMessages> messages_ = std::make_shared<ValidationMessages>();
 };
 
