@@ -100,7 +100,7 @@ Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
       if (isSpectrum || measure.name == kColorDistanceName) {
         measure.target.reset();
         if (measure.value)
-          measure.remark = "no target: a texton's noise is a Gaussian texture";
+          measure.remark = "no target: the noise is a Gaussian texture";
       }
       all.push_back(std::move(measure));
       if (!isSpectrum)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What of a map's variance the mips of its image keep: the CPU twin of
-// shaders_glsl/noise/mip_variance.glsl, and of lichenTextonLevelKept.
+// The share of a map's variance that the mips of its image keep: the CPU twin of
+// shaders_glsl/noise/mip_variance.glsl.
 #pragma once
 
-#include <array>
 #include <lichen_interface.h>
 
 namespace lichen {
@@ -15,8 +14,5 @@ namespace lichen {
 /// The share of the variance that a level >= 0 of a Gaussian image keeps: a trilinear blend of a
 /// mip and its own average.
 [[nodiscard]] float levelKept(const shader::LichenMap& map, float level);
-
-/// Likewise of each channel of a texton, interpolated between the texels of a mip.
-[[nodiscard]] std::array<float, 3> textonKept(const shader::LichenMap& map, float level);
 
 } // namespace lichen

@@ -21,11 +21,6 @@ inline constexpr Calibration kColorSpacing{10.0, 20.0};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
 
-// Of texton noise: docs/decisions/017-texton-risks.md.
-inline constexpr Calibration kTextonHistogram{0.17, 0.21};
-inline constexpr Calibration kTextonOutlines{0.4, 1.3};
-inline constexpr Calibration kTextonSlow{0.25, 0.5};
-
 /// Above it, slow variation is an object with an outline, which --flatten auto leaves: the
 /// geometric middle of 3.3, the most of light and clouds, and 5.4, the least of objects, in 013.
 inline constexpr double kEdgeConcentration = 4.2;

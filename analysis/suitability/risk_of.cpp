@@ -6,6 +6,22 @@
 
 #include <cmath>
 
+namespace lichen {
+
+std::string_view nameOf(Risk::Level level) {
+  switch (level) {
+  case Risk::Level::none:
+    return "none";
+  case Risk::Level::mild:
+    return "mild";
+  case Risk::Level::severe:
+    break;
+  }
+  return "severe";
+}
+
+} // namespace lichen
+
 namespace lichen::suitability {
 
 Risk riskOf(std::string_view name, double score, const std::string& measured,

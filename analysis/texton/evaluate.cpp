@@ -2,8 +2,8 @@
 // Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
 // names are those of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
+#include "level_kept.h"
 #include "mixed_map.h"
-#include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "surface_impacts.h"
 #include "triplanar/planes.h"
@@ -167,8 +167,8 @@ float knownLevel(const Impacts& impacts) {
 /// amplitudes fall as deviations do.
 std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
                             const shader::LichenTexton& texton, const shader::LichenMap& map) {
-  const std::array<float, 3> fetched = textonKept(map, impacts.level);
-  const std::array<float, 3> seen = textonKept(map, knownLevel(impacts));
+  const std::array<float, 3> fetched = texton::levelKept(map, impacts.level);
+  const std::array<float, 3> seen = texton::levelKept(map, knownLevel(impacts));
   constexpr float kLeast = 1e-6f; // below the square of an amplitude's first step, 1/255
   std::array<float, 3> gain{};
   for (std::size_t c = 0; c < gain.size(); ++c)
@@ -181,7 +181,7 @@ bool needsImpacts(const std::array<float, 3>& gain) { return gain != std::array<
 
 /// The share of the variance that filtering loses of each channel.
 std::array<float, 3> lostOf(const Impacts& impacts, const shader::LichenMap& here) {
-  std::array<float, 3> lost = textonKept(here, knownLevel(impacts));
+  std::array<float, 3> lost = texton::levelKept(here, knownLevel(impacts));
   for (float& share : lost)
     share = 1.0f - share;
   return lost;

@@ -30,8 +30,7 @@ private:
   /// The twin of lichenMixByUv (shaders_glsl/mapping/uv.glsl).
   [[nodiscard]] MixPlace mixAt(const std::array<float, 2>& uv) const override {
     const shader::LichenNoise& noise = constants();
-    const float square =
-        noise.uvToTileXX * noise.uvToTileXX + noise.uvToTileXY * noise.uvToTileXY;
+    const float square = noise.uvToTileXX * noise.uvToTileXX + noise.uvToTileXY * noise.uvToTileXY;
     return {texton_.mixWeight + texton_.mixPerU * uv[0] + texton_.mixPerV * uv[1],
             {(noise.uvToTileXX * texton_.mixPerU + noise.uvToTileXY * texton_.mixPerV) / square,
              (noise.uvToTileYX * texton_.mixPerU + noise.uvToTileYY * texton_.mixPerV) / square}};

@@ -3,7 +3,7 @@
 #include "exemplar/color_space.h"
 #include "exemplar/value_encoding.h"
 
-#include <lichen/precision_loss.h>
+#include <lichen/tiling_precision.h>
 #include <lichen/quality.h>
 #include <lichen/tiling_evaluate.h>
 

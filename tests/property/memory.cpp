@@ -10,7 +10,7 @@
 #include <lichen/material_set.h>
 #include <lichen/measures.h>
 #include <lichen/noise_report.h>
-#include <lichen/precision_loss.h>
+#include <lichen/tiling_precision.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>

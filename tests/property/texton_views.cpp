@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Texton noise as it is seen: from near and far, at any contrast, and on a floor that recedes,
 // against supersampling; its spectrum against its own Gaussian model.
-#include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "synthetic_texton.h"
 #include "texton/impacts.h"
+#include "texton/level_kept.h"
 
 #include <lichen/quality.h>
 #include <lichen/texton.h>
@@ -347,7 +347,7 @@ TEST_CASE("midway between two mips textons keep the variance that the two mips t
       const double kept = energy(level) / whole;
       INFO("smoothings " << smoothings << ", level " << level << ", kept " << kept);
       // Up to 3.6 %, and the rounding of small amplitudes to bytes.
-      CHECK(double(textonKept(map, level)[0]) == Approx(kept).epsilon(0.045));
+      CHECK(double(texton::levelKept(map, level)[0]) == Approx(kept).epsilon(0.045));
     }
   }
 }

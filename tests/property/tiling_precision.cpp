@@ -2,7 +2,7 @@
 // What 8 and 16 bits lose of an exemplar.
 #include "example_exemplar.h"
 
-#include <lichen/precision_loss.h>
+#include <lichen/tiling_precision.h>
 
 #include <catch2/catch.hpp>
 

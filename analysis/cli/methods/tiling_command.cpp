@@ -4,7 +4,7 @@
 
 #include "../table_words.h"
 
-#include <lichen/precision_loss.h>
+#include <lichen/tiling_precision.h>
 #include <lichen/tiling.h>
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <lichen/result.h>
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <array>
 #include <filesystem>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
-#include "as_seen.h"
-#include "calibration.h"
-#include "calm.h"
-#include "clipped_share.h"
-#include "cloudiness.h"
-#include "edge_concentration.h"
 #include "exemplar/map_ranges.h"
-#include "few_colors.h"
-#include "gaussian_plane.h"
-#include "lattice_share.h"
-#include "phase_coherence.h"
 #include "progress_part.h"
-#include "risk_of.h"
-#include "slow_variation.h"
+#include "suitability/as_seen.h"
+#include "suitability/calibration.h"
+#include "suitability/calm.h"
+#include "suitability/clipped_share.h"
+#include "suitability/cloudiness.h"
+#include "suitability/edge_concentration.h"
+#include "suitability/few_colors.h"
+#include "suitability/gaussian_plane.h"
+#include "suitability/lattice_share.h"
+#include "suitability/phase_coherence.h"
+#include "suitability/risk_of.h"
+#include "suitability/slow_variation.h"
 
 #include <lichen/flatten.h>
 #include <lichen/suitability.h>
@@ -183,18 +183,6 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
 }
 
 } // namespace
-
-std::string_view nameOf(Risk::Level level) {
-  switch (level) {
-  case Risk::Level::none:
-    return "none";
-  case Risk::Level::mild:
-    return "mild";
-  case Risk::Level::severe:
-    break;
-  }
-  return "severe";
-}
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                             const Progress& progress, double firstPixels) {

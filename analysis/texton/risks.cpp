@@ -3,11 +3,11 @@
 //
 // Whatever the support, a texton's noise has Gaussian values and random phases: it has neither the
 // exemplar's histogram nor its outlines. What is slower than the support is not in it either.
-#include "calibration.h"
 #include "exemplar/map_ranges.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
-#include "risk_of.h"
+#include "suitability/calibration.h"
+#include "suitability/risk_of.h"
 
 #include <lichen/spectrum.h>
 #include <lichen/suitability.h>
@@ -21,6 +21,10 @@ namespace lichen {
 namespace {
 
 using namespace suitability;
+
+constexpr Calibration kTextonHistogram{0.17, 0.21};
+constexpr Calibration kTextonOutlines{0.4, 1.3};
+constexpr Calibration kTextonSlow{0.25, 0.5};
 
 constexpr int kOctaves = 4; // from 2 pixels a half wave on: details that an eye takes for outlines
 constexpr int kOrientations = 4;

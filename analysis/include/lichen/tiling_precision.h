@@ -4,7 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/result.h>
-#include <lichen/tiling.h>
+#include <lichen/exemplar.h>
 
 #include <optional>
 

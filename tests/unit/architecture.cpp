@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// docs/architecture.md against the sources: which files name a method, and who includes whom; and
+// docs/library.md against its example.
+#include "checkout_paths.h"
+
+#include <lichen/bundle.h>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace fs = std::filesystem;
+using namespace lichen;
+
+namespace {
+
+std::string textOf(const fs::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Our own C++, by path relative to the root. Shaders and tests have rooms of their own.
+std::map<std::string, std::string> sources() {
+  std::map<std::string, std::string> texts;
+  for (const char* folder : {"analysis", "bundle", "engine_plugin", "image", "files", "samples"})
+    for (const auto& entry : fs::recursive_directory_iterator(sourcePath(folder)))
+      if (const fs::path extension = entry.path().extension();
+          extension == ".cpp" || extension == ".h" || extension == ".js")
+        texts[fs::relative(entry.path(), sourcePath("")).generic_string()] = textOf(entry.path());
+  return texts;
+}
+
+/// Whether a file lies in a method's room: a folder or a file that has the method's name.
+bool isInRoom(const std::string& path) {
+  for (const Method method : allMethods()) {
+    const std::string name(nameOf(method));
+    if (path.find("/" + name + "/") != std::string::npos ||
+        path.find("/" + name + "_") != std::string::npos ||
+        path.find("/" + name + ".") != std::string::npos)
+      return true;
+  }
+  return false;
+}
+
+bool namesMethod(const std::string& text) {
+  static const std::regex unrelated(
+      "//[^\n]*|/\\*[^]*?\\*/|VK_\\w*|optimalTiling\\w*|info\\.tiling");
+  const std::string code = std::regex_replace(text, unrelated, "");
+  for (const Method method : allMethods())
+    if (std::regex_search(code, std::regex(std::string(nameOf(method)), std::regex::icase)))
+      return true;
+  return false;
+}
+
+} // namespace
+
+TEST_CASE("the files that name a method are those that docs/architecture.md lists") {
+  std::set<std::string> listed, found;
+  const std::string page = textOf(sourcePath("docs/architecture.md"));
+  const std::regex row("\n\\| `([\\w/.]+\\.(?:cpp|h|js))` \\|");
+  const std::string list = page.substr(page.find("## Files outside the rooms"));
+  for (std::sregex_iterator hit(list.begin(), list.end(), row), end; hit != end; ++hit)
+    listed.insert((*hit)[1]);
+  for (const auto& [path, text] : sources())
+    if (!isInRoom(path) && path.find("samples/exemplars/") != 0 && namesMethod(text))
+      found.insert(path);
+  CHECK(found == listed);
+}
+
+TEST_CASE("no method's folder includes another's") {
+  const std::regex include("#include [<\"](?:lichen/|methods/)?(\\w+)");
+  for (const auto& [path, text] : sources())
+    for (const Method method : allMethods()) {
+      if (path.find("/" + std::string(nameOf(method)) + "/") == std::string::npos)
+        continue;
+      for (std::sregex_iterator hit(text.begin(), text.end(), include), end; hit != end; ++hit)
+        for (const Method other : allMethods()) {
+          INFO(path << " includes " << (*hit)[1]);
+          CHECK((other == method || (*hit)[1].str().rfind(nameOf(other), 0) != 0));
+        }
+    }
+}
+
+TEST_CASE("docs/library.md shows the sample that is built") {
+  const std::string code = textOf(sourcePath("samples/library/bake_and_evaluate.cpp"));
+  const std::string page = textOf(sourcePath("docs/library.md"));
+  CHECK(page.find(code.substr(code.find("#include"))) != std::string::npos);
+}
