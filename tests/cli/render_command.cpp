@@ -2,6 +2,7 @@
 // lichen-render as a user runs it: exit codes, one-line messages, files.
 #include "../gpu/render_gltf.h"
 #include "checkout_paths.h"
+#include "device_needed.h"
 
 #include <lichen/files.h>
 #include <lichen/image_io.h>
@@ -14,6 +15,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
+using cli_test::hasDevice;
 
 namespace {
 
@@ -24,7 +26,8 @@ struct Outcome {
 
 /// Runs through the shell; arguments hold no character that it would change but redirections.
 Outcome run(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " '" + programPath("lichen-render") + "' 2>&1 " + arguments;
+  const std::string command =
+      environment + " '" + programPath("lichen-render") + "' 2>&1 " + arguments;
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -38,11 +41,6 @@ Outcome run(const std::string& arguments, const std::string& environment = "") {
 
 bool isOneLine(const std::string& text) {
   return !text.empty() && text.find('\n') == text.size() - 1;
-}
-
-bool hasDevice() {
-  static const int exitCode = run("--list-devices").exitCode;
-  return exitCode == 0;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 // compared with what lichen-render makes of the same file.
 #include "checkout_paths.h"
 #include "command_run.h"
+#include "device_needed.h"
 #include "x_server.h"
 
 #include <lichen/files.h>
@@ -35,9 +36,10 @@ Arguments joined(Arguments arguments, const Arguments& more) {
 
 SrgbImage rendered(const Workplace& workplace, const std::string& scene, const std::string& size,
                    const Arguments& more = {}) {
-  const Ended ended = run(programPath("lichen-render"), joined({scene, "-o", workplace.path("reference.png"),
-                                                 "--size", size, "--frames", kFrames, "--quiet"},
-                                                more));
+  const Ended ended =
+      run(programPath("lichen-render"), joined({scene, "-o", workplace.path("reference.png"),
+                                                "--size", size, "--frames", kFrames, "--quiet"},
+                                               more));
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
   return picture(workplace.path("reference.png"));
@@ -107,10 +109,8 @@ void replace(const Workplace& workplace, const std::string& with) {
 } // namespace
 
 TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in silence") {
-  if (run(programPath("lichen-render"), {"--list-devices"}).code != 0) {
-    WARN("skipped: no Vulkan device");
+  if (!hasDevice())
     return;
-  }
   const Workplace workplace;
   const std::string grain = workplace.write("grain.png", smoothGrey(32));
   const std::string other =
@@ -174,10 +174,8 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
 }
 
 TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {
-  if (run(programPath("lichen-render"), {"--list-devices"}).code != 0) {
-    WARN("skipped: no Vulkan device");
+  if (!hasDevice())
     return;
-  }
   const Workplace workplace;
   replace(workplace, sourcePath("tests/scenes/blender/interior.glb"));
   XServer server;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What flattening removes and what it keeps, by waves, spectra and the cloudiness that is left.
 #include "example_exemplar.h"
+#include "generated_exemplar.h"
 #include "measured_cloudiness.h"
 
 #include <lichen/flatten.h>
@@ -20,6 +21,7 @@
 
 using namespace lichen;
 using lichen::test::baseColor;
+using lichen::test::generatedExemplar;
 
 namespace {
 
@@ -142,8 +144,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Uneven light goes as a factor: what is left is what even light shows") {
-  const MapExemplar lit = baseColor(exemplars::slopingLight(128));
-  const MapExemplar even = baseColor(exemplars::sand(128));
+  const MapExemplar lit = generatedExemplar(exemplars::slopingLight, 128);
+  const MapExemplar even = generatedExemplar(exemplars::sand, 128);
   const MapExemplar flatLit = flattened(lit, 128.0, false);
   const MapExemplar flatEven = flattened(even, 128.0, false);
   // What the period leaves of the slope's border, clipped highlights and rounding to 8 bits: 0.28.
@@ -158,7 +160,7 @@ TEST_CASE("Uneven light goes as a factor: what is left is what even light shows"
 }
 
 TEST_CASE("Detail faster than the period is kept") {
-  const MapExemplar carpet = baseColor(exemplars::carpet(128));
+  const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
   const MapExemplar flat = flattened(carpet, 64.0);
   const auto power = [](const MapExemplar& map) {
     return radialPowerSpectrum(luminancePlane(imageOf(map)), map.width, map.height, 64);
@@ -173,7 +175,7 @@ TEST_CASE("Detail faster than the period is kept") {
 }
 
 TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
-  const MapExemplar carpet = baseColor(exemplars::carpet(128));
+  const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
   const std::optional<double> period = automaticPeriod(carpet, true);
   REQUIRE(period.has_value());
   const MapExemplar flat = flattened(carpet, *period);
@@ -190,7 +192,7 @@ TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
 
 TEST_CASE("Auto takes a gradient and a vignette away") {
   for (const auto& generate : {exemplars::slopingLight, exemplars::vignette}) {
-    const MapExemplar map = baseColor(generate(128));
+    const MapExemplar map = generatedExemplar(generate, 128);
     const std::optional<double> period = automaticPeriod(map, false);
     REQUIRE(period.has_value());
     CHECK(scoreOf(map, "low-frequency", false) > 2.0 / 3.0);
@@ -199,9 +201,9 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
 }
 
 TEST_CASE("Auto leaves alone what works, and what no period would mend") {
-  CHECK_FALSE(automaticPeriod(baseColor(exemplars::granite(256)), true).has_value());
-  CHECK_FALSE(automaticPeriod(baseColor(exemplars::rust(256)), true).has_value());
-  const FlatteningChoice weave = automatic(baseColor(exemplars::weave(128)), true);
+  CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::granite, 256), true).has_value());
+  CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::rust, 256), true).has_value());
+  const FlatteningChoice weave = automatic(generatedExemplar(exemplars::weave, 128), true);
   CHECK(weave.reason == FlatteningChoice::Reason::stubborn);
   CHECK_FALSE(weave.periodPixels.has_value());
 }
@@ -219,7 +221,7 @@ TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
 }
 
 TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly themselves") {
-  std::vector<MapExemplar> maps{baseColor(exemplars::slopingLight(128))};
+  std::vector<MapExemplar> maps{generatedExemplar(exemplars::slopingLight, 128)};
   MapExemplar data;
   data.encoding = ValueEncoding::linear;
   data.width = data.height = 128;
@@ -251,7 +253,7 @@ TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly t
 }
 
 TEST_CASE("Flattening and assessing tell how far they are, and end where they are stopped") {
-  const MapExemplar cloudy = baseColor(exemplars::carpet(128));
+  const MapExemplar cloudy = generatedExemplar(exemplars::carpet, 128);
   const auto check = [](const auto& operation, const std::string& message) {
     std::vector<double> told;
     REQUIRE(operation([&](double fraction) {

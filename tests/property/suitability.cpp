@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The risks of exemplars, against closed forms, exhaustive sums and pictures that work or fail.
 #include "example_exemplar.h"
+#include "generated_exemplar.h"
 #include "measured_cloudiness.h"
 
 #include <lichen/lattice.h>
@@ -29,6 +30,7 @@
 using namespace lichen;
 using namespace lichen::suitability;
 using lichen::test::baseColor;
+using lichen::test::generatedExemplar;
 using lichen::test::mean;
 using lichen::test::measuredCloudiness;
 using lichen::test::variance;
@@ -117,7 +119,7 @@ TEST_CASE("Outlines that a texton loses are told whatever their direction, and r
           "none") {
   // The joints of paving fill the waves of all directions together as Gaussian noise does.
   for (auto* generate : {exemplars::paving, exemplars::terrazzo}) {
-    const MapExemplar map = baseColor(generate(256));
+    const MapExemplar map = generatedExemplar(generate, 256);
     const std::vector<Risk> risksOfMap = assessTextonSuitability(map, 64).value();
     CHECK(named(risksOfMap, "outlines").level == Risk::Level::severe);
     MapExemplar gaussian = map;
@@ -139,7 +141,7 @@ TEST_CASE("Outlines that a texton loses are told whatever their direction, and r
 
 TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
-    for (const Risk& risk : risksOf(baseColor(material.generate(256)))) {
+    for (const Risk& risk : risksOf(generatedExemplar(material.generate, 256))) {
       INFO(material.name << ", " << risk.name << ": " << risk.score);
       CHECK(risk.level == Risk::Level::none);
       CHECK(risk.score < 0.3);
@@ -150,7 +152,8 @@ TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
 
 TEST_CASE("Exemplars that fail have the risk they were made for, severe with a margin") {
   for (const exemplars::Unsuitable& exemplar : exemplars::kUnsuitable) {
-    const std::vector<Risk> risks = risksOf(baseColor(exemplar.generate(256)), exemplar.periodic);
+    const std::vector<Risk> risks =
+        risksOf(generatedExemplar(exemplar.generate, 256), exemplar.periodic);
     const Risk& risk = named(risks, exemplar.risk);
     INFO(exemplar.name << ", " << risk.name << ": " << risk.score);
     CHECK(risk.level == Risk::Level::severe);
@@ -187,10 +190,10 @@ TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
   // The standard error of a deviation measured on 400 samples is 3.5 %, somewhat more for their
   // skewed distribution. One channel by rank stands for three by transport: that made the foretold
   // values 7, 15 and 13 % larger.
-  const MapExemplar carpet = baseColor(exemplars::carpet(128));
-  const MapExemplar granite = baseColor(exemplars::granite(128));
+  const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
+  const MapExemplar granite = generatedExemplar(exemplars::granite, 128);
   constexpr int kSamples = 400;
-  const MapExemplar terrazzo = baseColor(exemplars::terrazzo(128));
+  const MapExemplar terrazzo = generatedExemplar(exemplars::terrazzo, 128);
   for (const MapExemplar* map : {&carpet, &granite, &terrazzo}) {
     CHECK(predictedCloudiness(*map) == Approx(measuredCloudiness(*map, kSamples)).epsilon(0.25));
   }

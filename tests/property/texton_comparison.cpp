@@ -311,7 +311,7 @@ TEST_CASE("starts scatter by less than 1 % of the error") {
   CHECK(std::sqrt(squares - sum * sum) < 0.01 * sum);
 }
 
-TEST_CASE("of one support the texton is as near to the model as any, and as flat as a random part",
+TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
           "[large]") {
   // [GLM14] figure 4; their support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
@@ -320,8 +320,8 @@ TEST_CASE("of one support the texton is as near to the model as any, and as flat
     const KernelComparison comparison =
         compareKernels(model, fitCoefficients(model, spotOptions(31), FitMethod::transportDistance),
                        0, kLuminanceWeights);
-    // A hundredth is what an even texton without a visible border may cost (decision 019).
-    CHECK(comparison.texton.modelError < 1.01 * comparison.luminance.modelError);
+    // 0.95 to 0.99 of it.
+    CHECK(comparison.texton.modelError < comparison.luminance.modelError);
     CHECK(comparison.luminance.modelError < comparison.randomPhase.modelError);
     // Normally distributed values have 3; energy gathered in a few pixels has hundreds.
     CHECK(comparison.texton.flatness < 4.0);

@@ -142,11 +142,13 @@ TEST_CASE(
     double papers;     // error over that of the papers' algorithm
     double visibility; // of the border, mean over the starts
   };
-  // The worst of the orders, 1.0014, 0.9836 and 0.9827, and what starts differ by, at most 0.5 %;
-  // of three starts each. Without the border's penalty the visibility is 0.9 and 1.2, 1.1 and 1.4,
-  // 2.5 and 2.0 for the orders 0 and 1.
+  // No closed form has the least error that starts lead to. Changed by a float's rounding, as
+  // another machine's transforms do, the model has ratios of 1.0008, 0.9831 and 0.9815 for the
+  // worst of the orders, with deviations of 0.0009, 0.0008 and 0.0011; the bounds are four of these
+  // above. The visibilities are 0.73, 1.02 and 1.56, with deviations of 0.02, 0.04 and 0.06;
+  // without the border's penalty 0.9 and 1.2, 1.1 and 1.4, 2.5 and 2.0 for the orders 0 and 1.
   for (const Bound& bound :
-       {Bound{16, 1.005, 0.85}, Bound{32, 0.988, 1.05}, Bound{64, 0.988, 1.7}}) {
+       {Bound{16, 1.0045, 0.81}, Bound{32, 0.9863, 1.05}, Bound{64, 0.9859, 1.7}}) {
     for (const int order : {0, 1, 3}) {
       double ours = 0.0, papers = 0.0, visibility = 0.0;
       for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -258,15 +260,17 @@ TEST_CASE("a support as large as the exemplar holds the model whole by the paper
     int order;
     double error;
   };
-  // Any phases fit, but most have peaks and a border, and the limits on these leave an error:
-  // 0.022, 0.0097 and 0.0004.
-  for (const auto& [order, cost] : {Cost{0, 0.03}, Cost{1, 0.015}, Cost{3, 0.001}}) {
+  // Any phases fit, but most have peaks and a border, and what the limits on these leave has no
+  // closed form: 0.021552, 0.009673 and 0.000397, which a model changed by a float's rounding has
+  // too.
+  for (const auto& [order, cost] : {Cost{0, 0.0216}, Cost{1, 0.0097}, Cost{3, 0.0004}}) {
     FitOptions options = support(24, order);
     options.height = 20;
     const auto error = [&, order = order](FitMethod method) {
       return relativeModelError(model, fitCoefficients(model, options, method), order);
     };
-    CHECK(error(FitMethod::alternatingProjections) < 1e-5); // 1.8e-7, rounding
+    // Rounding of floats, 2^-24 each, after 50 transforms there and back.
+    CHECK(error(FitMethod::alternatingProjections) < 1e-6);
     CHECK(error(FitMethod::transportDistance) < cost);
   }
 }

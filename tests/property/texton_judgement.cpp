@@ -5,13 +5,22 @@
 #include <lichen/texton.h>
 #include <lichen/texton_comparison.h>
 
+#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <gaussian/kernels.h>
+#include <gaussian/model_covariance.h>
+#include <texton/color_correction.h>
+#include <texton/fit.h>
+#include <texton/interpolation.h>
+#include <transport/covariance_map.h>
 
 using namespace lichen;
 using namespace lichen::test;
+using namespace lichen::texton;
 
 namespace {
 
@@ -50,6 +59,45 @@ KernelComparison comparisonOf(const Baked& baked, const MapExemplar& map) {
   return comparison.value();
 }
 
+/// Of spectra of floats in the root of a mean square.
+constexpr double kRounding = 2e-6;
+
+/// The model of coefficients whose B-spline interpolation has the given one. [GLM17] eq. 4.
+GaussianModel deconvolved(GaussianModel model, int order) {
+  for (HalfSpectrum& channel : model.channels)
+    for (int v = 0; v < kSide; ++v)
+      for (int u = 0; u < channel.columns(); ++u)
+        channel.at(u, v) *= float(1.0 / std::sqrt(kernelPower(order, double(u) / kSide) *
+                                                  kernelPower(order, double(v) / kSide)));
+  return model;
+}
+
+/// The optimal map from a covariance to the model's, of channels over the model's deviations.
+Eigen::MatrixXd correctionOf(const GaussianModel& model, const Eigen::MatrixXd& covariance) {
+  const Eigen::MatrixXd wanted = modelCovariance(model);
+  const Eigen::VectorXd units = wanted.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd over = units.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd from = over * covariance * over, to = over * wanted * over;
+  return units.asDiagonal() * transport::covarianceMap(from, to) * over;
+}
+
+/// The relative error of a model's own kernels with their colours changed so.
+double errorOfColors(const GaussianModel& model, const Eigen::MatrixXd& change) {
+  double distance = 0.0, power = 0.0;
+  const HalfSpectrum& first = model.channels[0];
+  for (int v = 0; v < kSide; ++v)
+    for (int u = 0; u < first.columns(); ++u) {
+      Eigen::Vector3cd t;
+      for (int c = 0; c < 3; ++c)
+        t[c] = std::complex<double>(model.channels[std::size_t(c)].at(u, v));
+      const Eigen::Vector3cd h = change * t;
+      const double weight = first.multiplicity(u);
+      distance += weight * (t.squaredNorm() + h.squaredNorm() - 2.0 * std::abs(h.dot(t)));
+      power += weight * t.squaredNorm();
+    }
+  return std::sqrt(std::max(distance, 0.0) / power);
+}
+
 /// Covariance of two channels of interleaved values about the given mean.
 double covarianceOf(const MapExemplar& map, const std::vector<double>& mean, std::size_t a,
                     std::size_t b) {
@@ -68,25 +116,36 @@ TEST_CASE("a stored texton has the error and flatness that its bake found, at ev
     INFO("order " << order);
     const Baked baked = bakedOf(map, order, 24);
     const KernelComparison comparison = comparisonOf(baked, map);
-    // Texels are single floats, and the covariance is corrected twice.
-    CHECK(comparison.texton.modelError == Approx(baked.quality.modelError).epsilon(1e-4));
-    CHECK(comparison.texton.flatness == Approx(baked.quality.flatness).epsilon(1e-3));
+    // Texels are single floats, and the covariance is corrected twice, to 1e-6 each.
+    CHECK(comparison.texton.modelError == Approx(baked.quality.modelError).epsilon(4e-6));
+    CHECK(comparison.texton.flatness == Approx(baked.quality.flatness).epsilon(4e-6));
     CHECK(comparison.texton.impactsNeeded() == Approx(10.0 * comparison.texton.flatness));
-    CHECK(comparison.texton.flatness < 5.0);
+    CHECK(comparison.texton.flatness <= 4.0); // what a fit allows
     CHECK(comparison.luminance.flatness > 2.0 * comparison.texton.flatness);
     CHECK(comparison.randomPhase.modelError > comparison.texton.modelError);
   }
 }
 
-TEST_CASE("a luminance texton as large as the exemplar is its Gaussian texture, at every order") {
+TEST_CASE(
+    "a spot as large as the exemplar is its Gaussian texture but for the colours' correction") {
+  // The covariance of a spot's noise is that of its texels within the support, the model's that of
+  // texels around the torus: for order 0 the same, else without the products across the border.
   const MapExemplar map = faint();
+  const GaussianModel model = gaussianModel(map.values, kSide, kSide, 3);
   for (const int order : {0, 1, 3}) {
+    INFO("order " << order);
     Baked baked = bakedOf(map, order, kSide + order); // as many coefficients as texels
     REQUIRE(baked.bundle.noises[0].as<TextonShape>().coefficientsX == kSide);
     const KernelComparison comparison = comparisonOf(baked, map);
-    // Rounding, which a cubic spline's least power, 0.003, magnifies: 0.004 was seen.
-    CHECK(comparison.luminance.modelError < 0.01);
-    CHECK(comparison.randomPhase.modelError < 0.01);
+    const GaussianModel coefficients = deconvolved(model, order);
+    const auto expected = [&](const TextonCoefficients& spot) {
+      CHECK(relativeModelError(model, spot, order) < kRounding);
+      return errorOfColors(model, correctionOf(model, noiseCovariance(spot, order)));
+    };
+    CHECK(comparison.luminance.modelError ==
+          Approx(expected(luminanceTexton(coefficients, kSide, kSide))).margin(kRounding));
+    CHECK(comparison.randomPhase.modelError ==
+          Approx(expected(randomPhaseKernel(coefficients, kSide, kSide, 1))).margin(kRounding));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exemplar/borders.h>
 #include <gaussian/cross_fade.h>
+#include <numbers>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -43,22 +44,55 @@ TEST_CASE("the seam itself shows the displaced image alone, at every size") {
   }
 }
 
-TEST_CASE("blended borders continue each other as neighbours inside do") {
-  const Baked b = baked(cropped(threeMaterials(128, 128, 6, 5), 5, 5, 96, 80));
-  const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, 96, 80);
-  const auto meanStep = [&](const std::vector<Point>& image, int from, int to) {
-    double sum = 0.0;
-    for (int y = 0; y < 80; ++y) {
-      const Point& p = image[std::size_t(y * 96 + from)];
-      const Point& q = image[std::size_t(y * 96 + to)];
-      sum += std::abs(double(p.x) - double(q.x)) + std::abs(double(p.y) - double(q.y));
-    }
-    return sum;
+TEST_CASE(
+    "on its border a blended image is the displaced one, which goes on there, and inside it is "
+    "as it was") {
+  constexpr int kWidth = 96, kHeight = 80;
+  // A sixteenth of each side is blended, but in the first and the last line.
+  constexpr int kBandX = kWidth / 16, kBandY = kHeight / 16;
+  const Baked b = baked(cropped(threeMaterials(128, 128, 6, 5), 5, 5, kWidth, kHeight));
+  const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, kWidth, kHeight);
+  const auto isSame = [&](int x, int y, int fromX, int fromY) {
+    const Point& p = faded[std::size_t(y * kWidth + x)];
+    const Point& q = b.gaussian.matched[std::size_t(fromY * kWidth + fromX)];
+    return std::abs(p.x - q.x) < 1e-6f && std::abs(p.y - q.y) < 1e-6f &&
+           std::abs(p.z - q.z) < 1e-6f; // rounding of values below 1
   };
-  double inside = 0.0;
-  for (int x = 0; x < 95; ++x)
-    inside += meanStep(faded, x, x + 1) / 95.0;
-  // Grain hides part of the seam: unrelated borders differ by a fifth more here.
-  CHECK(meanStep(b.gaussian.matched, 95, 0) > 1.15 * inside);
-  CHECK(meanStep(faded, 95, 0) < 1.1 * inside);
+  int unlike = 0;
+  for (int y = kBandY; y < kHeight - kBandY; ++y) {
+    unlike += isSame(kWidth - 1, y, kWidth / 2 - 1, y) && isSame(0, y, kWidth / 2, y) ? 0 : 1;
+    for (int x = kBandX; x < kWidth - kBandX; ++x)
+      unlike += isSame(x, y, x, y) ? 0 : 1;
+  }
+  for (int x = kBandX; x < kWidth - kBandX; ++x)
+    unlike += isSame(x, kHeight - 1, x, kHeight / 2 - 1) && isSame(x, 0, x, kHeight / 2) ? 0 : 1;
+  CHECK(unlike == 0);
+}
+
+TEST_CASE("the weights of a blend keep the variance and change little from pixel to pixel") {
+  constexpr int kSide = 256, kBand = kSide / 16, kRow = kSide / 2;
+  // Beside the left border one half alone differs from the mean: its deviation is its weight.
+  const auto weights = [&](bool displaced) {
+    std::vector<Point> image(std::size_t(kSide) * kSide, Point{0.5f, 0.5f, 0.5f});
+    for (std::size_t i = 0; i < image.size(); ++i)
+      if ((int(i) % kSide >= kSide / 2) == displaced)
+        image[i].x += 0.25f;
+    const std::vector<Point> faded = gaussian::crossFadeBorders(image, kSide, kSide);
+    std::vector<double> result;
+    for (int x = 0; x <= kBand; ++x)
+      result.push_back((double(faded[std::size_t(kRow * kSide + x)].x) - 0.5) / 0.25);
+    return result;
+  };
+  const std::vector<double> own = weights(false), other = weights(true);
+  double before = 0.5 * std::numbers::pi; // on the seam the displaced image is alone
+  for (std::size_t x = 0; x < own.size(); ++x) {
+    CHECK(own[x] * own[x] + other[x] * other[x] == Approx(1.0).epsilon(1e-6)); // floats below 1
+    const double angle = std::atan2(other[x], own[x]);
+    // Of weights 1 - w and w the angle changes by at most 2 dw, and the smooth step w of t by at
+    // most 3/2 dt, with dt a pixel of the band: no pixel is a border of the blend.
+    CHECK(angle <= before);
+    CHECK(before - angle <= 3.0 / kBand);
+    before = angle;
+  }
+  CHECK(before == Approx(0.0).margin(1e-6));
 }

@@ -48,7 +48,7 @@ TEST_CASE("a problem of one block is solved exactly") {
       }
 }
 
-TEST_CASE("a problem of several blocks is solved to within a per cent, or eight of mere noise",
+TEST_CASE("a problem of several blocks is solved to within 0.8 %, or 6.5 % of mere noise",
           "[large]") {
   double sum = 0.0;
   int problems = 0;
@@ -58,11 +58,13 @@ TEST_CASE("a problem of several blocks is solved to within a per cent, or eight 
         const double above = excess(source.points, target.points);
         INFO(source.name << " to " << target.name << ", seed " << seed);
         CHECK(above > -1e-6);
-        // Measured: at most 0.37 % between kinds, 6.2 % between two samples of one, whose optimum
-        // is nothing but their noise, and 0.21 % on average.
-        CHECK(above < (source.name == target.name ? 0.08 : 0.01));
+        // The worst of TARGETS.md between kinds. No bound can be derived between two samples of
+        // one, whose optimum is nothing but their noise: 6.2 % in three dimensions and 2.2 % in
+        // fewer.
+        const double noise = source.name == "a Gaussian cloud" ? 0.065 : 0.025;
+        CHECK(above < (source.name == target.name ? noise : 0.008));
         sum += above;
         ++problems;
       }
-  CHECK(sum / problems < 0.005);
+  CHECK(sum / problems < 0.003); // the median of TARGETS.md
 }
