@@ -380,8 +380,8 @@ TEST_CASE("the gradient of a mix is that of the oracle in shader and twin, with 
   const TextonReference reference(twins.bundle, u.noise, u.texton);
   const NoiseMap& map = twins.bundle.noises[0].maps[0];
   // The means of the three steps lie on a line.
-  const double meanSlope = map.laterSteps[1].mean[0] - map.mean[0];
-  REQUIRE(map.laterSteps[0].mean[0] == Approx(map.mean[0] + 0.5 * meanSlope));
+  const double meanSlope = map.as<TextonMap>().laterSteps[1].mean[0] - map.mean[0];
+  REQUIRE(map.as<TextonMap>().laterSteps[0].mean[0] == Approx(map.mean[0] + 0.5 * meanSlope));
   REQUIRE(meanSlope == Approx(-0.2)); // a hundred tolerances
   for (std::size_t k = 0; k < points.size(); ++k) {
     const TileFootprint at = footprintOf(points[k].point, u.noise);

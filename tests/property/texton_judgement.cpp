@@ -63,7 +63,7 @@ KernelComparison comparisonOf(const Baked& baked, const MapExemplar& map) {
 constexpr double kRounding = 2e-6;
 
 /// The model of coefficients whose B-spline interpolation has the given one. [GLM17] eq. 4.
-GaussianModel deconvolved(GaussianModel model, int order) {
+gaussian::GaussianModel deconvolved(gaussian::GaussianModel model, int order) {
   for (HalfSpectrum& channel : model.channels)
     for (int v = 0; v < kSide; ++v)
       for (int u = 0; u < channel.columns(); ++u)
@@ -73,8 +73,8 @@ GaussianModel deconvolved(GaussianModel model, int order) {
 }
 
 /// The optimal map from a covariance to the model's, of channels over the model's deviations.
-Eigen::MatrixXd correctionOf(const GaussianModel& model, const Eigen::MatrixXd& covariance) {
-  const Eigen::MatrixXd wanted = modelCovariance(model);
+Eigen::MatrixXd correctionOf(const gaussian::GaussianModel& model, const Eigen::MatrixXd& covariance) {
+  const Eigen::MatrixXd wanted = gaussian::modelCovariance(model);
   const Eigen::VectorXd units = wanted.diagonal().cwiseSqrt();
   const Eigen::MatrixXd over = units.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd from = over * covariance * over, to = over * wanted * over;
@@ -82,7 +82,7 @@ Eigen::MatrixXd correctionOf(const GaussianModel& model, const Eigen::MatrixXd& 
 }
 
 /// The relative error of a model's own kernels with their colours changed so.
-double errorOfColors(const GaussianModel& model, const Eigen::MatrixXd& change) {
+double errorOfColors(const gaussian::GaussianModel& model, const Eigen::MatrixXd& change) {
   double distance = 0.0, power = 0.0;
   const HalfSpectrum& first = model.channels[0];
   for (int v = 0; v < kSide; ++v)
@@ -131,21 +131,21 @@ TEST_CASE(
   // The covariance of a spot's noise is that of its texels within the support, the model's that of
   // texels around the torus: for order 0 the same, else without the products across the border.
   const MapExemplar map = faint();
-  const GaussianModel model = gaussianModel(map.values, kSide, kSide, 3);
+  const gaussian::GaussianModel model = gaussian::gaussianModel(map.values, kSide, kSide, 3);
   for (const int order : {0, 1, 3}) {
     INFO("order " << order);
     Baked baked = bakedOf(map, order, kSide + order); // as many coefficients as texels
     REQUIRE(baked.bundle.noises[0].as<TextonShape>().coefficientsX == kSide);
     const KernelComparison comparison = comparisonOf(baked, map);
-    const GaussianModel coefficients = deconvolved(model, order);
+    const gaussian::GaussianModel coefficients = deconvolved(model, order);
     const auto expected = [&](const TextonCoefficients& spot) {
       CHECK(relativeModelError(model, spot, order) < kRounding);
       return errorOfColors(model, correctionOf(model, noiseCovariance(spot, order)));
     };
     CHECK(comparison.luminance.modelError ==
-          Approx(expected(luminanceTexton(coefficients, kSide, kSide))).margin(kRounding));
+          Approx(expected(gaussian::luminanceTexton(coefficients, kSide, kSide))).margin(kRounding));
     CHECK(comparison.randomPhase.modelError ==
-          Approx(expected(randomPhaseKernel(coefficients, kSide, kSide, 1))).margin(kRounding));
+          Approx(expected(gaussian::randomPhaseKernel(coefficients, kSide, kSide, 1))).margin(kRounding));
   }
 }
 
