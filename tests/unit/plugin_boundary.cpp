@@ -84,7 +84,9 @@ TEST_CASE("whatever is thrown inside becomes a result") {
 
 TEST_CASE("memory exhausted at any allocation of a parse is a result") {
   BundleFile file = example::smallest();
-  file.bundle.tables[0] = example::patternTable("", TexelFormat::r8Unorm, 64, 64, 0, 7);
+  // The message of a table begins with its name, unless there is no memory for the message either.
+  file.bundle.tables[0] = example::patternTable("a name longer than any short message",
+                                                TexelFormat::r8Unorm, 64, 64, 0, 7);
   file.bundle.noises[0].maps[0].mipLoss.assign(7, 0.0);
   const std::vector<std::byte> glb = encodeGlb(file).value();
   const LichenParseInfo info = parseInfo(glb);
