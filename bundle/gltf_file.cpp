@@ -52,32 +52,6 @@ bool decodeBase64(std::string_view text, std::vector<std::byte>& bytes) {
   return true;
 }
 
-/// Undoes %XX; nothing for a malformed escape or a NUL.
-std::optional<std::string> decodePercent(const std::string& uri) {
-  const auto hexDigit = [](char c) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    return kDigits.find(c >= 'A' && c <= 'F' ? char(c - 'A' + 'a') : c);
-  };
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    char c = uri[i];
-    if (c == '%') {
-      if (i + 2 >= uri.size())
-        return std::nullopt;
-      const std::size_t high = hexDigit(uri[i + 1]);
-      const std::size_t low = hexDigit(uri[i + 2]);
-      if (high == std::string_view::npos || low == std::string_view::npos)
-        return std::nullopt;
-      c = char(high * 16 + low);
-      i += 2;
-    }
-    if (c == '\0')
-      return std::nullopt;
-    path.push_back(c);
-  }
-  return path;
-}
-
 /// A non-negative integer member, or nothing. An absent one is `fallback`.
 std::optional<std::uint64_t> countMember(const json& object, const char* key,
                                          std::optional<std::uint64_t> fallback) {
@@ -146,8 +120,8 @@ Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::si
 }
 
 Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
-  const auto relative = decodePercent(uri);
-  if (uri.find(':') != std::string::npos || !relative)
+  const auto relative = pathOfUri(uri);
+  if (!relative)
     return Error{ErrorKind::badInput,
                  "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted"};
   const auto path = fileInside(folder_, *relative);
