@@ -238,7 +238,8 @@ Result<Outcome> apply(const Arguments& arguments) {
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
   if (!materials)
     return materials.error();
-  const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use, materials.value(), scene);
+  const Result<MixWeight> mix =
+      chosenMix(arguments.mix, noise, use, materials.value(), scene, outcome.notes);
   if (!mix)
     return mix.error();
   use.mix = mix.value();

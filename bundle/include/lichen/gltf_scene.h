@@ -65,6 +65,15 @@ public:
   /// resources.
   [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
 
+  /// The least and the greatest value of an attribute of two components, such as "TEXCOORD_0", that
+  /// the primitive has; nothing where its vertices are compressed, which are then unread. Errors as
+  /// checkVertices().
+  struct Range2 {
+    std::array<float, 2> least{}, most{};
+  };
+  [[nodiscard]] Result<std::optional<Range2>> rangeOf(PrimitivePlace place,
+                                                      const std::string& attribute);
+
   /// Adds vertices as an accessor of floats, and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
