@@ -10,6 +10,7 @@
 #include "noise_choice.h"
 #include "options.h"
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -331,6 +332,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);
+  verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };
 }
 

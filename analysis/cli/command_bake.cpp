@@ -15,6 +15,7 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/precision_loss.h>
 
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -214,6 +215,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
           "A page with pictures, measures and charts of the noise");
   addMethodOptions(verb, arguments->method);
   arguments->verb = &verb;
+  verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };
 }
 
