@@ -52,6 +52,18 @@ bool decodeBase64(std::string_view text, std::vector<std::byte>& bytes) {
   return true;
 }
 
+bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
+
+Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
+  constexpr std::string_view kMarker = ";base64,";
+  const std::size_t marker = uri.find(kMarker);
+  std::vector<std::byte> bytes;
+  if (marker == std::string::npos ||
+      !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
+    return Error{ErrorKind::badInput, "data URI that is not sound base64"};
+  return bytes;
+}
+
 /// A non-negative integer member, or nothing. An absent one is `fallback`.
 std::optional<std::uint64_t> countMember(const json& object, const char* key,
                                          std::optional<std::uint64_t> fallback) {
@@ -105,16 +117,8 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
 }
 
 Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
-  const auto fault = [](std::string what) { return Error{ErrorKind::badInput, std::move(what)}; };
-  constexpr std::string_view kMarker = ";base64,";
-  if (uri.rfind("data:", 0) == 0) {
-    const std::size_t marker = uri.find(kMarker);
-    std::vector<std::byte> bytes;
-    if (marker == std::string::npos ||
-        !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
-      return fault("data URI that is not sound base64");
-    return bytes;
-  }
+  if (isDataUri(uri))
+    return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
   return path ? readFileStart(path.value(), length) : path.error();
 }
@@ -130,7 +134,9 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   return *path;
 }
 
-Result<std::vector<std::byte>> GltfFile::readFileUri(const std::string& uri) const {
+Result<std::vector<std::byte>> GltfFile::readWholeUri(const std::string& uri) const {
+  if (isDataUri(uri))
+    return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
   return path ? readFile(path.value()) : path.error();
 }

@@ -259,6 +259,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   outcome.noise = std::move(applied).value();
   if (arguments.setsFactors)
     setFactorsToOne(scene, materials.value(), noise);
+  leaveReplacedImages(scene, materials.value(), noise, use.mix, outcome.notes);
   if (Result<void> written = scene.write(arguments.output); !written)
     return written.error();
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);

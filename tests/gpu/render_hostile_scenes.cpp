@@ -215,7 +215,7 @@ const std::vector<Fault> kFaults{
      [](GltfScene& s) { s.json["images"][0] = json::object(); }},
     {"an image that is none", "/images/0",
      [](GltfScene& s) { s.json["images"][0]["bufferView"] = 0; }},
-    {"an image file that is absent", "/images/0",
+    {"an image file that is absent", "/images/0: its file \"absent.png\" cannot be read",
      [](GltfScene& s) {
        s.json["images"][0] = {{"uri", "absent.png"}};
      }},
