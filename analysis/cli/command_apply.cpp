@@ -230,11 +230,14 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!opened)
     return opened.error();
   GltfScene& scene = opened.value();
-  const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
+  Outcome outcome;
+  const Result<ChosenMaterials> found = findMaterials(scene, arguments.materials);
+  if (!found)
+    return found.error();
+  const Result<ChosenMaterials> chosen = shadedMaterials(scene, found.value(), outcome.notes);
   if (!chosen)
     return chosen.error();
   MaterialNoise use = parametersOf(bundle, index, arguments);
-  Outcome outcome;
   const Result<std::vector<std::size_t>> materials =
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
   if (!materials)

@@ -44,6 +44,32 @@ TEST_CASE("an absent image is no matter to a .glb where the noise takes its plac
   refused();
 }
 
+TEST_CASE("materials whose own shading leaves no place for a noise are left out, or refused") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"}) {
+    example::TinyScene scene = example::tableScene();
+    scene.json["extensionsUsed"] = json::array({extension});
+    scene.json["materials"][1]["extensions"][extension] = json::object();
+    const std::string path = writeScene(workplace, scene);
+    const Ended ended = apply(workplace, path, moss, "all", {"--mapping", "triplanar"});
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.errors, Catch::Contains("material 'glass' left out, since material 'glass' "
+                                             "has " +
+                                             std::string(extension)));
+    const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+    CHECK(document["materials"][0]["extensions"].contains(kExtension));
+    CHECK(!document["materials"][1]["extensions"].contains(kExtension));
+    checkRefusal({"apply", path, "--noise", moss, "--material", "glass", "--mapping", "triplanar",
+                  "-o", workplace.path("x.glb")},
+                 int(ErrorKind::badInput), {"material 'glass' has", extension, "is accepted"});
+    scene.json["materials"][0]["extensions"][extension] = json::object();
+    checkRefusal({"apply", writeScene(workplace, scene), "--noise", moss, "--material", "all",
+                  "--mapping", "triplanar", "-o", workplace.path("x.glb")},
+                 int(ErrorKind::badInput), {"material 'wood' has", extension});
+  }
+}
+
 TEST_CASE("a .glb takes images in data URIs into itself") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
