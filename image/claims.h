@@ -3,7 +3,7 @@
 // errors that say so. Text that comes out of a file is made fit for a one-line message.
 #pragma once
 
-#include <lichen/result.h>
+#include <lichen/image_io.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +31,12 @@ struct Expansion {
 /// Refuses sides outside [1, kMaxImageSide].
 [[nodiscard]] Result<void> checkSides(const std::string& name, std::uint64_t width,
                                       std::uint64_t height);
+
+/// What the caller says of the size.
+[[nodiscard]] inline Result<void> checkWanted(const SizeCheck& check, std::uint64_t width,
+                                              std::uint64_t height) {
+  return check ? check(int(width), int(height)) : Result<void>();
+}
 
 /// Refuses a claim of `decoded` bytes that a file of `fileBytes` bytes cannot hold.
 [[nodiscard]] Result<void> checkExpansion(const std::string& name, std::uint64_t decoded,

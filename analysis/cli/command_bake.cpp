@@ -144,6 +144,8 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
+  arguments.exemplar.use =
+      arguments.method.method == Method::texton ? ExemplarUse::textons : ExemplarUse::tiling;
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)

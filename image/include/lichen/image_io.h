@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -32,6 +33,10 @@ struct ImageFile {
   int turnedFrom = 1;
 };
 
+/// Called once with the size that an image's header tells, before memory is taken for its pixels;
+/// an error refuses the image. Empty: each is accepted.
+using SizeCheck = std::function<Result<void>(int width, int height)>;
+
 /// Reads a PNG (1 to 16 bit, grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
 /// single-part EXR (scan line or tiled, half, float or uint, R G B A, Y A or one other channel).
 /// The format is told from the first bytes, not from the name. Palette and low-bit-depth PNG are
@@ -43,7 +48,7 @@ struct ImageFile {
 /// ErrorKind::resources when memory does not suffice. Bytes after the image's end are ignored.
 /// `name` is used in messages. Thread-safe.
 [[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
-                                            const std::string& name);
+                                            const std::string& name, const SizeCheck& check = {});
 
 /// The image turned as its orientation says, which is 1 then, with a note. May throw
 /// std::bad_alloc.
@@ -54,7 +59,8 @@ struct ImageFile {
 [[nodiscard]] std::array<float, 2> uprightDirection(std::array<float, 2> stored, int orientation);
 
 /// As decodeImage(), and upright: what photographs show.
-[[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
+[[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path,
+                                          const SizeCheck& check = {});
 
 /// PNG without colour chunks, 1 to 4 channels, `bitsPerChannel` 8 or 16, values clamped to [0, 1]
 /// and rounded to the nearest code. The same image gives the same bytes.
