@@ -67,10 +67,13 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
     return std::nullopt;
   }
   Result<Table> table = decodeKtx2(*bytes, name);
+  if (!table && table.error().kind == ErrorKind::resources) {
+    findings.error("memory", reader.pointer(), "not enough memory for its texels");
+    return std::nullopt;
+  }
   if (!table) {
-    // The message begins with the name, which the pointer replaces.
-    findings.error(table.error().kind == ErrorKind::resources ? "memory" : "table-ktx2",
-                   reader.pointer(), table.error().message.substr(name.size() + 2));
+    // The message of a refusal begins with the name, which the pointer replaces.
+    findings.error("table-ktx2", reader.pointer(), table.error().message.substr(name.size() + 2));
     return std::nullopt;
   }
   return std::move(table).value();

@@ -194,6 +194,33 @@ std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> bin
   return glb;
 }
 
+std::optional<std::string> pathOfUri(const std::string& uri) {
+  if (uri.find(':') != std::string::npos)
+    return std::nullopt;
+  const auto hexDigit = [](char c) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    return kDigits.find(c >= 'A' && c <= 'F' ? char(c - 'A' + 'a') : c);
+  };
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    char c = uri[i];
+    if (c == '%') {
+      if (i + 2 >= uri.size())
+        return std::nullopt;
+      const std::size_t high = hexDigit(uri[i + 1]);
+      const std::size_t low = hexDigit(uri[i + 2]);
+      if (high == std::string_view::npos || low == std::string_view::npos)
+        return std::nullopt;
+      c = char(high * 16 + low);
+      i += 2;
+    }
+    if (c == '\0')
+      return std::nullopt;
+    path.push_back(c);
+  }
+  return path;
+}
+
 std::optional<std::filesystem::path> fileInside(const std::filesystem::path& folder,
                                                 const std::filesystem::path& relative) {
   if (folder.empty() || relative.empty() || relative.has_root_path())

@@ -52,30 +52,16 @@ bool decodeBase64(std::string_view text, std::vector<std::byte>& bytes) {
   return true;
 }
 
-/// Undoes %XX; nothing for a malformed escape or a NUL.
-std::optional<std::string> decodePercent(const std::string& uri) {
-  const auto hexDigit = [](char c) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    return kDigits.find(c >= 'A' && c <= 'F' ? char(c - 'A' + 'a') : c);
-  };
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    char c = uri[i];
-    if (c == '%') {
-      if (i + 2 >= uri.size())
-        return std::nullopt;
-      const std::size_t high = hexDigit(uri[i + 1]);
-      const std::size_t low = hexDigit(uri[i + 2]);
-      if (high == std::string_view::npos || low == std::string_view::npos)
-        return std::nullopt;
-      c = char(high * 16 + low);
-      i += 2;
-    }
-    if (c == '\0')
-      return std::nullopt;
-    path.push_back(c);
-  }
-  return path;
+bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
+
+Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
+  constexpr std::string_view kMarker = ";base64,";
+  const std::size_t marker = uri.find(kMarker);
+  std::vector<std::byte> bytes;
+  if (marker == std::string::npos ||
+      !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
+    return Error{ErrorKind::badInput, "data URI that is not sound base64"};
+  return bytes;
 }
 
 /// A non-negative integer member, or nothing. An absent one is `fallback`.
@@ -131,23 +117,15 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
 }
 
 Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
-  const auto fault = [](std::string what) { return Error{ErrorKind::badInput, std::move(what)}; };
-  constexpr std::string_view kMarker = ";base64,";
-  if (uri.rfind("data:", 0) == 0) {
-    const std::size_t marker = uri.find(kMarker);
-    std::vector<std::byte> bytes;
-    if (marker == std::string::npos ||
-        !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
-      return fault("data URI that is not sound base64");
-    return bytes;
-  }
+  if (isDataUri(uri))
+    return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
   return path ? readFileStart(path.value(), length) : path.error();
 }
 
 Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
-  const auto relative = decodePercent(uri);
-  if (uri.find(':') != std::string::npos || !relative)
+  const auto relative = pathOfUri(uri);
+  if (!relative)
     return Error{ErrorKind::badInput,
                  "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted"};
   const auto path = fileInside(folder_, *relative);
@@ -156,7 +134,9 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   return *path;
 }
 
-Result<std::vector<std::byte>> GltfFile::readFileUri(const std::string& uri) const {
+Result<std::vector<std::byte>> GltfFile::readWholeUri(const std::string& uri) const {
+  if (isDataUri(uri))
+    return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
   return path ? readFile(path.value()) : path.error();
 }

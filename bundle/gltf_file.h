@@ -34,8 +34,10 @@ public:
   /// The bytes of a buffer.
   [[nodiscard]] std::optional<std::span<const std::byte>> wholeBuffer(std::size_t index,
                                                                       FindingList& findings);
-  /// The whole of a file that a relative URI names.
-  [[nodiscard]] Result<std::vector<std::byte>> readFileUri(const std::string& uri) const;
+  /// The file that a relative URI names inside the folder, or what is wrong.
+  [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
+  /// The whole of what a URI names: a file inside the folder, or data.
+  [[nodiscard]] Result<std::vector<std::byte>> readWholeUri(const std::string& uri) const;
   /// Bytes of the buffers loaded so far.
   [[nodiscard]] std::size_t loadedBytes() const;
 
@@ -49,8 +51,6 @@ private:
 
   /// Fills `target`; returns the fault for which it cannot.
   [[nodiscard]] std::optional<Finding> loadBuffer(std::size_t index, Buffer& target);
-  /// The file that a URI names inside the folder, or what is wrong.
-  [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
   /// The first `length` bytes of what a URI names, or what is wrong. A file must have them, a data
   /// URI may be shorter.
   [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,

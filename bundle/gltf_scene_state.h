@@ -47,7 +47,8 @@ struct GltfScene::State {
   std::vector<std::byte> added;
   std::vector<AddedView> addedViews;
   std::size_t addedAccessors = 0;
-  std::size_t addedTextures = 0; ///< and images
+  std::size_t addedTextures = 0;    ///< and images
+  std::set<std::size_t> imagesLeft; ///< to their URIs, whatever is made of the asset
   /// Attributes that were set, by mesh, primitive and name.
   std::map<std::tuple<std::size_t, std::size_t, std::string>, std::size_t> setAttributes;
 

@@ -4,6 +4,7 @@
 #include "accessor_reader.h"
 #include "gltf_scene_state.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace lichen {
@@ -201,6 +202,29 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
   };
   return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
                       check);
+}
+
+Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place,
+                                                            const std::string& attribute) {
+  const auto read = [&]() -> Result<std::optional<Range2>> {
+    const json& primitive = state_->primitive(place);
+    if (compressionOf(document(), primitive))
+      return std::optional<Range2>();
+    FindingList findings;
+    const auto values = readVectors<2>(
+        *state_->file, primitive["attributes"][attribute].get<std::size_t>(), findings);
+    if (!values)
+      return faultOf(findings, state_->path.string() + ": " + primitiveTitle(place) + ": ");
+    Range2 range{values->front(), values->front()}; // an accessor is not empty
+    for (const std::array<float, 2>& value : *values)
+      for (std::size_t k = 0; k < 2; ++k) {
+        range.least[k] = std::min(range.least[k], value[k]);
+        range.most[k] = std::max(range.most[k], value[k]);
+      }
+    return std::optional(range);
+  };
+  return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
+                      read);
 }
 
 } // namespace lichen

@@ -71,14 +71,14 @@ private:
     return list == state_.document().end() ? kNone : *list;
   }
 
-  /// Images in files become views.
+  /// Images in files and data URIs become views.
   Result<void> takeImages() {
     for (std::size_t i = 0; i < state_.countOf("images"); ++i) {
       const json& image = state_.document()["images"][i];
-      if (!namesFile(image))
+      if (stringMember(image, "uri") == nullptr || state_.imagesLeft.contains(i))
         continue;
       const Result<std::vector<std::byte>> bytes =
-          state_.file->readFileUri(*stringMember(image, "uri"));
+          state_.file->readWholeUri(*stringMember(image, "uri"));
       if (!bytes)
         return fileError(state_.path,
                          "/images/" + std::to_string(i) + "/uri: " + bytes.error().message,
@@ -228,6 +228,22 @@ private:
   std::span<const std::byte> before_; ///< of the buffer that takes what is added
   bool takesFirst_ = false;           ///< that is the document's first
 };
+
+std::vector<std::size_t> GltfScene::absentImages() const {
+  std::vector<std::size_t> absent;
+  for (std::size_t i = 0; i < state_->countOf("images"); ++i) {
+    const json& image = document()["images"][i];
+    if (!namesFile(image))
+      continue;
+    const Result<std::filesystem::path> file = state_->file->pathOf(*stringMember(image, "uri"));
+    std::error_code ignored;
+    if (file && !std::filesystem::exists(file.value(), ignored))
+      absent.push_back(i);
+  }
+  return absent;
+}
+
+void GltfScene::leaveImage(std::size_t image) { state_->imagesLeft.insert(image); }
 
 Result<void> GltfScene::write(const std::filesystem::path& path) {
   const std::filesystem::path extension = path.extension();

@@ -3,7 +3,7 @@
 // them, and the resulting errors. Text from files is sanitised for one-line messages.
 #pragma once
 
-#include <lichen/result.h>
+#include <lichen/image_io.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +31,12 @@ struct Expansion {
 /// badInput if a side is outside [1, kMaxImageSide].
 [[nodiscard]] Result<void> checkSides(const std::string& name, std::uint64_t width,
                                       std::uint64_t height);
+
+/// Calls the caller's check of the size, if there is one.
+[[nodiscard]] inline Result<void> checkWanted(const SizeCheck& check, std::uint64_t width,
+                                              std::uint64_t height) {
+  return check ? check(int(width), int(height)) : Result<void>();
+}
 
 /// badInput if `fileBytes` bytes cannot expand to `decoded` bytes.
 [[nodiscard]] Result<void> checkExpansion(const std::string& name, std::uint64_t decoded,

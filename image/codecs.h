@@ -7,9 +7,11 @@
 
 namespace lichen {
 
-[[nodiscard]] Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& name);
-[[nodiscard]] Result<ImageFile> decodeJpeg(std::span<const std::byte> file,
-                                           const std::string& name);
-[[nodiscard]] Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& name);
+[[nodiscard]] Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& name,
+                                          const SizeCheck& check);
+[[nodiscard]] Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string& name,
+                                           const SizeCheck& check);
+[[nodiscard]] Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& name,
+                                          const SizeCheck& check);
 
 } // namespace lichen

@@ -179,7 +179,8 @@ Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& im
 
 } // namespace
 
-Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& name) {
+Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& name,
+                            const SizeCheck& check) {
   const Result<ExrHeader> headerResult = readExrHeader(file, name);
   if (!headerResult)
     return headerResult.error();
@@ -188,11 +189,14 @@ Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& 
   if (!chosenResult)
     return chosenResult.error();
   const std::vector<std::string>& chosen = chosenResult.value();
+  const auto width = header.dataWindow.width(), height = header.dataWindow.height();
+  if (Result<void> wanted = checkWanted(check, std::uint64_t(width), std::uint64_t(height));
+      !wanted)
+    return wanted.error();
 
   ImageFile result;
   result.bitsPerChannel = 32;
-  LinearImage image(int(header.dataWindow.width()), int(header.dataWindow.height()),
-                    int(chosen.size()));
+  LinearImage image(int(width), int(height), int(chosen.size()));
   try {
     readPixels(file, header, chosen, image);
   } catch (const std::bad_alloc&) {

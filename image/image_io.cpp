@@ -115,26 +115,27 @@ Result<void> write(const std::filesystem::path& path, const AnyImage& image) {
 
 } // namespace
 
-Result<ImageFile> decodeImage(std::span<const std::byte> file, const std::string& name) {
+Result<ImageFile> decodeImage(std::span<const std::byte> file, const std::string& name,
+                              const SizeCheck& check) {
   try {
     if (startsWith(file, kPngSignature))
-      return decodePng(file, name);
+      return decodePng(file, name, check);
     if (startsWith(file, kJpegSignature))
-      return decodeJpeg(file, name);
+      return decodeJpeg(file, name, check);
     if (startsWith(file, kExrSignature))
-      return decodeExr(file, name);
+      return decodeExr(file, name, check);
     return notAnImage(file, name);
   } catch (const std::bad_alloc&) {
     return outOfMemory(name, "decode the image");
   }
 }
 
-Result<ImageFile> readImage(const std::filesystem::path& path) {
+Result<ImageFile> readImage(const std::filesystem::path& path, const SizeCheck& check) {
   try {
     const Result<std::vector<std::byte>> file = readFile(path);
     if (!file)
       return file.error();
-    Result<ImageFile> stored = decodeImage(file.value(), path.string());
+    Result<ImageFile> stored = decodeImage(file.value(), path.string(), check);
     if (!stored)
       return stored;
     return upright(std::move(stored).value());

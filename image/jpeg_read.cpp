@@ -190,13 +190,16 @@ void convertCmykRow(const std::vector<JSAMPLE>& row, bool inverted, float* rgb) 
 
 } // namespace
 
-Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string& name) {
+Result<ImageFile> decodeJpeg(std::span<const std::byte> file, const std::string& name,
+                             const SizeCheck& check) {
   JpegReader reader(file);
   if (!reader.readHeader())
     return reader.error(name);
   if (Result<void> header = checkHeader(reader, file.size(), name); !header)
     return header.error();
   const jpeg_decompress_struct& info = reader.info();
+  if (Result<void> wanted = checkWanted(check, info.image_width, info.image_height); !wanted)
+    return wanted.error();
   const int orientation = exifOrientation(reader.exif());
   const bool grey = info.num_components == 1;
   const bool cmyk = info.num_components == 4;

@@ -192,7 +192,8 @@ void describeExpansion(const PngHeader& header, bool transparentColour,
 
 } // namespace
 
-Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& name) {
+Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& name,
+                            const SizeCheck& check) {
   const Result<PngHeader> headerResult = readPngHeader(file, name);
   if (!headerResult)
     return headerResult.error();
@@ -204,6 +205,8 @@ Result<ImageFile> decodePng(std::span<const std::byte> file, const std::string& 
           checkExpansion(name, header.height * (bitsPerRow / 8), file.size(), kDeflate);
       !fits)
     return fits.error();
+  if (Result<void> wanted = checkWanted(check, header.width, header.height); !wanted)
+    return wanted.error();
 
   PngReader reader(file);
   if (!reader.start())

@@ -79,6 +79,32 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
   return chosen;
 }
 
+Result<ChosenMaterials> shadedMaterials(const GltfScene& scene, ChosenMaterials chosen,
+                                        std::vector<std::string>& notes) {
+  std::vector<std::string> others;
+  std::string first; // that is shaded otherwise
+  std::erase_if(chosen.indices, [&](std::size_t material) {
+    const nlohmann::json& described = scene.document()["materials"][material];
+    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"})
+      if (described.contains(
+              nlohmann::json::json_pointer("/extensions/" + std::string(extension)))) {
+        others.push_back(scene.materialTitle(material));
+        if (first.empty())
+          first = fmt::format("{} has {}, which goes with no noise", others.front(), extension);
+        return true;
+      }
+    return false;
+  });
+  constexpr const char* kInstead = "a material without it is accepted";
+  if (!others.empty() && (!chosen.areAll || chosen.indices.empty()))
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {}; {}", scene.path().string(), first, kInstead)};
+  if (!others.empty())
+    notes.push_back(fmt::format("{}: {} left out, since {}; {}", scene.path().string(),
+                                shortList(others), first, kInstead));
+  return chosen;
+}
+
 Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, const GltfScene& scene,
                                                const ChosenMaterials& chosen,
                                                const std::string& option,

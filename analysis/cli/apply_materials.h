@@ -21,6 +21,12 @@ struct ChosenMaterials {
 [[nodiscard]] Result<ChosenMaterials> findMaterials(const GltfScene& scene,
                                                     const std::vector<std::string>& wanted);
 
+/// Those that are shaded by glTF's metallic-roughness model, whose textures a noise takes the place
+/// of. Where all of the scene were asked for, the others are left out with a note. Errors: badInput
+/// for one that was named, or where none is left.
+[[nodiscard]] Result<ChosenMaterials>
+shadedMaterials(const GltfScene& scene, ChosenMaterials chosen, std::vector<std::string>& notes);
+
 /// Those of which all primitives have the attribute, which `option` needs. Where all of the scene
 /// were asked for, the others are left out with a note. Errors: badInput for one that was named, or
 /// where none is left; `instead` names what is accepted.

@@ -6,6 +6,7 @@
 #include <lichen/image_io.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -122,9 +123,64 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
                       });
 }
 
+/// Whether a texture repeats along u and v. One that was added does not.
+std::array<bool, 2> repeats(const GltfScene& scene, std::size_t texture) {
+  constexpr std::uint64_t kRepeat = 10497, kClampToEdge = 33071; // [glTF 2.0, section 5.26]
+  const nlohmann::json& document = scene.document();
+  const auto number = [&](const std::string& place) -> std::optional<std::uint64_t> {
+    const nlohmann::json::json_pointer pointer(place);
+    if (!document.contains(pointer) || !document[pointer].is_number_unsigned())
+      return std::nullopt;
+    return document[pointer].get<std::uint64_t>();
+  };
+  const std::string place = fmt::format("/textures/{}", texture);
+  if (!document.contains(nlohmann::json::json_pointer(place)))
+    return {false, false};
+  const std::optional<std::uint64_t> sampler = number(place + "/sampler");
+  const auto isRepeated = [&](const char* axis) {
+    const auto wrap =
+        sampler ? number(fmt::format("/samplers/{}/{}", *sampler, axis)) : std::nullopt;
+    return wrap.value_or(kRepeat) != kClampToEdge;
+  };
+  return {isRepeated("wrapS"), isRepeated("wrapT")};
+}
+
+/// A note where texture coordinates lead out of the mask.
+Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materials,
+                           std::size_t texture, std::vector<std::string>& notes) {
+  constexpr float kSlack = 0.001f; // what exporters round, far below a texel
+  std::string first;
+  std::size_t count = 0;
+  for (const std::size_t material : materials)
+    for (const PrimitivePlace place : scene.primitivesOf(material)) {
+      const Result<std::optional<GltfScene::Range2>> read = scene.rangeOf(place, "TEXCOORD_0");
+      if (!read)
+        return read.error();
+      if (!read.value())
+        continue; // compressed
+      const auto& [least, most] = *read.value();
+      const auto leaves = [&](std::size_t axis) {
+        return least[axis] < -kSlack || most[axis] > 1.0f + kSlack;
+      };
+      if (!(leaves(0) || leaves(1)) || count++ > 0)
+        continue;
+      const auto [repeatsU, repeatsV] = repeats(scene, texture);
+      const bool isClamped = (leaves(0) && !repeatsU) || (leaves(1) && !repeatsV);
+      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) leaves 0 to 1, "
+                          "where the mask of the mix lies; outside, {}",
+                          scene.primitiveTitle(place), least[0], least[1], most[0], most[1],
+                          isClamped ? "its border continues" : "it repeats");
+    }
+  if (count > 0)
+    notes.push_back(fmt::format("{}: {}{}", scene.path().string(), first,
+                                count > 1 ? fmt::format("; so do {} more", count - 1) : ""));
+  return {};
+}
+
 /// As chosenMix().
 Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
-                           std::span<const std::size_t> materials, GltfScene& scene) {
+                           std::span<const std::size_t> materials, GltfScene& scene,
+                           std::vector<std::string>& notes) {
   MixWeight mix;
   mix.channel = options.channel.value_or(0);
   Result<void> there;
@@ -153,6 +209,8 @@ Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
   if (!texture)
     return texture.error();
   mix.texture = texture.value();
+  if (Result<void> noted = noteMaskRange(scene, materials, mix.texture, notes); !noted)
+    return noted.error();
   return mix;
 }
 
@@ -179,11 +237,12 @@ void addMixOptions(CLI::App& verb, MixOptions& options) {
 }
 
 Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const MaterialNoise& use,
-                            std::span<const std::size_t> materials, GltfScene& scene) {
+                            std::span<const std::size_t> materials, GltfScene& scene,
+                            std::vector<std::string>& notes) {
   if (options.isGiven()) {
     if (Result<void> checked = check(options, noise); !checked)
       return checked.error();
-    return givenMix(options, use, materials, scene);
+    return givenMix(options, use, materials, scene, notes);
   }
   if (use.mix.source == MixSource::texture)
     return MixWeight{}; // of another file

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace lichen::cli {
 
@@ -28,11 +29,12 @@ struct MixOptions {
 void addMixOptions(CLI::App& verb, MixOptions& options);
 
 /// The source that was chosen, or without one that of `use`, whose mapping and texture coordinates
-/// are as they will be. A file becomes a texture of the scene.
-/// Errors: usage for options that do not go together or with the noise, badInput where the scene or
-/// the file is not what they need.
+/// are as they will be. A file becomes a texture of the scene; a mesh that reaches beyond it is
+/// noted. Errors: usage for options that do not go together or with the noise, badInput where the
+/// scene or the file is not what they need.
 [[nodiscard]] Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise,
                                           const MaterialNoise& use,
-                                          std::span<const std::size_t> materials, GltfScene& scene);
+                                          std::span<const std::size_t> materials, GltfScene& scene,
+                                          std::vector<std::string>& notes);
 
 } // namespace lichen::cli

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace lichen::cli {
 namespace {
@@ -21,6 +22,18 @@ struct Slot {
   std::vector<MapChannel> channels;
 };
 
+const std::vector<Slot>& coreSlots() {
+  static const std::vector<Slot> slots{
+      {"/pbrMetallicRoughness/baseColorTexture", MapTarget::baseColor, {MapChannel::red}},
+      {"/normalTexture", MapTarget::normal, {MapChannel::slopeX}},
+      {"/pbrMetallicRoughness/metallicRoughnessTexture",
+       MapTarget::occlusionRoughnessMetallic,
+       {MapChannel::roughness, MapChannel::metallic}},
+      {"/occlusionTexture", MapTarget::occlusionRoughnessMetallic, {MapChannel::occlusion}},
+      {"/emissiveTexture", MapTarget::emissive, {MapChannel::red}}};
+  return slots;
+}
+
 bool takesWholePlaceOf(const Noise& noise, const Slot& slot) {
   const std::optional<std::size_t> map = findMap(noise, slot.target);
   if (!map)
@@ -31,22 +44,58 @@ bool takesWholePlaceOf(const Noise& noise, const Slot& slot) {
   });
 }
 
+/// The textures of a material that are still seen beside the noise, or without one all of them.
+void addTextures(const json& value, const std::string& pointer, const Noise* noise, bool hasAlpha,
+                 std::set<std::size_t>& textures) {
+  if (!value.is_structured())
+    return;
+  if (noise != nullptr)
+    for (const Slot& slot : coreSlots())
+      if (pointer == slot.place && takesWholePlaceOf(*noise, slot) &&
+          (slot.target != MapTarget::baseColor || !hasAlpha || findMap(*noise, MapTarget::opacity)))
+        return;
+  if (value.is_object() && value.contains("index") && value["index"].is_number_unsigned())
+    textures.insert(value["index"].get<std::size_t>());
+  for (const auto& [key, member] : value.items())
+    addTextures(member, pointer + "/" + key, noise, hasAlpha, textures);
+}
+
+/// The images of a texture, those that an extension names too.
+void addImages(const json& texture, std::set<std::size_t>& images) {
+  for (const auto& [key, member] : texture.items())
+    if (key == "source" && member.is_number_unsigned())
+      images.insert(member.get<std::size_t>());
+    else if (member.is_object())
+      addImages(member, images);
+}
+
+/// Images that a viewer of the noise shows.
+std::set<std::size_t> imagesInUse(const GltfScene& scene, std::span<const std::size_t> materials,
+                                  const Noise& noise, const MixWeight& mix) {
+  std::set<std::size_t> textures, images;
+  if (mix.source == MixSource::texture)
+    textures.insert(mix.texture);
+  for (std::size_t m = 0; m < scene.materialCount(); ++m) {
+    const json& material = scene.document()["materials"][m];
+    const bool hasNoise = std::find(materials.begin(), materials.end(), m) != materials.end();
+    const bool hasAlpha = material.contains("alphaMode") && material["alphaMode"] != "OPAQUE";
+    addTextures(material, "", hasNoise ? &noise : nullptr, hasAlpha, textures);
+  }
+  for (const std::size_t texture : textures)
+    if (const json::json_pointer place("/textures/" + std::to_string(texture));
+        scene.document().contains(place))
+      addImages(scene.document()[place], images);
+  return images;
+}
+
 } // namespace
 
 std::vector<std::string> notesOnTextures(const GltfScene& scene,
                                          std::span<const std::size_t> materials,
                                          const Noise& noise) {
-  const std::vector<Slot> slots{
-      {"/pbrMetallicRoughness/baseColorTexture", MapTarget::baseColor, {MapChannel::red}},
-      {"/normalTexture", MapTarget::normal, {MapChannel::slopeX}},
-      {"/pbrMetallicRoughness/metallicRoughnessTexture",
-       MapTarget::occlusionRoughnessMetallic,
-       {MapChannel::roughness, MapChannel::metallic}},
-      {"/occlusionTexture", MapTarget::occlusionRoughnessMetallic, {MapChannel::occlusion}},
-      {"/emissiveTexture", MapTarget::emissive, {MapChannel::red}}};
   std::vector<std::string> staying;
   for (const std::size_t material : materials)
-    for (const Slot& slot : slots) {
+    for (const Slot& slot : coreSlots()) {
       const json::json_pointer place(slot.place);
       if (!takesWholePlaceOf(noise, slot) &&
           scene.document()["materials"][material].contains(place))
@@ -57,6 +106,23 @@ std::vector<std::string> notesOnTextures(const GltfScene& scene,
   return {fmt::format("{}: {} {}: the noise has no such map, or not all its channels",
                       scene.path().string(), shortList(staying),
                       staying.size() == 1 ? "stays" : "stay")};
+}
+
+void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> materials,
+                         const Noise& noise, const MixWeight& mix,
+                         std::vector<std::string>& notes) {
+  const std::vector<std::size_t> absent = scene.absentImages();
+  if (absent.empty())
+    return;
+  const std::set<std::size_t> used = imagesInUse(scene, materials, noise, mix);
+  for (const std::size_t image : absent) {
+    if (used.contains(image))
+      continue;
+    scene.leaveImage(image);
+    notes.push_back(fmt::format(
+        "{}: /images/{}: the file '{}' is absent; beside the noise nothing shows it",
+        scene.path().string(), image, scene.document()["images"][image]["uri"].get<std::string>()));
+  }
 }
 
 } // namespace lichen::cli

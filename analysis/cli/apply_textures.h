@@ -15,4 +15,10 @@ namespace lichen::cli {
 [[nodiscard]] std::vector<std::string>
 notesOnTextures(const GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
+/// An image whose file is absent and that nothing shows, since the noise takes the place of all
+/// textures that use it, keeps its URI in a .glb too, with a note. For another absent image
+/// GltfScene::write() fails. `mix` is that of the materials.
+void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> materials,
+                         const Noise& noise, const MixWeight& mix, std::vector<std::string>& notes);
+
 } // namespace lichen::cli

@@ -43,6 +43,11 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addMix(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);
 
+/// What is under the options of a verb that writes a bundle for others to use.
+inline constexpr const char* kDroppedByOthers =
+    "Tools that rewrite glTF files, such as Blender and optimizers, drop the noise: run 'lichen "
+    "apply' last.";
+
 /// What can be refused before the work is done: a name with none of the two extensions (usage), a
 /// folder that is absent (environment).
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,

@@ -11,6 +11,7 @@
 #include "noise_choice.h"
 #include "options.h"
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -228,16 +229,20 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!opened)
     return opened.error();
   GltfScene& scene = opened.value();
-  const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
+  Outcome outcome;
+  const Result<ChosenMaterials> found = findMaterials(scene, arguments.materials);
+  if (!found)
+    return found.error();
+  const Result<ChosenMaterials> chosen = shadedMaterials(scene, found.value(), outcome.notes);
   if (!chosen)
     return chosen.error();
   MaterialNoise use = parametersOf(bundle, index, arguments);
-  Outcome outcome;
   const Result<std::vector<std::size_t>> materials =
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
   if (!materials)
     return materials.error();
-  const Result<MixWeight> mix = chosenMix(arguments.mix, noise, use, materials.value(), scene);
+  const Result<MixWeight> mix =
+      chosenMix(arguments.mix, noise, use, materials.value(), scene, outcome.notes);
   if (!mix)
     return mix.error();
   use.mix = mix.value();
@@ -256,6 +261,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   outcome.noise = std::move(applied).value();
   if (arguments.setsFactors)
     setFactorsToOne(scene, materials.value(), noise);
+  leaveReplacedImages(scene, materials.value(), noise, use.mix, outcome.notes);
   if (Result<void> written = scene.write(arguments.output); !written)
     return written.error();
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
@@ -327,6 +333,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addApplyOptions(verb));
   arguments->verb = &verb;
+  verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };
 }
 

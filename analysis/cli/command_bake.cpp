@@ -13,6 +13,7 @@
 
 #include <lichen/bundle_writer.h>
 
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -147,6 +148,8 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
+  arguments.exemplar.use =
+      arguments.method.method == Method::texton ? ExemplarUse::textons : ExemplarUse::tiling;
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)
@@ -222,6 +225,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addBakeOptions(verb));
   arguments->verb = &verb;
+  verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };
 }
 

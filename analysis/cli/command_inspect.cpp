@@ -71,10 +71,12 @@ Result<std::size_t> bytesOnDisk(const std::string& path) {
     // Buffers without tables were not looked at when the bundle was read.
     if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
       continue;
-    const auto& uri = buffer["uri"].get_ref<const std::string&>();
+    const auto relative = pathOfUri(buffer["uri"].get_ref<const std::string&>());
+    const auto beside = relative ? fileInside(folderOf(path), *relative) : std::nullopt;
+    if (!beside)
+      continue;
     std::error_code absent;
-    const std::uintmax_t bytes =
-        std::filesystem::file_size(std::filesystem::path(path).parent_path() / uri, absent);
+    const std::uintmax_t bytes = std::filesystem::file_size(*beside, absent);
     if (!absent)
       sum += std::size_t(bytes);
   }

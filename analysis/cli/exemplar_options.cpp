@@ -2,6 +2,8 @@
 // Files and options -> exemplars.
 #include "exemplar_options.h"
 
+#include "available_memory.h"
+
 #include <lichen/image_io.h>
 
 #include <fmt/core.h>
@@ -28,6 +30,16 @@ ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Fla
   if (!originals.empty())
     origin.original = std::move(originals[m]);
   return origin;
+}
+
+/// Of each map, where options say how many.
+std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
+  const auto product = [](int a, int b) { return std::uint64_t(a) * std::uint64_t(b); };
+  if (options.set.size)
+    return product((*options.set.size)[0], (*options.set.size)[1]);
+  if (options.crop)
+    return product((*options.crop)[2], (*options.crop)[3]);
+  return std::nullopt;
 }
 
 } // namespace
@@ -59,6 +71,10 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
     const auto [x, y, width, height] = *options.crop;
     reading.crop = PixelRectangle{x, y, width, height};
   }
+  MemoryNeed need(options.use, keptPixels(options), availableMemory());
+  reading.sizeCheck = [&](const std::filesystem::path& file, int width, int height) {
+    return need.add(file.string(), width, height);
+  };
   const std::vector<std::filesystem::path> paths(inputs.begin(), inputs.end());
   Result<MaterialSet> set = readMaterialSet(paths, reading);
   if (!set)

@@ -5,6 +5,7 @@
 
 #include "bake_risks.h"
 #include "command.h"
+#include "memory_need.h"
 
 #include <lichen/material_set.h>
 #include <lichen/noise_report.h>
@@ -21,6 +22,7 @@ struct ExemplarOptions {
   std::optional<std::array<int, 4>> crop;
   Flattening flattening;
   bool keepsOriginals = false; ///< of maps that are flattened
+  ExemplarUse use = ExemplarUse::comparison;
 };
 
 /// Exemplars, and how they came from their files.

@@ -132,9 +132,12 @@ FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::stri
 }
 
 /// Appends the map of one file, and its alpha as a map where that is wanted.
-Result<void> appendMaps(SetFile source, const SetFiles& files, AlphaUse alphaUse,
+Result<void> appendMaps(SetFile source, const SetFiles& files, const MaterialSetOptions& options,
                         std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
-  Result<ImageFile> file = readImage(source.path);
+  SizeCheck check;
+  if (options.sizeCheck)
+    check = [&](int width, int height) { return options.sizeCheck(source.path, width, height); };
+  Result<ImageFile> file = readImage(source.path, check);
   if (!file)
     return file.error();
   const std::string name = files.isSingleImage ? "the image" : source.path.filename().string();
@@ -147,7 +150,7 @@ Result<void> appendMaps(SetFile source, const SetFiles& files, AlphaUse alphaUse
   if (!map)
     return map.error();
   maps.push_back({std::move(map).value(), name});
-  if (source.role != FileRole::baseColor || alphaUse == AlphaUse::ignore) {
+  if (source.role != FileRole::baseColor || options.alpha == AlphaUse::ignore) {
     const bool hasOpacity =
         std::any_of(files.files.begin(), files.files.end(),
                     [](const SetFile& other) { return other.role == FileRole::opacity; });
@@ -302,7 +305,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
   MaterialSet set{files.name, {}, options.periodic, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
-    if (Result<void> read = appendMaps(file, files, options.alpha, maps, set.notes); !read)
+    if (Result<void> read = appendMaps(file, files, options, maps, set.notes); !read)
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();

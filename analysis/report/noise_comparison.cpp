@@ -14,6 +14,13 @@ constexpr int kResultExemplars = 4; // a side
 /// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
 constexpr int kLargestSide = 4096;
 
+std::string listOf(const std::vector<MapChannel>& channels) {
+  std::string list;
+  for (const MapChannel channel : channels)
+    list += (list.empty() ? "" : ", ") + std::string(nameOf(channel));
+  return list;
+}
+
 /// The noise's map that the exemplar is of.
 Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
                               const MapExemplar& exemplar) {
@@ -26,9 +33,10 @@ Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
                                        std::string(nameOf(exemplar.target))};
   const NoiseMap& map = bundle.noises[noise].maps[*place];
   if (map.channels != exemplar.channels)
-    return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
-                                          std::string(nameOf(map.target)) + " of noise '" +
-                                          bundle.noises[noise].name + "'"};
+    return Error{ErrorKind::badInput, "the map " + std::string(nameOf(map.target)) + " of noise '" +
+                                          bundle.noises[noise].name + "' has the channels " +
+                                          listOf(map.channels) + "; the exemplar has " +
+                                          listOf(exemplar.channels)};
   return &map;
 }
 

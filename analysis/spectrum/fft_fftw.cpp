@@ -29,10 +29,11 @@ std::unique_ptr<T[], FftwFree> allocate(std::size_t count) {
   return std::unique_ptr<T[], FftwFree>(static_cast<T*>(memory));
 }
 
-/// Only fftwf_execute is thread-safe; making and destroying plans is not.
-std::mutex& plannerMutex() {
-  static std::mutex mutex;
-  return mutex;
+/// Only fftwf_execute is thread-safe; making and destroying plans is not, of anyone in the process.
+/// From here on FFTW locks its planner itself, which a host that plans too shares.
+void lockPlanner() {
+  static std::once_flag once;
+  std::call_once(once, fftwf_make_planner_thread_safe);
 }
 
 /// A plan made by FFTW_ESTIMATE, which looks at no clock: the same one each time.
@@ -40,17 +41,14 @@ class Plan {
 public:
   template <class MakePlan>
   explicit Plan(MakePlan make) {
-    const std::lock_guard lock(plannerMutex());
+    lockPlanner();
     plan_ = make();
     if (plan_ == nullptr)
       throw std::bad_alloc();
   }
   Plan(const Plan&) = delete;
   Plan& operator=(const Plan&) = delete;
-  ~Plan() {
-    const std::lock_guard lock(plannerMutex());
-    fftwf_destroy_plan(plan_);
-  }
+  ~Plan() { fftwf_destroy_plan(plan_); }
   void execute() const { fftwf_execute(plan_); }
 
 private:

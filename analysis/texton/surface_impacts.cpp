@@ -83,7 +83,8 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
     const float grid = at.position[k] * tilesPerMetre * noise.columnsPerTile;
     const float cell = std::floor(grid);
     inside[k] = grid - cell;
-    surface.cell[k] = std::uint32_t(std::int32_t(cell)) + std::uint32_t(origin[k]);
+    // 64 bits: 2^28 tiles may have 2^46 cubes.
+    surface.cell[k] = std::uint32_t(std::int64_t(cell)) + std::uint32_t(origin[k]);
     const float middle = inside[k] + (shift[0] * frame.right[k] + shift[1] * frame.down[k]) / side;
     const float reach = (impacts.radius[0] * std::abs(frame.right[k]) +
                          impacts.radius[1] * std::abs(frame.down[k]) +

@@ -4,6 +4,7 @@
 #include "cycle_canceling.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen::transport {
 namespace {
@@ -15,6 +16,12 @@ constexpr std::size_t kLanes = 16;
 /// difference of two products of three terms, each rounded by 2^-24 of up to the block's largest
 /// coordinate squared, tens of times the largest exchange in a small block; a path adds several.
 constexpr float kRelativeTolerance = 1e-5f;
+
+/// Rounds of finding and cancelling cycles. No useful bound is known for cycles of any choice
+/// [K67], and rounding could undo what a round has gained. From the worst start, each point at its
+/// farthest target, 20,000 sets of 2 to 64 points took 2.2 rounds a point at most; a start that is
+/// nearly optimal takes few. What is left after the last round is a valid assignment.
+constexpr std::size_t kMostRoundsPerPoint = 8;
 
 /// One Bellman-Ford sweep: distance[j] <- min(distance[j], distance[i] + exchange[i][j]) for every
 /// i in turn, with the i that gave the value in parent[j]. Returns whether anything changed.
@@ -108,9 +115,12 @@ void CycleCanceling::solve(std::span<const Point> source, std::span<Point> targe
   mark_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     fillRow(source, target, i);
-  const float tolerance =
-      kRelativeTolerance * *std::max_element(exchange_.begin(), exchange_.end());
-  for (;;) {
+  // By magnitude: in the worst start no exchange is positive.
+  const float largest =
+      std::abs(*std::max_element(exchange_.begin(), exchange_.end(),
+                                 [](float a, float b) { return std::abs(a) < std::abs(b); }));
+  const float tolerance = kRelativeTolerance * largest;
+  for (std::size_t left = kMostRoundsPerPoint * count; left > 0; --left) {
     std::fill(distance_.begin(), distance_.end(), 0.0f);
     std::fill(parent_.begin(), parent_.end(), -1);
     cycles_.clear();

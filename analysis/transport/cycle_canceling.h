@@ -16,7 +16,7 @@ namespace lichen::transport {
 class CycleCanceling {
 public:
   /// Reorders `target` (and `targetIndex` with it) so that sum <source[i], target[i]> is largest,
-  /// up to rounding. The spans have one size n; O(n^2) for each sweep.
+  /// up to rounding. The spans have one size n; O(n^2) for each sweep, O(n^4) in all at most.
   void solve(std::span<const Point> source, std::span<Point> target,
              std::span<std::uint32_t> targetIndex);
 

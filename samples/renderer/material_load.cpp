@@ -3,6 +3,8 @@
 // KHR_materials_emissive_strength, and what the renderer needs of LICHEN_materials_exemplar_noise.
 #include "material_load.h"
 
+#include "printable.h"
+
 #include <lichen/bundle.h>
 #include <lichen/image_io.h>
 
@@ -146,6 +148,27 @@ void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material&
   slot.texCoord = integer(other.IsInt() ? other : at(info, "texCoord"), 1);
 }
 
+/// Whether a noise has these channels of a target, so that no core texture of them is drawn.
+bool brings(const tinygltf::Value& noise, MapTarget target,
+            std::initializer_list<MapChannel> channels) {
+  const tinygltf::Value& maps = at(noise, "maps");
+  for (int m = 0; m < int(maps.ArrayLen()); ++m) {
+    const tinygltf::Value& map = at(maps, m);
+    const tinygltf::Value& name = at(map, "target");
+    if (!name.IsString() || name.Get<std::string>() != nameOf(target))
+      continue;
+    const tinygltf::Value& list = at(map, "channels");
+    const auto has = [&](MapChannel channel) {
+      for (int c = 0; c < int(list.ArrayLen()); ++c)
+        if (at(list, c).IsString() && at(list, c).Get<std::string>() == nameOf(channel))
+          return true;
+      return false;
+    };
+    return std::all_of(channels.begin(), channels.end(), has);
+  }
+  return false;
+}
+
 /// Info is one of tinygltf's three textureInfo structs. The image index refers to the file's
 /// images; readMaterials() replaces it.
 template <class Info>
@@ -226,6 +249,31 @@ TextureImage asBytes(const SrgbImage& image) {
   return result;
 }
 
+/// The slots of a material whose place its noise takes.
+std::vector<const TextureSlot*> replacedSlots(const tinygltf::Model& model,
+                                              const tinygltf::Material& source,
+                                              const Material& material) {
+  const tinygltf::Value* use = extension(source.extensions, kExtensionName.data());
+  if (use == nullptr)
+    return {};
+  const tinygltf::Value& noise = noiseOf(model, *use);
+  const auto orm = MapTarget::occlusionRoughnessMetallic;
+  std::vector<const TextureSlot*> slots;
+  const auto add = [&](const TextureSlot& slot, bool isReplaced) {
+    if (isReplaced)
+      slots.push_back(&slot);
+  };
+  add(material.baseColorTexture, brings(noise, MapTarget::baseColor, {MapChannel::red}) &&
+                                     (material.alphaMode == AlphaMode::opaque ||
+                                      brings(noise, MapTarget::opacity, {MapChannel::opacity})));
+  add(material.metallicRoughnessTexture,
+      brings(noise, orm, {MapChannel::roughness, MapChannel::metallic}));
+  add(material.normalTexture, brings(noise, MapTarget::normal, {MapChannel::slopeX}));
+  add(material.occlusionTexture, brings(noise, orm, {MapChannel::occlusion}));
+  add(material.emissiveTexture, brings(noise, MapTarget::emissive, {MapChannel::red}));
+  return slots;
+}
+
 /// The encoded file of an image: in a bufferView, or loaded by tinygltf.
 std::span<const std::byte> fileOf(const tinygltf::Model& model, const tinygltf::Image& image) {
   if (image.bufferView < 0)
@@ -235,12 +283,19 @@ std::span<const std::byte> fileOf(const tinygltf::Model& model, const tinygltf::
       .subspan(view.byteOffset, view.byteLength);
 }
 
+/// For a message.
+std::string absenceOf(const tinygltf::Model& model, std::size_t image) {
+  const std::string& uri = model.images[image].uri;
+  return "/images/" + std::to_string(image) + ": its file" +
+         (uri.empty() ? "" : " \"" + printable(uri) + "\"") + " cannot be read";
+}
+
 Result<TextureImage> decode(const tinygltf::Model& model, std::size_t index) {
   const std::span<const std::byte> bytes = fileOf(model, model.images[index]);
   const std::string name = "/images/" + std::to_string(index);
   if (bytes.empty())
-    return Error{ErrorKind::badInput, name + ": cannot read the file; it must be a PNG or JPEG in "
-                                             "the scene's folder"};
+    return Error{ErrorKind::badInput, absenceOf(model, index) + "; a PNG or JPEG inside the "
+                                                                "scene's folder"};
   Result<ImageFile> file = decodeImage(bytes, name);
   if (!file)
     return file.error();
@@ -260,12 +315,23 @@ Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
   // Decode only images that a material uses, each once.
   std::vector<std::optional<std::size_t>> indexOf(model.images.size());
   std::size_t texels = 0;
-  for (Material& material : scene.materials) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    Material& material = scene.materials[m];
+    const std::vector<const TextureSlot*> replaced =
+        m < model.materials.size() ? replacedSlots(model, model.materials[m], material)
+                                   : std::vector<const TextureSlot*>();
     for (TextureSlot* slot :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
           &material.occlusionTexture, &material.emissiveTexture, &material.mixTexture}) {
       if (!slot->image)
         continue;
+      if (fileOf(model, model.images[*slot->image]).empty() &&
+          std::find(replaced.begin(), replaced.end(), slot) != replaced.end()) {
+        scene.notes.push_back(absenceOf(model, *slot->image) + "; the noise of /materials/" +
+                              std::to_string(m) + " takes its place");
+        slot->image.reset();
+        continue;
+      }
       std::optional<std::size_t>& index = indexOf[*slot->image];
       if (!index) {
         Result<TextureImage> image = decode(model, *slot->image);

@@ -61,7 +61,9 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   vec3 grid = position * noise.columnsPerTile;
   vec3 cell = floor(grid);
   vec3 inside = grid - cell;
-  surface.cell = ivec3(cell) + ivec3(noise.cellI, noise.cellJ, noise.cellK);
+  // 2^28 tiles of 16384 texels have 2^46 cubes: cubes of 0.08 texels, for 1000 impacts of one texel.
+  surface.cell = ivec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
+                 ivec3(noise.cellI, noise.cellJ, noise.cellK);
   // An impact has the middle of its coefficients at its own place.
   vec2 shift = 0.5 * vec2(ivec2(texton.coefficientsX, texton.coefficientsY)) - impacts.middle;
   surface.place = inside * surface.axes + vec3(shift, 0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "checkout_paths.h"
 #include "command_run.h"
+
+#include "checkout_paths.h"
 
 #include <lichen/files.h>
 #include <lichen/image_io.h>
@@ -70,6 +71,10 @@ std::string readTerminal(const Terminal& terminal) {
     std::signal(SIGXFSZ, SIG_IGN); // write() then fails, as on a full disk
     const rlimit limit{limits.fileBytes, limits.fileBytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  if (limits.memoryBytes > 0) {
+    const rlimit limit{limits.memoryBytes, limits.memoryBytes};
+    ::setrlimit(RLIMIT_AS, &limit);
   }
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());

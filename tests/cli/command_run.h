@@ -23,8 +23,9 @@ struct Ended {
 };
 
 struct Limits {
-  std::size_t fileBytes = 0;  ///< writing beyond fails, as on a full disk; 0 for no limit
-  unsigned killedAfterMs = 0; ///< `signal` then; 0 for never
+  std::size_t fileBytes = 0;   ///< writing beyond fails, as on a full disk; 0 for no limit
+  std::size_t memoryBytes = 0; ///< of address space; 0 for no limit
+  unsigned killedAfterMs = 0;  ///< `signal` then; 0 for never
   int signal = SIGTERM;
   bool terminal = false;   ///< standard error is one
   bool fullOutput = false; ///< standard output takes nothing, as on a full disk

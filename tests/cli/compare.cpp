@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What `lichen compare` says of results whose distance from their exemplar is known.
+#include "bundle_surgery.h"
 #include "command_run.h"
 
+#include <lichen/files.h>
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
@@ -249,6 +251,29 @@ TEST_CASE("compare prints a line a measure with target and verdict, and nothing 
   CHECK(quiet.code == kFound);
   CHECK(quiet.output.empty());
   CHECK(quiet.errors.empty());
+}
+
+TEST_CASE("channels that do not fit their target, or are not the exemplar's, are named") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", smooth(16));
+  const auto bytes = readFile(bake(workplace, image)).value();
+  for (const std::vector<std::string>& channels :
+       {std::vector<std::string>{"red"}, {"red", "green", "metallic"}, {"slopeX", "slopeY"}}) {
+    example::GlbParts parts(bytes);
+    parts.map(0, 0)["channels"] = channels;
+    checkRefusal({"compare", image, workplace.write("other.glb", parts.join())},
+                 int(ErrorKind::badInput),
+                 {"other.glb: ", "/maps/0/channels: not those of baseColor: red, green, blue"});
+  }
+  for (const char* folder : {"one", "two"})
+    std::filesystem::create_directory(workplace.path(folder));
+  for (const char* map : {"one/rough.png", "two/rough.png", "two/ao.png"})
+    workplace.write(map, smoothGrey(16));
+  checkRefusal(
+      {"compare", workplace.path("two"), bake(workplace, workplace.path("one"), "one.glb")},
+      int(ErrorKind::badInput),
+      {"one.glb: the map occlusionRoughnessMetallic of noise 'one' has the channels roughness; the "
+       "exemplar has occlusion, roughness"});
 }
 
 TEST_CASE("compare refuses broken images and bundles in one line") {

@@ -70,6 +70,12 @@ TEST_CASE("docs/cli.md has every option that --help has, and no other") {
   }
 }
 
+TEST_CASE("bake and apply say in their help that other tools drop the noise") {
+  for (const char* verb : {"bake", "apply"})
+    CHECK_THAT(helpOf(programPath("lichen"), {verb}),
+               Catch::Contains("drop the noise: run 'lichen apply' last"));
+}
+
 TEST_CASE("docs/cli.md has every verb that lichen --help lists") {
   const std::string page = documentation();
   const std::string help = helpOf(programPath("lichen"), {});

@@ -62,7 +62,7 @@ TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk
   // Grey: one channel of 8 bits. 24 x 24 with its mips is 24, 12, 6, 3 and 1 a side.
   const std::string input = workplace.write("moss.png", smoothGrey(kSide));
   const nlohmann::json report =
-      inspected(bake(workplace, input, "moss.gltf", {"--preview", "none"}));
+      inspected(bake(workplace, input, "dry moss %.gltf", {"--preview", "none"}));
   const nlohmann::json& tables = report.at("tables");
   REQUIRE(tables.size() == 2);
   CHECK(report.at("noises")[0].at("fetchesPerPixel") == 4); // no volume

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `lichen mix` makes of photographs, and what the other verbs make of that.
+#include "bundle_example.h"
 #include "command_run.h"
 
 #include <lichen/bundle.h>
@@ -358,6 +359,41 @@ TEST_CASE("apply gives a mix its weight from every source") {
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix-texture", m.grey},
                kUsage, {"--mix-texture: noise 'stone' is no mix"});
+}
+
+TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range") {
+  const Workplace workplace;
+  const std::string mask = workplace.write("mask.png", smoothGrey(16));
+  const auto errorsOf = [&](const example::TinyScene& scene, const std::string& texture) {
+    const std::string file = workplace.write("scene.glb", scene.glb());
+    const Ended ended = runLichen({"apply", file, "--noise", made().bundle, "--material", "wood",
+                                   "--mix-texture", texture, "-o", workplace.path("out.glb")});
+    INFO(ended.errors);
+    CHECK(ended.code == 0);
+    return ended.errors;
+  };
+  example::TinyScene scene = example::tableScene();
+  auto& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  const auto cover = [&](float least, float most) {
+    attributes["TEXCOORD_0"] =
+        scene.addFloats({least, 0.0f, most, 0.0f, most, 1.0f, least, 1.0f}, "VEC2", 2);
+  };
+  cover(0.0f, 1.0f);
+  CHECK_THAT(errorsOf(scene, mask), !Catch::Contains("TEXCOORD_0"));
+  cover(-20.0f, 20.5f);
+  CHECK_THAT(
+      errorsOf(scene, mask),
+      Catch::Contains("scene.glb: primitive 0 of mesh 'table': TEXCOORD_0 from (-20, 0) to "
+                      "(20.5, 1) leaves 0 to 1, where the mask of the mix lies; outside, its "
+                      "border continues"));
+  // A texture of the scene has a sampler of its own: without one it repeats.
+  const std::size_t view = scene.addView(example::tinyPng());
+  scene.json["images"] = {{{"mimeType", "image/png"}, {"bufferView", view}}};
+  scene.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
+  scene.json["samplers"] = {{{"wrapS", 33071}}};
+  CHECK_THAT(errorsOf(scene, "0"),
+             Catch::Contains("leaves 0 to 1") && Catch::Contains("outside, it repeats"));
+  CHECK_THAT(errorsOf(scene, "1"), Catch::Contains("outside, its border continues"));
 }
 
 TEST_CASE("a direction needs texture coordinates on a surface too") {

@@ -266,3 +266,44 @@ TEST_CASE("a ball occludes its share of the sky, in one frame almost as in many"
     CHECK(std::sqrt(squares / count) < std::sqrt(randomSquares / count));
   }
 }
+
+TEST_CASE("a white plane under E lux shows E / pi times the exposure, which the scene's strongest "
+          "light and the stops set") {
+  // [glTF 2.0, appendix B] at normal incidence and roughness 1: diffuse 1 - F, specular F / 4. What
+  // is scattered twice adds 0.001.
+  constexpr double kFresnel = 0.04;
+  constexpr double kReflected = 1.0 - kFresnel + kFresnel / 4.0;
+  constexpr double kHeight = 2.0;
+  const auto radiance = [&](double lux, double moreLux, double candela, float stops) {
+    GltfScene scene;
+    addPlate(scene, {kView, 0.0, 1.0, 1.0}, -0.5f);
+    nlohmann::json& nodes = scene.json["nodes"];
+    const auto add = [&](nlohmann::json node) {
+      nodes.push_back(std::move(node));
+      scene.json["scenes"][0]["nodes"].push_back(nodes.size() - 1);
+    };
+    scene.json["cameras"] = {
+        {{"type", "orthographic"},
+         {"orthographic", {{"xmag", 0.5}, {"ymag", 0.5}, {"znear", 0.1}, {"zfar", 2}}}}};
+    add({{"camera", 0}, {"translation", {0.0, 0.5, 1.0}}});
+    scene.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    scene.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "directional"}, {"intensity", lux}},
+        {{"type", "directional"}, {"intensity", moreLux}},
+        {{"type", "point"}, {"intensity", candela}}};
+    for (int light = 0; light < 3; ++light) // along -z
+      add({{"translation", {0.0, 0.5, kHeight}},
+           {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+    RenderSettings settings = settingsUnder(black(), 1);
+    settings.exposureEv = stops;
+    return double(render(scene.glb(), settings).pixel(0, 0)[1]);
+  };
+  for (const auto& [lux, stops] : {std::pair{3.0, 0.0f}, {100000.0, 0.0f}, {100000.0, -2.5f}}) {
+    const double exposure = 1.05 * kPi / lux * std::exp2(double(stops));
+    const double moreLux = 0.25 * lux, candela = 0.5 * lux;
+    const double illuminance = lux + moreLux + candela / (kHeight * kHeight);
+    INFO(lux << " lux, " << stops << " stops");
+    CHECK(radiance(lux, moreLux, candela, stops) ==
+          Approx(kReflected * illuminance / kPi * exposure).epsilon(0.005));
+  }
+}

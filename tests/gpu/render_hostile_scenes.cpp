@@ -215,7 +215,7 @@ const std::vector<Fault> kFaults{
      [](GltfScene& s) { s.json["images"][0] = json::object(); }},
     {"an image that is not an image file", "/images/0",
      [](GltfScene& s) { s.json["images"][0]["bufferView"] = 0; }},
-    {"a missing image file", "/images/0",
+    {"a missing image file", "/images/0: its file \"absent.png\" cannot be read",
      [](GltfScene& s) {
        s.json["images"][0] = {{"uri", "absent.png"}};
      }},

@@ -310,3 +310,42 @@ TEST_CASE("a camera is found by its node's name or its own, and the error lists 
   CHECK(unknown.error().message == "--camera side: the scene has no such camera; available: auto, "
                                    "Camera.left, Camera.right, front");
 }
+
+TEST_CASE("an absent image whose place the noise takes is noted, and any other refused by name") {
+  using nlohmann::json;
+  const char* const extension = "LICHEN_materials_exemplar_noise";
+  GltfScene scene = quadScene(2);
+  scene.json["images"] = {{{"uri", "absent%20bark.png"}}};
+  scene.json["textures"] = {{{"source", 0}}};
+  json& material = scene.json["materials"][0];
+  material["extensions"][extension] = {{"noise", 0}};
+  const auto loaded = [&](const char* slot, json maps) {
+    GltfScene made = scene;
+    made.json["extensions"][extension]["noises"] = {{{"maps", std::move(maps)}, {"revision", 1}}};
+    made.json["materials"][0][json::json_pointer(slot)] = {{"index", 0}};
+    const TemporaryFolder folder;
+    return renderer::readScene(writeInto(folder, "scene.glb", made.glb()));
+  };
+  const json color{{"target", "baseColor"}, {"channels", {"red", "green", "blue"}}};
+  const json rough{{"target", "occlusionRoughnessMetallic"}, {"channels", {"roughness"}}};
+  const json opacity{{"target", "opacity"}, {"channels", {"opacity"}}};
+  const auto isNoted = [&](const char* slot, json maps) {
+    const auto read = loaded(slot, std::move(maps));
+    const std::string message = !read                        ? read.error().message
+                                : read.value().notes.empty() ? "no note"
+                                                             : read.value().notes.front();
+    INFO(message);
+    CHECK(message.find("/images/0: its file \"absent%20bark.png\" cannot be read") !=
+          std::string::npos);
+    return read.ok();
+  };
+  const char* const base = "/pbrMetallicRoughness/baseColorTexture";
+  CHECK(isNoted(base, json::array({color})));
+  CHECK_FALSE(isNoted(base, json::array({rough})));
+  // Its metallic channel is still drawn.
+  CHECK_FALSE(isNoted("/pbrMetallicRoughness/metallicRoughnessTexture", json::array({rough})));
+  CHECK_FALSE(isNoted("/normalTexture", json::array({color})));
+  material["alphaMode"] = "MASK"; // by the texture's alpha
+  CHECK_FALSE(isNoted(base, json::array({color})));
+  CHECK(isNoted(base, json::array({color, opacity})));
+}

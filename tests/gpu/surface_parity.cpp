@@ -231,6 +231,33 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
     }
 }
 
+TEST_CASE(
+    "a place on a surface far from the origin has the cubes of its tile, where there are more "
+    "than an int counts") {
+  TextonTwins twins(
+      kPass, SyntheticTexton{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1});
+  for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
+    LichenUniformInfo near = surfaceUniformInfo();
+    near.overrides |= LICHEN_OVERRIDE_IMPACTS;
+    near.impacts = 1000.0; // some thousands of cubes a tile
+    LichenUniformInfo far = near;
+    far.tileOrigin[0] = tile;
+    far.tileOrigin[1] = -tile;
+    far.tileOriginZ = tile;
+    std::vector<SurfacePoint> point(1);
+    point[0].normal = {0.0f, 0.6f, 0.8f, 0.0f};
+    point[0].tangent = {1.0f, 0.0f, 0.0f, 1.0f};
+    const auto expected = twins.shader(kGaussian, far, point);
+    point[0].position = {float(tile), float(-tile), float(tile), 0.0f};
+    const auto found = twins.shader(kGaussian, near, point);
+    const shader::LichenUniforms& u = twins.host.uniforms();
+    const auto twin = twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point[0]));
+    INFO("tile " << tile);
+    CHECK(double(found[0][0]) == Approx(double(expected[0][0])).margin(1e-5));
+    CHECK(double(twin[0]) == Approx(double(expected[0][0])).margin(1e-4));
+  }
+}
+
 TEST_CASE("on a surface the constant weight of a mix is the material's") {
   const SyntheticTexton texton{.steps = 5, .channels = 1};
   BundleFile file = syntheticTextonBundle(texton);

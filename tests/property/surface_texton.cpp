@@ -316,6 +316,25 @@ TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far
   CHECK(far.at(place, plane)[0] != Approx(near.at(place, plane)[0]).margin(1e-3));
 }
 
+TEST_CASE("a place far from the origin has the cubes of its tile, where there are more than an int "
+          "counts") {
+  const SyntheticTexton fine{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1};
+  const Plane plane({1.0, 1.0, -0.3});
+  for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
+    const MaterialNoise material = materialOf(PointProcess::stratified, 1000.0, 6);
+    Placement placement;
+    placement.tileOriginX = tile;
+    placement.tileOriginY = -tile;
+    placement.tileOriginZ = tile;
+    const Evaluation near(fine, material), moved(fine, material, placement);
+    const double texels = double(tile) * 16384.0;
+    const double there = near.at({texels, -texels, texels}, plane)[0];
+    INFO("tile " << tile);
+    CHECK(there == moved.at({0.0, 0.0, 0.0}, plane)[0]);
+    CHECK(there != Approx(near.at({0.0, 0.0, 0.0}, plane)[0]).margin(1e-3));
+  }
+}
+
 TEST_CASE("a direction is of the texture coordinates, wherever in space the tile origin is") {
   MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
   material.mix = {.source = MixSource::direction, .start = {0.5, -2.0}, .end = {3.0, 1.0}};

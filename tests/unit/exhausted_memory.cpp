@@ -13,13 +13,15 @@ thread_local int untilExhausted = 0; // counts down while positive
 thread_local bool exhausted = false;
 thread_local int spared = 0;
 thread_local std::size_t mostBytes = 0;
+thread_local std::size_t leastRefused = 0;
 
 } // namespace
 
 namespace lichen::test {
 
-ExhaustedMemory::ExhaustedMemory(int n) {
+ExhaustedMemory::ExhaustedMemory(int n, std::size_t leastBytes) {
   untilExhausted = n;
+  leastRefused = leastBytes;
   mostBytes = 0;
 }
 ExhaustedMemory::~ExhaustedMemory() {
@@ -35,7 +37,7 @@ void ExhaustedMemory::refuse() { --spared; }
 
 void* operator new(std::size_t size) {
   mostBytes = std::max(mostBytes, size);
-  if (spared == 0) {
+  if (spared == 0 && size >= leastRefused) {
     if (untilExhausted > 0 && --untilExhausted == 0)
       exhausted = true;
     if (exhausted)

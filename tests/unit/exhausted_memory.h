@@ -7,10 +7,10 @@
 namespace lichen::test {
 
 /// While it lives, the n-th allocation of this thread (1 is the next) and all after it throw
-/// std::bad_alloc.
+/// std::bad_alloc; of those of at least `leastBytes`, where smaller ones still find room.
 class ExhaustedMemory {
 public:
-  explicit ExhaustedMemory(int n = 0); ///< 0: none is refused
+  explicit ExhaustedMemory(int n = 0, std::size_t leastBytes = 0); ///< n 0: none is refused
   ~ExhaustedMemory();
   ExhaustedMemory(const ExhaustedMemory&) = delete;
   ExhaustedMemory& operator=(const ExhaustedMemory&) = delete;

@@ -9,8 +9,11 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <complex>
 #include <cstdint>
+#include <fftw3.h>
 #include <memory>
 #include <numbers>
 #include <thread>
@@ -155,6 +158,28 @@ TEST_CASE("the transforms of a patch allocate nothing") {
       }
       CHECK_FALSE(allocated);
     }
+}
+
+TEST_CASE("a host may plan with FFTW of its own while the library transforms") {
+  const std::vector<float> plane = noise(31, 29, 2);
+  const HalfSpectrum expected = forwardFftw(plane, 31, 29);
+  std::atomic<bool> isDone = false;
+  std::thread host([&] {
+    std::vector<float> in(64 * 48);
+    std::vector<std::complex<float>> out(std::size_t(64 / 2 + 1) * 48);
+    for (int size = 8; !isDone; size = size % 48 + 1) {
+      const fftwf_plan plan = fftwf_plan_dft_r2c_2d(
+          size, 64, in.data(), reinterpret_cast<fftwf_complex*>(out.data()), FFTW_ESTIMATE);
+      fftwf_destroy_plan(plan);
+    }
+  });
+  constexpr int kTransforms = 2000; // of which some met the host's without a common lock
+  int same = 0;
+  for (int k = 0; k < kTransforms; ++k)
+    same += forwardFftw(plane, 31, 29).values == expected.values ? 1 : 0;
+  isDone = true;
+  host.join();
+  CHECK(same == kTransforms);
 }
 
 TEST_CASE("the two backends agree on an image of prime sides") {

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <fstream>
 #include <malloc.h>
 #include <sys/resource.h>
@@ -65,6 +66,27 @@ TEST_CASE("every kind of sample decodes, even with bytes after its end") {
     CHECK(refusal(file) == "(no error)");
     file.insert(file.end(), 100, std::byte(0x5a));
     CHECK(refusal(file) == "(no error)");
+  }
+}
+
+TEST_CASE("a check of the size sees that of every kind of image once, and can refuse it") {
+  for (const Bytes& file : everySupportedKind()) {
+    std::vector<std::array<int, 2>> sizes;
+    const auto check = [&](int width, int height) -> Result<void> {
+      sizes.push_back({width, height});
+      return Error{ErrorKind::resources, "too large"};
+    };
+    const Result<ImageFile> refused = decodeImage(file, "file", check);
+    REQUIRE(!refused);
+    CHECK(refused.error().kind == ErrorKind::resources);
+    CHECK(refused.error().message == "too large");
+    const Result<ImageFile> decoded = decodeImage(file, "file");
+    REQUIRE(decoded);
+    std::visit(
+        [&](const auto& pixels) {
+          CHECK(sizes == std::vector{std::array{pixels.width, pixels.height}});
+        },
+        decoded.value().pixels);
   }
 }
 

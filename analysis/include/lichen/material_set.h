@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ struct MaterialSetOptions {
   std::optional<std::array<int, 2>> size;
   /// Whether resampling continues over opposite borders, as the bake's own option says.
   Periodic periodic = Periodic::detect;
+  /// Called with each file and its width and height before its pixels are decoded, so that one can
+  /// be refused for the memory that it would take. Empty: all are accepted.
+  std::function<Result<void>(const std::filesystem::path&, int width, int height)> sizeCheck;
 };
 
 /// What the files hold, ready for bakeTiling().
@@ -65,7 +69,8 @@ struct MaterialSet {
 /// colour is wanted, EXR light is encoded as sRGB, or as log2(1 + light) where it exceeds 1, and
 /// clamped to kHalfMax. Errors: badInput for images that cannot be read, a folder without a map,
 /// two files for one map, and a map with too few channels; usage for options out of range;
-/// resources for memory. Thread-safe; the same result for any number of threads.
+/// resources for memory; those of `sizeCheck`. Thread-safe; the same result for any number of
+/// threads.
 [[nodiscard]] Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> inputs,
                                                   const MaterialSetOptions& options);
 

@@ -30,7 +30,7 @@ struct NoiseComparison {
 /// size that all maps of the noise had. A mix is taken at the material's constant weight, at its
 /// first input where that has another source.
 /// Errors: usage for an index or a parameter out of range or a map that the noise has not;
-/// badInput, naming both numbers, for an exemplar of other channels; resources for memory;
+/// badInput, naming both, for an exemplar of other channels; resources for memory;
 /// environment when `progress` stops it. Deterministic.
 [[nodiscard]] Result<NoiseComparison> compareNoise(const Bundle& bundle,
                                                    const MaterialNoise& material,

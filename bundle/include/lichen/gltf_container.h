@@ -40,6 +40,10 @@ inline constexpr const char* kNotGltf = "not-gltf";
 [[nodiscard]] std::vector<std::byte> frameGlb(std::string json, std::span<const std::byte> binary,
                                               std::span<const std::byte> otherChunks = {});
 
+/// The relative path that a URI stands for, its %XX undone; nothing for a URI with a scheme, such
+/// as one of data, a malformed escape or a NUL. Throws std::bad_alloc.
+[[nodiscard]] std::optional<std::string> pathOfUri(const std::string& uri);
+
 /// The file that a relative path names, or nothing when it lies outside the folder, by its words or
 /// through a link. `folder` empty: nothing lies inside it.
 [[nodiscard]] std::optional<std::filesystem::path>

@@ -65,6 +65,15 @@ public:
   /// resources.
   [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
 
+  /// The least and the greatest value of an attribute of two components, such as "TEXCOORD_0", that
+  /// the primitive has; nothing where its vertices are compressed, which are then unread. Errors as
+  /// checkVertices().
+  struct Range2 {
+    std::array<float, 2> least{}, most{};
+  };
+  [[nodiscard]] Result<std::optional<Range2>> rangeOf(PrimitivePlace place,
+                                                      const std::string& attribute);
+
   /// Adds vertices as an accessor of floats, and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
@@ -81,6 +90,12 @@ public:
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
   [[nodiscard]] std::size_t textureCount() const; ///< with those that were added
 
+  /// Images whose files are not there; a .glb made of a .gltf cannot take them into itself. Throws
+  /// std::bad_alloc.
+  [[nodiscard]] std::vector<std::size_t> absentImages() const;
+  /// Has an image stay in its file in a .glb too. Throws std::bad_alloc.
+  void leaveImage(std::size_t image);
+
   /// Gives materials a noise of a bundle with the parameters of `use`, whose index of a noise is
   /// not used. A noise that the asset has already, from an earlier call too, is shared, and so are
   /// tables; a name that another noise has gets a number. What a material said about a noise is
@@ -90,7 +105,7 @@ public:
                                                 std::span<const std::size_t> materials);
 
   /// Writes .glb, or .gltf with new bytes in STEM.HASH.bin beside it; either kind becomes either. A
-  /// .glb made of a .gltf takes the first buffer and the images in files into itself. Errors as
+  /// .glb made of a .gltf takes the first buffer and the images into itself. Errors as
   /// replaceFile; usage where the asset names files beside it and `path` is in another folder, or
   /// for another extension; badInput for changes that the document has no place for.
   [[nodiscard]] Result<void> write(const std::filesystem::path& path);

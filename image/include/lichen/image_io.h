@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -33,6 +34,10 @@ struct ImageFile {
   int turnedFrom = 1;
 };
 
+/// Called once with the size that an image's header claims, before memory is taken for its pixels;
+/// an error refuses the image. Empty: every size is accepted.
+using SizeCheck = std::function<Result<void>(int width, int height)>;
+
 /// Decodes a PNG (1 to 16 bit; grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
 /// single-part EXR (scan line or tiled; half, float or uint; R G B A, Y A or one other channel).
 /// Detects the format from the first bytes, not from the file name. Expands palettes and low bit
@@ -45,7 +50,7 @@ struct ImageFile {
 /// or an arithmetic-coded JPEG; resources if memory does not suffice.
 /// Messages start with `name`. Thread-safe.
 [[nodiscard]] Result<ImageFile> decodeImage(std::span<const std::byte> file,
-                                            const std::string& name);
+                                            const std::string& name, const SizeCheck& check = {});
 
 /// Rotates or mirrors the image according to its orientation, adds a note, and sets the orientation
 /// to 1. May throw std::bad_alloc.
@@ -56,7 +61,8 @@ struct ImageFile {
 [[nodiscard]] std::array<float, 2> uprightDirection(std::array<float, 2> stored, int orientation);
 
 /// Reads and decodes a file, and makes it upright, the way photographs are displayed.
-[[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path);
+[[nodiscard]] Result<ImageFile> readImage(const std::filesystem::path& path,
+                                          const SizeCheck& check = {});
 
 /// Encodes a PNG without colour chunks, with 1 to 4 channels and 8 or 16 bits per channel. Clamps
 /// values to [0, 1] and rounds to the nearest code. The result is deterministic. Errors: usage for

@@ -37,14 +37,34 @@ Result<void> writeSets(const std::filesystem::path& folder) {
   return {};
 }
 
+/// A scene whose materials have other extensions and an image in a data URI.
+example::TinyScene shadedScene() {
+  example::TinyScene scene = example::tableScene();
+  const std::string dot = // a PNG of one pixel
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSu"
+      "QmCC";
+  scene.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_unlit"};
+  scene.json["images"] = {{{"uri", "data:image/png;base64," + dot}}};
+  scene.json["textures"] = {{{"source", 0}}};
+  scene.json["materials"][0]["emissiveTexture"] = {{"index", 0}};
+  scene.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1}};
+  scene.json["materials"][1]["extensions"]["KHR_materials_unlit"] =
+      nlohmann::ordered_json::object();
+  return scene;
+}
+
 /// A scene of another's, as one file and as two, and a noise for its surfaces.
 Result<void> writeScenes(const std::filesystem::path& folder) {
   const example::TinyScene scene = example::tableScene();
   const std::string text = scene.gltf("table.bin");
+  const example::TinyScene shaded = shadedScene();
+  const std::string shadedText = shaded.gltf("shaded.bin");
   for (const Result<void>& written :
        {replaceFile(folder / "table.glb", scene.glb()),
         replaceFile(folder / "table.bin", scene.binary),
         replaceFile(folder / "table.gltf", std::as_bytes(std::span(text))),
+        replaceFile(folder / "shaded.bin", shaded.binary),
+        replaceFile(folder / "shaded.gltf", std::as_bytes(std::span(shadedText))),
         writeBundle(folder / "wool.glb", example::smallTexton())})
     if (!written)
       return written;

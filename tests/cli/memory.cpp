@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What the system says of its memory, and what `lichen bake` makes of images that need more.
+#include "available_memory.h"
+#include "command_run.h"
+
+#include <lichen/result.h>
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+/// The kernel's files, as a test has them.
+class Kernel {
+public:
+  void write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder_.path() / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+  }
+  [[nodiscard]] std::optional<std::uint64_t> available() const {
+    return cli::availableMemory(folder_ / "proc", folder_ / "cgroup");
+  }
+
+private:
+  TemporaryFolder folder_;
+};
+
+constexpr std::uint64_t kMega = 1u << 20;
+
+} // namespace
+
+TEST_CASE(
+    "available memory is the least of the machine's and of what each control group has left") {
+  const Kernel kernel;
+  CHECK(!kernel.available());
+  kernel.write("proc/meminfo", "MemTotal:  4096 kB\nMemFree: 1 kB\nMemAvailable:  3072 kB\n");
+  CHECK(kernel.available() == 3 * kMega);
+  SECTION("version 2, of which a group around the process's own may have less") {
+    kernel.write("proc/self/cgroup", "0::/slice/job\n");
+    kernel.write("cgroup/slice/job/memory.max", "max\n");
+    kernel.write("cgroup/slice/job/memory.current", "1048576\n");
+    CHECK(kernel.available() == 3 * kMega);
+    kernel.write("cgroup/slice/memory.max", "3145728\n");
+    kernel.write("cgroup/slice/memory.current", "2097152\n");
+    CHECK(kernel.available() == kMega);
+    kernel.write("cgroup/slice/memory.stat", "anon 1\ninactive_file 524288\n");
+    CHECK(kernel.available() == kMega + kMega / 2);
+    kernel.write("cgroup/slice/job/memory.max", "1048576\n");
+    CHECK(kernel.available() == 0u);
+  }
+  SECTION("version 1") {
+    kernel.write("proc/self/cgroup", "9:name=systemd:/\n4:cpu,memory:/job\n0::/\n");
+    kernel.write("cgroup/memory/job/memory.limit_in_bytes", "2097152\n");
+    kernel.write("cgroup/memory/job/memory.usage_in_bytes", "1048576\n");
+    CHECK(kernel.available() == kMega);
+  }
+}
+
+// The sanitizers map more addresses than any limit here.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("an image that needs more memory than there is is refused before it is decoded") {
+  const Workplace workplace;
+  const std::string large = workplace.write("large.png", SrgbImage(4096, 4096, 1));
+  const Limits limits{.memoryBytes = 1024 * kMega};
+  const auto bake = [&](const Arguments& more) {
+    Arguments arguments{"bake", large, "-o", workplace.path("new.glb")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runLichen(arguments, limits);
+  };
+  const Ended ended = bake({});
+  CHECK(ended.code == int(ErrorKind::resources));
+  CHECK_THAT(ended.errors, Catch::Contains("large.png: 4096 x 4096 pixels need about") &&
+                               Catch::Contains("GB are available; --crop or --size"));
+  CHECK(bake({"--size", "32"}).code == 0);
+  CHECK(bake({"--crop", "0,0,32,32"}).code == 0);
+}
+#endif
