@@ -148,8 +148,7 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
-  arguments.exemplar.use =
-      arguments.method.method == Method::texton ? ExemplarUse::textons : ExemplarUse::tiling;
+  arguments.exemplar.bakeMemory = arguments.chosen().memory();
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)

@@ -71,7 +71,7 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
     const auto [x, y, width, height] = *options.crop;
     reading.crop = PixelRectangle{x, y, width, height};
   }
-  MemoryNeed need(options.use, keptPixels(options), availableMemory());
+  MemoryNeed need(options.bakeMemory, keptPixels(options), availableMemory());
   reading.sizeCheck = [&](const std::filesystem::path& file, int width, int height) {
     return need.add(file.string(), width, height);
   };

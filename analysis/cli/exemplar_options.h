@@ -22,7 +22,7 @@ struct ExemplarOptions {
   std::optional<std::array<int, 4>> crop;
   Flattening flattening;
   bool keepsOriginals = false; ///< of maps that are flattened
-  ExemplarUse use = ExemplarUse::comparison;
+  BakeMemory bakeMemory;       ///< of the method that bakes them; none for a comparison
 };
 
 /// Exemplars, and how they came from their files.

@@ -9,30 +9,9 @@
 namespace lichen::cli {
 namespace {
 
-/// Bytes a pixel of what is made of an exemplar.
-struct Share {
-  double map;     ///< of each map
-  double largest; ///< and once, of the largest map
-};
-
-// Peaks of `lichen bake`, measured beside the program's own 25 MB: of one map of 512, 1024 and 2048
-// pixels a side 139 to 148 bytes a pixel with tiling and 90 to 101 with textons, of four maps of
-// 1024 together 238 and 275; of one of 8192 with tiling 161 (docs/benchmarks.md).
-constexpr Share kTiling{32.0, 128.0};
-constexpr Share kTextons{60.0, 40.0};
-constexpr double kRead = 28.0; ///< likewise of a file, its bytes and its pixels as floats
-
-Share shareOf(ExemplarUse use) {
-  switch (use) {
-  case ExemplarUse::tiling:
-    return kTiling;
-  case ExemplarUse::textons:
-    return kTextons;
-  case ExemplarUse::comparison:
-    break;
-  }
-  return {};
-}
+/// Bytes a pixel of a file that is read: its bytes and its pixels as floats, measured at the peak
+/// of `lichen bake` beside the program's own 25 MB.
+constexpr double kRead = 28.0;
 
 } // namespace
 
@@ -42,9 +21,8 @@ Result<void> MemoryNeed::add(const std::string& name, int width, int height) {
   read_ += pixels;
   kept_ += kept;
   largestKept_ = std::max(largestKept_, kept);
-  const Share share = shareOf(use_);
   const double needed = std::max(kRead * double(read_),
-                                 share.map * double(kept_) + share.largest * double(largestKept_));
+                                 bake_.map * double(kept_) + bake_.largest * double(largestKept_));
   if (!available_ || needed <= double(*available_))
     return {};
   constexpr double kGiga = 1e9;

@@ -5,6 +5,7 @@
 
 #include "../bake_risks.h"
 #include "../command.h"
+#include "../memory_need.h"
 #include "../options.h"
 
 #include <lichen/exemplar.h>
@@ -51,6 +52,7 @@ public:
   [[nodiscard]] virtual Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic borders,
          const SharedOptions& shared) const = 0;
+  [[nodiscard]] virtual BakeMemory memory() const = 0;
   [[nodiscard]] virtual Result<MethodBake> bake(const BakeInput& input) const = 0;
   /// Members of bake --json that are measured on the finished bundle.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>

@@ -86,6 +86,8 @@ public:
     return assessTextonMaps(maps, options.support, shared);
   }
 
+  [[nodiscard]] BakeMemory memory() const override { return kTextonMemory; }
+
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TextonOptions texton = options;
     texton.bits = input.bits;
