@@ -172,8 +172,9 @@ TEST_CASE("tangents follow the texture coordinates of the normals") {
   // A noise with normals replaces the texture.
   nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
-  root["noises"] = {
-      {{"method", "tiling"}, {"revision", 1}, {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
+  root["noises"] = {{{"method", "tiling"},
+                     {"revision", 1},
+                     {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
   use["noise"] = 0;
   CHECK(tangentOf(scene) == alongY);
   use["texCoord"] = 1;
@@ -311,7 +312,8 @@ TEST_CASE("a camera is found by its node's name or its own, and the error lists 
                                    "Camera.left, Camera.right, front");
 }
 
-TEST_CASE("an absent image whose place the noise takes is noted, and any other refused by name") {
+TEST_CASE(
+    "a missing image that the noise replaces is noted, and any other is an error that names it") {
   using nlohmann::json;
   const char* const extension = "LICHEN_materials_exemplar_noise";
   GltfScene scene = quadScene(2);
@@ -321,7 +323,8 @@ TEST_CASE("an absent image whose place the noise takes is noted, and any other r
   material["extensions"][extension] = {{"noise", 0}};
   const auto loaded = [&](const char* slot, json maps) {
     GltfScene made = scene;
-    made.json["extensions"][extension]["noises"] = {{{"maps", std::move(maps)}, {"revision", 1}}};
+    made.json["extensions"][extension]["noises"] = {
+        {{"method", "tiling"}, {"maps", std::move(maps)}, {"revision", 1}}};
     made.json["materials"][0][json::json_pointer(slot)] = {{"index", 0}};
     const TemporaryFolder folder;
     return renderer::readScene(writeInto(folder, "scene.glb", made.glb()));

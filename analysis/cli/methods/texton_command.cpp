@@ -46,8 +46,8 @@ bool isSupportWhole(const TextonShape& shape) {
 /// Of the worst of some textons: "the texton is" or "the textons are" is said before.
 std::string verdict(double modelError, const TextonShape& shape) {
   if (modelError <= kCloseError)
-    return "close to the photograph's Gaussian texture";
-  return fmt::format("not close to the photograph's Gaussian texture{}",
+    return "close to the photograph's spectrum, with the colours and outlines of Gaussian noise";
+  return fmt::format("not close to the photograph's spectrum{}",
                      isSupportWhole(shape) ? "" : ", a larger --support comes closer");
 }
 
