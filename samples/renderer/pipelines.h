@@ -5,6 +5,7 @@
 #include "gpu_objects.h"
 
 #include <array>
+#include <vector>
 
 namespace lichen::renderer {
 
@@ -29,8 +30,7 @@ struct SurfaceKind {
   }
 };
 
-/// Of the pipelines that vary by material, those that a scene draws with. A driver spends most of
-/// the time that a small picture takes on compiling these.
+/// Of the pipelines that vary by material, those that a scene draws with.
 struct PipelinesUsed {
   std::array<bool, 8> surfaces{};      ///< by SurfaceKind::index()
   std::array<bool, 2> depthWithGaps{}; ///< as Pipelines::depthWithGaps
@@ -71,9 +71,34 @@ struct SurfaceConstants {
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
-/// Culling and front face are dynamic.
-[[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                                        const SurfaceConstants& constants,
-                                        const PipelinesUsed& used);
+/// The pipelines of all scenes on one device. Each is made when a scene first draws with it and
+/// lives as long as the store: a driver may take longer to compile one than to draw a small
+/// picture. Not for several threads at once.
+class PipelineStore {
+public:
+  explicit PipelineStore(VkDevice device) : objects_(device) {}
+
+  /// Those that `used` asks for. The set layouts of all calls must be defined identically, and need
+  /// not outlive the call. Culling and front face are dynamic. Throws a Failure.
+  [[nodiscard]] Pipelines pipelinesFor(const PipelineLayouts& layouts,
+                                       const SurfaceConstants& constants,
+                                       const PipelinesUsed& used);
+
+private:
+  struct Stored {
+    SurfaceConstants constants;
+    std::size_t kind = 0; ///< SurfaceKind::index(), or 1 for depth with a noise
+    VkPipeline pipeline = VK_NULL_HANDLE;
+  };
+
+  void createShared(const PipelineLayouts& layouts);
+  [[nodiscard]] VkPipeline surface(const SurfaceConstants& constants, std::size_t kind);
+  [[nodiscard]] VkPipeline depthWithGaps(const SurfaceConstants& constants, bool hasNoise);
+
+  ObjectOwner objects_;
+  Pipelines shared_; ///< layouts, and the pipelines that all scenes have
+  std::vector<Stored> surfaces_;
+  std::vector<Stored> depths_;
+};
 
 } // namespace lichen::renderer

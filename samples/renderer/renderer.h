@@ -20,6 +20,8 @@
 
 namespace lichen::renderer {
 
+class PipelineStore;
+
 struct RenderSettings {
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
@@ -30,6 +32,7 @@ struct RenderSettings {
   std::string debugView;     ///< empty, or one of debugViewNames(); those are never tone-mapped
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
   SkyCache* skies = nullptr; ///< the caller's, for several pictures; null: each makes its own
+  PipelineStore* pipelines = nullptr;                  ///< likewise, of the same device
   std::function<void(std::uint32_t frames)> frameDone; ///< called with how many are done, or empty
 };
 
@@ -42,7 +45,7 @@ struct Picture {
 
 /// Errors: usage for a camera or view that does not exist or a size beyond the device's; badInput
 /// for the scene's noise; environment and resources for what the device lacks. Waits for the
-/// device; leaves nothing on it.
+/// device; leaves nothing on it but the pipelines of a store that the settings have.
 [[nodiscard]] Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                                           const RenderSettings& settings);
 

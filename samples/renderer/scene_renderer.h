@@ -12,7 +12,7 @@
 #include "pipelines.h"
 #include "renderer.h"
 
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,8 +25,8 @@ namespace lichen::renderer {
 /// whenever no function runs, so that what frames read may be changed between them.
 class SceneRenderer {
 public:
-  /// Device and scene must outlive it. Of the settings, `frames` may be changed later, as may the
-  /// size, the camera, the debug view and the exposure.
+  /// Device, scene and the settings' store of pipelines must outlive it. Of the settings, `frames`
+  /// may be changed later, as may the size, the camera, the debug view and the exposure.
   SceneRenderer(VulkanDevice& device, const Scene& scene, const RenderSettings& settings);
 
   /// What is left out or changed, with the camera and the noise as they are, one sentence each.
@@ -63,7 +63,7 @@ private:
   [[nodiscard]] std::array<Descriptor, 2> accumulateDescriptors() const;
   [[nodiscard]] SurfaceConstants surfaceConstants() const;
   [[nodiscard]] PipelinesUsed pipelinesUsed() const;
-  void makePipelines();
+  void choosePipelines();
 
   [[nodiscard]] const Material& materialOf(const Instance& instance) const;
   [[nodiscard]] SurfaceKind kindOf(std::size_t material) const;
@@ -102,7 +102,8 @@ private:
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
   std::vector<std::string> environmentNotes_;
-  std::unique_ptr<ObjectOwner> pipelineObjects_; ///< of pipelines_, which a change makes anew
+  std::optional<PipelineStore> ownStore_; ///< unless the settings have one
+  PipelineStore& store_;
   Pipelines pipelines_;
 };
 

@@ -11,6 +11,7 @@
 #include "frame_data.h"
 #include "orbit_camera.h"
 #include "picture.h"
+#include "pipelines.h"
 #include "program.h"
 #include "scene_renderer.h"
 #include "screenshot.h"
@@ -48,9 +49,10 @@ public:
   /// `stamp`: that of the scene's file before it was read.
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
          RenderSettings settings, VulkanDevice& device, Window& window)
-      : command_(command), settings_(std::move(settings)), device_(device), window_(window),
-        watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
-        display_(device), shown_(prepare(std::move(scene))),
+      : command_(command), settings_(std::move(settings)), device_(device),
+        pipelines_(device.device()), window_(window), watch_(stamp),
+        swapchain_(device, window.createSurface(device.instance())), display_(device),
+        shown_(prepare(std::move(scene))),
         camera_(shown_->renderer->camera(), shown_->renderer->subject()),
         controls_(shown_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
@@ -81,6 +83,7 @@ private:
   }
 
   std::unique_ptr<Shown> prepare(Scene scene) {
+    settings_.pipelines = &pipelines_;
     auto shown = std::make_unique<Shown>();
     shown->scene = std::move(scene);
     shown->renderer = std::make_unique<SceneRenderer>(device_, shown->scene, settings_);
@@ -287,6 +290,7 @@ private:
   const ViewCommand& command_;
   RenderSettings settings_; ///< size and exposure as they are now
   VulkanDevice& device_;
+  PipelineStore pipelines_; ///< of all scenes and views that have been shown
   Window& window_;
   FileWatch watch_;
   Swapchain swapchain_;
