@@ -10,6 +10,8 @@
 // Why, and the numbers: docs/decisions/019-border-of-textons.md.
 #include "border_penalty.h"
 
+#include "transport/covariance_map.h"
+
 #include <Eigen/SparseCholesky>
 #include <tbb/parallel_for.h>
 
@@ -119,7 +121,7 @@ BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<double>& normalX,
                           MatrixXd(Eigen::kroneckerProduct(insideY, insideX));
   const Eigen::LLT<MatrixXd> root(power);
   const MatrixXd lower = root.matrixL();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(lower.transpose() * border * lower);
+  const auto axes = transport::principalAxes(MatrixXd(lower.transpose() * border * lower));
   modes_ = MatrixXd(root.matrixU().solve(axes.eigenvectors())).cast<float>();
   costs_ = axes.eigenvalues().cwiseMax(0.0);
   analysisX_ = x.cast<float>();

@@ -144,6 +144,18 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
+/// Of opaque surfaces, which need no fragment shader.
+Description depthDescription(VkPipelineLayout layout, VkShaderModule vertex) {
+  Description d;
+  d.layout = layout;
+  d.vertex = vertex;
+  d.attributes = kAttributes;
+  d.color = false;
+  d.slopeBias = true;
+  d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
+  return d;
+}
+
 /// Specialization constants of surface.glsl, world_frame.glsl and scene.frag.
 struct Constants {
   VkBool32 hasNoise = VK_FALSE;
@@ -192,88 +204,102 @@ FragmentCode fragmentCodeFor(const SurfaceConstants& shared) {
   return {scene_frag_plane, depth_frag_plane};
 }
 
-void createSurfaces(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
-                    const PipelinesUsed& used) {
-  Description d;
-  d.layout = pipelines.sceneLayout;
-  d.attributes = kAttributes;
-  d.vertex = objects.shader(scene_vert);
-  d.fragment = objects.shader(fragmentCodeFor(shared).surface);
-  for (std::size_t i = 0; i < pipelines.surfaces.size(); ++i) {
-    if (!used.surfaces[i])
-      continue;
-    const Constants constants{.hasNoise = (i & 4) != 0,
-                              .hasNormalMap = (i & 2) != 0,
-                              .debugView = shared.debugView,
-                              .otherTables = shared.otherTables,
-                              .tilingNoises = shared.tilingNoises,
-                              .mixedTextons = shared.mixedTextons,
-                              .triplanar = shared.triplanarNoises,
-                              .otherMappings = shared.otherMappings,
-                              .objectSpaces = shared.objectSpaces,
-                              .tileRotation = shared.tileRotation};
-    const VkSpecializationInfo specialization = specializationOf(constants);
-    d.specialization = &specialization;
-    d.blends = (i & 1) != 0;
-    d.writesDepth = !d.blends;
-    pipelines.surfaces[i] = graphics(objects, d);
-  }
+Constants constantsOf(const SurfaceConstants& shared, bool hasNoise) {
+  return {.hasNoise = hasNoise,
+          .debugView = shared.debugView,
+          .otherTables = shared.otherTables,
+          .tilingNoises = shared.tilingNoises,
+          .mixedTextons = shared.mixedTextons,
+          .triplanar = shared.triplanarNoises,
+          .otherMappings = shared.otherMappings,
+          .objectSpaces = shared.objectSpaces,
+          .tileRotation = shared.tileRotation};
 }
 
-void createDepths(ObjectOwner& objects, Pipelines& pipelines, const SurfaceConstants& shared,
-                  const PipelinesUsed& used) {
-  Description d;
-  d.layout = pipelines.depthLayout;
-  d.vertex = objects.shader(depth_vert);
-  d.attributes = kAttributes;
-  d.color = false;
-  d.slopeBias = true;
-  d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
-  pipelines.depthOpaque = graphics(objects, d);
-  d.fragment = objects.shader(fragmentCodeFor(shared).depth);
-  for (std::size_t i = 0; i < pipelines.depthWithGaps.size(); ++i) {
-    if (!used.depthWithGaps[i])
-      continue;
-    const Constants constants{.hasNoise = i != 0,
-                              .otherTables = shared.otherTables,
-                              .tilingNoises = shared.tilingNoises,
-                              .mixedTextons = shared.mixedTextons,
-                              .triplanar = shared.triplanarNoises,
-                              .otherMappings = shared.otherMappings,
-                              .objectSpaces = shared.objectSpaces,
-                              .tileRotation = shared.tileRotation};
-    const VkSpecializationInfo specialization = specializationOf(constants);
-    d.specialization = &specialization;
-    pipelines.depthWithGaps[i] = graphics(objects, d);
-  }
+/// The pipeline of that key in `stored`, which `create` makes the first time.
+template <class Stored, class Create>
+VkPipeline found(std::vector<Stored>& stored, const SurfaceConstants& constants, std::size_t kind,
+                 const Create& create) {
+  for (const Stored& one : stored)
+    if (one.kind == kind && one.constants == constants)
+      return one.pipeline;
+  stored.push_back({constants, kind, create()});
+  return stored.back().pipeline;
 }
 
 } // namespace
 
-Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                          const SurfaceConstants& constants, const PipelinesUsed& used) {
-  Pipelines pipelines;
+VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t kind) {
+  return found(surfaces_, constants, kind, [&] {
+    Constants values = constantsOf(constants, (kind & 4) != 0);
+    values.hasNormalMap = (kind & 2) != 0;
+    const VkSpecializationInfo specialization = specializationOf(values);
+    Description d;
+    d.layout = shared_.sceneLayout;
+    d.attributes = kAttributes;
+    d.vertex = objects_.shader(scene_vert);
+    d.fragment = objects_.shader(fragmentCodeFor(constants).surface);
+    d.specialization = &specialization;
+    d.blends = (kind & 1) != 0;
+    d.writesDepth = !d.blends;
+    return graphics(objects_, d);
+  });
+}
+
+VkPipeline PipelineStore::depthWithGaps(const SurfaceConstants& constants, bool hasNoise) {
+  return found(depths_, constants, hasNoise ? 1 : 0, [&] {
+    const Constants values = constantsOf(constants, hasNoise);
+    const VkSpecializationInfo specialization = specializationOf(values);
+    Description d = depthDescription(shared_.depthLayout, objects_.shader(depth_vert));
+    d.fragment = objects_.shader(fragmentCodeFor(constants).depth);
+    d.specialization = &specialization;
+    return graphics(objects_, d);
+  });
+}
+
+void PipelineStore::createShared(const PipelineLayouts& layouts) {
+  Pipelines made;
   const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
-  pipelines.sceneLayout =
-      objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
-  pipelines.depthLayout =
-      objects.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
-  pipelines.accumulateLayout = objects.pipelineLayout(
+  made.sceneLayout =
+      objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
+  made.depthLayout =
+      objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
+  made.accumulateLayout = objects_.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
-  createSurfaces(objects, pipelines, constants, used);
-  createDepths(objects, pipelines, constants, used);
+  made.depthOpaque =
+      graphics(objects_, depthDescription(made.depthLayout, objects_.shader(depth_vert)));
 
   Description sky;
-  sky.layout = pipelines.sceneLayout;
-  sky.vertex = objects.shader(sky_vert);
-  sky.fragment = objects.shader(sky_frag);
+  sky.layout = made.sceneLayout;
+  sky.vertex = objects_.shader(sky_vert);
+  sky.fragment = objects_.shader(sky_frag);
   sky.writesDepth = false;
-  pipelines.sky = graphics(objects, sky);
+  made.sky = graphics(objects_, sky);
 
   VkComputePipelineCreateInfo accumulate{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-  accumulate.stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, objects.shader(accumulate_comp));
-  accumulate.layout = pipelines.accumulateLayout;
-  pipelines.accumulate = objects.computePipeline(accumulate);
+  accumulate.stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, objects_.shader(accumulate_comp));
+  accumulate.layout = made.accumulateLayout;
+  made.accumulate = objects_.computePipeline(accumulate);
+  shared_ = made;
+}
+
+Pipelines PipelineStore::pipelinesFor(const PipelineLayouts& layouts,
+                                      const SurfaceConstants& constants,
+                                      const PipelinesUsed& used) {
+  if (shared_.accumulate == VK_NULL_HANDLE)
+    createShared(layouts);
+  // Of the noises of other materials a surface without one knows nothing.
+  const SurfaceConstants bare{.debugView = constants.debugView};
+  Pipelines pipelines = shared_;
+  for (std::size_t kind = 0; kind < pipelines.surfaces.size(); ++kind)
+    if (used.surfaces[kind])
+      pipelines.surfaces[kind] = surface((kind & 4) != 0 ? constants : bare, kind);
+  for (const bool hasNoise : {false, true})
+    if (used.depthWithGaps[hasNoise]) {
+      SurfaceConstants seen = hasNoise ? constants : bare;
+      seen.debugView = DEBUG_NONE; // a depth is the same in every view
+      pipelines.depthWithGaps[hasNoise] = depthWithGaps(seen, hasNoise);
+    }
   return pipelines;
 }
 

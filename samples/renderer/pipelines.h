@@ -5,6 +5,7 @@
 #include "gpu_objects.h"
 
 #include <array>
+#include <vector>
 
 namespace lichen::renderer {
 
@@ -29,8 +30,7 @@ struct SurfaceKind {
   }
 };
 
-/// Which of the pipelines that vary by material a scene uses. Compiling these takes a driver most
-/// of the time of a small picture.
+/// Which of the pipelines that vary by material a scene draws with.
 struct PipelinesUsed {
   std::array<bool, 8> surfaces{};      ///< by SurfaceKind::index()
   std::array<bool, 2> depthWithGaps{}; ///< as Pipelines::depthWithGaps
@@ -72,9 +72,34 @@ struct SurfaceConstants {
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
-/// Cull mode and front face are dynamic state.
-[[nodiscard]] Pipelines createPipelines(ObjectOwner& objects, const PipelineLayouts& layouts,
-                                        const SurfaceConstants& constants,
-                                        const PipelinesUsed& used);
+/// The pipelines of all scenes on one device. Each is made when a scene first draws with it and
+/// lives as long as the store: a driver may take longer to compile one than to draw a small
+/// picture. Not thread-safe.
+class PipelineStore {
+public:
+  explicit PipelineStore(VkDevice device) : objects_(device) {}
+
+  /// The pipelines that `used` asks for. The set layouts of all calls must be defined identically;
+  /// they need not outlive the call. Cull mode and front face are dynamic state. Throws a Failure.
+  [[nodiscard]] Pipelines pipelinesFor(const PipelineLayouts& layouts,
+                                       const SurfaceConstants& constants,
+                                       const PipelinesUsed& used);
+
+private:
+  struct Stored {
+    SurfaceConstants constants;
+    std::size_t kind = 0; ///< SurfaceKind::index(), or 1 for depth with a noise
+    VkPipeline pipeline = VK_NULL_HANDLE;
+  };
+
+  void createShared(const PipelineLayouts& layouts);
+  [[nodiscard]] VkPipeline surface(const SurfaceConstants& constants, std::size_t kind);
+  [[nodiscard]] VkPipeline depthWithGaps(const SurfaceConstants& constants, bool hasNoise);
+
+  ObjectOwner objects_;
+  Pipelines shared_; ///< layouts, and the pipelines that all scenes have
+  std::vector<Stored> surfaces_;
+  std::vector<Stored> depths_;
+};
 
 } // namespace lichen::renderer

@@ -19,6 +19,8 @@
 
 namespace lichen::renderer {
 
+class PipelineStore;
+
 struct RenderSettings {
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
@@ -29,6 +31,7 @@ struct RenderSettings {
   std::string debugView;     ///< empty, or one of debugViewNames(), which are never tone-mapped
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
   SkyCache* skies = nullptr; ///< shared between several pictures; null: the renderer uses its own
+  PipelineStore* pipelines = nullptr; ///< likewise, of the same device
   /// called after each frame with the number of finished frames; may be empty
   std::function<void(std::uint32_t frames)> frameDone;
 };
@@ -42,7 +45,7 @@ struct Picture {
 
 /// Errors: usage for an unknown camera or debug view, or a size beyond the device's limit; badInput
 /// for invalid noise data; environment and resources for what the device lacks. Blocks until the
-/// device has finished, and frees all its objects.
+/// device has finished, and frees all its objects but the pipelines of a store in the settings.
 [[nodiscard]] Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                                           const RenderSettings& settings);
 

@@ -26,7 +26,8 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
                              const RenderSettings& settings)
     : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
       debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
-      noises_(device, objects_, scene), gpu_(uploadScene(device, objects_, scene, noises_)) {
+      noises_(device, objects_, scene), gpu_(uploadScene(device, objects_, scene, noises_)),
+      store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device.device())) {
   inputs_.subject = take(subjectOf(scene));
   const float aspect = float(settings.width) / float(settings.height);
   inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
@@ -45,7 +46,7 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
   createFrameSet(filter);
   accumulateSet_ =
       createSet(accumulateDescriptors(), VK_SHADER_STAGE_COMPUTE_BIT, accumulateLayout_);
-  makePipelines();
+  choosePipelines();
 }
 
 /// Uploads the environment file, or else the built-in sky, and applies the sky's white balance to
@@ -138,12 +139,10 @@ SurfaceConstants SceneRenderer::surfaceConstants() const {
           noises_.hasTileRotation()};
 }
 
-void SceneRenderer::makePipelines() {
-  pipelineObjects_ = std::make_unique<ObjectOwner>(device_.device());
-  pipelines_ =
-      createPipelines(*pipelineObjects_,
-                      {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-                      surfaceConstants(), pipelinesUsed());
+void SceneRenderer::choosePipelines() {
+  pipelines_ = store_.pipelinesFor(
+      {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
+      surfaceConstants(), pipelinesUsed());
 }
 
 void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
@@ -183,7 +182,7 @@ void SceneRenderer::setDebugView(const std::string& name) {
   if (view == debugView_)
     return;
   debugView_ = view;
-  makePipelines();
+  choosePipelines();
 }
 
 void SceneRenderer::setNoise(const NoiseChanges& changes) {
@@ -191,7 +190,7 @@ void SceneRenderer::setNoise(const NoiseChanges& changes) {
   noises_.change(device_.device(), changes);
   writeMaterials(scene_, noises_, gpu_);
   if (surfaceConstants() != before)
-    makePipelines();
+    choosePipelines();
 }
 
 /// Indices of the blended instances, farthest first. Compares the centres of bounding boxes,

@@ -12,7 +12,7 @@
 #include "pipelines.h"
 #include "renderer.h"
 
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,8 +25,8 @@ namespace lichen::renderer {
 /// data that frames read may change between calls.
 class SceneRenderer {
 public:
-  /// The device and the scene must outlive the object. The setters below can change `frames`, size,
-  /// camera, debug view and exposure later.
+  /// The device, the scene and the settings' pipeline store must outlive the object. The setters
+  /// below can change `frames`, size, camera, debug view and exposure later.
   SceneRenderer(VulkanDevice& device, const Scene& scene, const RenderSettings& settings);
 
   /// What is ignored or changed with the current camera and noise, one sentence each.
@@ -65,7 +65,7 @@ private:
   [[nodiscard]] std::array<Descriptor, 2> accumulateDescriptors() const;
   [[nodiscard]] SurfaceConstants surfaceConstants() const;
   [[nodiscard]] PipelinesUsed pipelinesUsed() const;
-  void makePipelines();
+  void choosePipelines();
 
   [[nodiscard]] const Material& materialOf(const Instance& instance) const;
   [[nodiscard]] SurfaceKind kindOf(std::size_t material) const;
@@ -105,8 +105,8 @@ private:
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
   std::vector<std::string> environmentNotes_;
-  /// owns the objects of pipelines_, which changes re-create
-  std::unique_ptr<ObjectOwner> pipelineObjects_;
+  std::optional<PipelineStore> ownStore_; ///< unless the settings have one
+  PipelineStore& store_;
   Pipelines pipelines_;
 };
 

@@ -11,6 +11,7 @@
 #include "frame_data.h"
 #include "orbit_camera.h"
 #include "picture.h"
+#include "pipelines.h"
 #include "program.h"
 #include "scene_renderer.h"
 #include "screenshot.h"
@@ -48,9 +49,10 @@ public:
   /// `stamp`: the file stamp of the scene from before it was read.
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
          RenderSettings settings, VulkanDevice& device, Window& window)
-      : command_(command), settings_(std::move(settings)), device_(device), window_(window),
-        watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
-        display_(device), current_(prepare(std::move(scene))),
+      : command_(command), settings_(std::move(settings)), device_(device),
+        pipelines_(device.device()), window_(window), watch_(stamp),
+        swapchain_(device, window.createSurface(device.instance())), display_(device),
+        current_(prepare(std::move(scene))),
         camera_(current_->renderer->camera(), current_->renderer->subject()),
         controls_(current_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
@@ -81,6 +83,7 @@ private:
   }
 
   std::unique_ptr<LoadedScene> prepare(Scene scene) {
+    settings_.pipelines = &pipelines_;
     auto loaded = std::make_unique<LoadedScene>();
     loaded->scene = std::move(scene);
     loaded->renderer = std::make_unique<SceneRenderer>(device_, loaded->scene, settings_);
@@ -288,6 +291,7 @@ private:
   const ViewCommand& command_;
   RenderSettings settings_; ///< with the current size and exposure
   VulkanDevice& device_;
+  PipelineStore pipelines_; ///< of all scenes and views that have been shown
   Window& window_;
   FileWatch watch_;
   Swapchain swapchain_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <regex>
 
 using namespace lichen;
@@ -17,8 +18,10 @@ namespace {
 constexpr auto kTold = 3;
 /// Work as long as this must have told something: a failure of the test, which ends.
 constexpr auto kLong = std::chrono::seconds(30);
-/// Of a side: two and a quarter times the pixels, and the time.
-constexpr double kGrowth = 1.5;
+/// Work as long as this tells as often: the quiet second, and two steps of 0.2 s.
+constexpr double kEnoughSeconds = 1.7;
+/// Of a side, whose square the time grows with.
+constexpr double kLeastGrowth = 1.1, kMostGrowth = 8.0;
 
 /// The verbs' work that lasts, however fast the machine and the build are, or else nearly none.
 struct Made {
@@ -51,12 +54,15 @@ template <class Work>
 Ended lasting(Work work, int& side) {
   Limits limits;
   limits.terminal = true;
-  for (;; side = int(kGrowth * side)) {
+  for (;;) {
     const auto start = std::chrono::steady_clock::now();
     Ended ended = runLichen(work(side), limits);
+    const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
     const auto told = std::count(ended.errors.begin(), ended.errors.end(), '%');
-    if (ended.code != 0 || told >= kTold || std::chrono::steady_clock::now() - start > kLong)
+    if (ended.code != 0 || told >= kTold || lasted > kLong)
       return ended;
+    const double growth = std::sqrt(kEnoughSeconds / lasted.count());
+    side = int(std::ceil(side * std::clamp(growth, kLeastGrowth, kMostGrowth)));
   }
 }
 

@@ -70,7 +70,7 @@ void createBufferSet(BufferSet& objects, VkDescriptorSetLayout setLayout, const 
 struct ComputePipeline {
   ComputePipeline(VkDevice d, const ComputeRun& run)
       : device(d), spirv(run.spirv.begin(), run.spirv.end()), constant(run.constant),
-        otherLayout(run.layout) {
+        otherLayout(run.layout), imageSamplers(run.imageSamplers) {
     createSetLayout();
     createPipeline();
   }
@@ -84,7 +84,9 @@ struct ComputePipeline {
   }
 
   [[nodiscard]] bool serves(const ComputeRun& run) const {
-    return constant == run.constant && otherLayout == run.layout &&
+    const bool isAlike =
+        imageSamplers != 0 ? imageSamplers == run.imageSamplers : otherLayout == run.layout;
+    return constant == run.constant && isAlike &&
            std::equal(spirv.begin(), spirv.end(), run.spirv.begin(), run.spirv.end());
   }
 
@@ -126,6 +128,7 @@ struct ComputePipeline {
   std::vector<std::uint32_t> spirv;
   std::int32_t constant;
   VkDescriptorSetLayout otherLayout; // the caller's
+  std::uint32_t imageSamplers;
   VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
   VkShaderModule module = VK_NULL_HANDLE;
   VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;

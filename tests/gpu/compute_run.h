@@ -37,6 +37,8 @@ struct ComputeRun {
   /// A set of the caller's for set 0; the two buffers are then in set 1.
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
+  /// Not 0: of the plugin's layouts, which are alike if they have as many, one pipeline serves all.
+  std::uint32_t imageSamplers = 0;
   std::vector<std::uint32_t> dynamicOffsets; ///< of that set
   /// Records before the dispatch, in the same command buffer.
   std::function<void(VkCommandBuffer)> before;

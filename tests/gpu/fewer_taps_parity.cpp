@@ -2,7 +2,7 @@
 // Tiling with fewer taps in the shader, through the plugin, against the CPU twin; what the twin
 // does is tested in tests/property/fewer_taps.cpp.
 #include "plugin_host.h"
-#include "require_device.h"
+#include "shared_device.h"
 #include "synthetic_noise.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -99,14 +99,15 @@ struct Difference {
 struct OnDevice {
   explicit OnDevice(const TilingQuality& quality)
       : bundle(parseBundle(glb, "synthetic").value()),
-        twin(TilingEvaluator::create(bundle, 0, quality).value()), host(*device, glb) {}
+        twin(TilingEvaluator::create(bundle, 0, quality).value()),
+        host(*device, glb, sharedPipelines()) {}
   ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
   SyntheticMap map{3, int(kTexels), int(kTexels)};
   std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
   Bundle bundle;
   TilingEvaluator twin;
-  std::unique_ptr<VulkanDevice> device = requireDevice();
+  VulkanDevice* device = sharedDevice();
   PluginHost host;
   std::vector<SpacePoint> points = samplePoints(2000);
 };

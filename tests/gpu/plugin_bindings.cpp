@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cmath>
-#include <tiling_maps.comp.h>
+#include <tiling_maps.comp.rebound.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -26,7 +26,7 @@ TEST_CASE("bindings may start at another number: the values match the oracle") {
   std::vector<Point> points(200);
   for (std::size_t k = 0; k < points.size(); ++k)
     points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  const auto values = host.evaluate(tiling_maps_comp, 0, uniforms, points, kMaps.size());
+  const auto values = host.evaluate(tiling_maps_comp_rebound, 0, uniforms, points, kMaps.size());
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
     const TilingReference reference(bundle, bundle.noises[0].maps[m]);
     for (std::size_t k = 0; k < points.size(); ++k) {

@@ -11,12 +11,17 @@
 namespace lichen::test {
 namespace {
 
-/// A pool with room for exactly one set of the noise, without FREE_DESCRIPTOR_SET.
-VkDescriptorPool exactPool(VkDevice device, LichenBundle bundle, VkDescriptorType uniformType) {
+LichenNoiseProperties firstNoise(LichenBundle bundle) {
   LichenNoiseProperties noise;
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
   if (lichenGetNoiseProperties(bundle, 0, &noise) != LICHEN_SUCCESS)
     throw std::runtime_error("the bundle has no noise");
+  return noise;
+}
+
+/// The pool that exactly one set of the noise fits in, without FREE_DESCRIPTOR_SET.
+VkDescriptorPool exactPool(VkDevice device, const LichenNoiseProperties& noise,
+                           VkDescriptorType uniformType) {
   const VkDescriptorPoolSize sizes[] = {
       {uniformType, noise.uniformBufferCount},
       {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, noise.combinedImageSamplerCount}};
@@ -69,7 +74,9 @@ PluginHost::PluginHost(VulkanDevice& device, std::span<const std::byte> glb,
   require(lichenVulkanCreateContext(&info, &context_, &diagnostic), diagnostic);
   require(lichenVulkanCreateAssets(context_, bundle_, &assets_, &diagnostic), diagnostic);
   const bool isDynamic = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS) != 0;
-  pool_ = exactPool(device.device(), bundle_,
+  const LichenNoiseProperties noise = firstNoise(bundle_);
+  imageSamplers_ = noise.combinedImageSamplerCount;
+  pool_ = exactPool(device.device(), noise,
                     isDynamic ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
                               : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
   if (isDynamic)
@@ -96,7 +103,8 @@ std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const LichenUnifo
   require(lichenFillUniforms(bundle_, &uniforms, block, &diagnostic), diagnostic);
   std::memcpy(&uniforms_, block, sizeof uniforms_);
   run.set = set_;
-  run.pipelines = &pipelines_;
+  run.pipelines = sharedPipelines_ != nullptr ? sharedPipelines_ : &pipelines_;
+  run.imageSamplers = sharedPipelines_ != nullptr ? imageSamplers_ : 0;
   run.dynamicOffsets = dynamicOffsets_;
   if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
     throw std::runtime_error("no set layout");

@@ -23,6 +23,11 @@ public:
   PluginHost(VulkanDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info);
   PluginHost(VulkanDevice& device, std::span<const std::byte> glb)
       : PluginHost(device, glb, defaultVulkanInfo(device)) {}
+  /// With pipelines that outlive it.
+  PluginHost(VulkanDevice& device, std::span<const std::byte> glb, ComputePipelines& pipelines)
+      : PluginHost(device, glb) {
+    sharedPipelines_ = &pipelines;
+  }
   ~PluginHost();
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
@@ -64,7 +69,9 @@ private:
   std::vector<std::uint32_t> dynamicOffsets_; ///< one with LICHEN_VULKAN_DYNAMIC_UNIFORMS
   shader::LichenUniforms uniforms_{};
   bool uploaded_ = false;
+  std::uint32_t imageSamplers_ = 0; ///< in the set
   ComputePipelines pipelines_;
+  ComputePipelines* sharedPipelines_ = nullptr;
 };
 
 /// The material's own uniforms, and the same scaled, rotated, moved and with another seed.

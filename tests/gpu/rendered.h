@@ -3,6 +3,7 @@
 // fails the test.
 #pragma once
 
+#include "pipelines.h"
 #include "render_gltf.h"
 #include "renderer.h"
 #include "require_device.h"
@@ -16,6 +17,13 @@ inline VulkanDevice& testDevice() {
   return *instance;
 }
 
+/// The pipelines of all scenes that are drawn on it.
+inline renderer::PipelineStore& testPipelines() {
+  static renderer::PipelineStore store(testDevice().device());
+  return store;
+}
+
+/// For the test's device.
 inline renderer::RenderSettings settingsOf(std::uint32_t width, std::uint32_t height,
                                            std::uint32_t frames) {
   renderer::RenderSettings settings;
@@ -24,6 +32,7 @@ inline renderer::RenderSettings settingsOf(std::uint32_t width, std::uint32_t he
   settings.frames = frames;
   static renderer::SkyCache skies; // most pictures have the same sun
   settings.skies = &skies;
+  settings.pipelines = &testPipelines();
   return settings;
 }
 

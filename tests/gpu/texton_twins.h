@@ -3,14 +3,13 @@
 #pragma once
 
 #include "plugin_host.h"
-#include "require_device.h"
+#include "shared_device.h"
 #include "synthetic_texton.h"
 
 #include <lichen/texton_evaluate.h>
 
 #include <catch2/catch.hpp>
 
-#include <memory>
 #include <string>
 
 namespace lichen::test {
@@ -19,7 +18,7 @@ namespace lichen::test {
 struct TextonTwins {
   /// `pass` is a file of shaders_glsl/passes.
   TextonTwins(const std::string& pass, std::span<const std::byte> glb)
-      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb),
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb, sharedPipelines()),
         twin(TextonEvaluator::create(bundle, 0).value()), committed(committedShader(pass)) {}
   TextonTwins(const std::string& pass, const SyntheticTexton& texton)
       : TextonTwins(pass, syntheticTextonGlb(texton)) {}
@@ -34,7 +33,7 @@ struct TextonTwins {
     return host.evaluate(committed, quantity, info, points);
   }
 
-  const std::unique_ptr<VulkanDevice> device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   const Bundle bundle;
   PluginHost host; ///< and the uniforms of the last shader()
   const TextonEvaluator twin;

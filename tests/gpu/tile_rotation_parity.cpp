@@ -2,7 +2,7 @@
 // Turned tiles in the shader where other choices meet them: fewer taps, three planes, and hosts
 // that leave turning out. tiling_parity.cpp has them against the oracle.
 #include "plugin_host.h"
-#include "require_device.h"
+#include "shared_device.h"
 #include "synthetic_noise.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -97,12 +97,12 @@ constexpr std::array kMaps{SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, fals
 } // namespace
 
 TEST_CASE("turned tiles with fewer taps, in the plane and in three, are the CPU twin's") {
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   for (const SyntheticMap& map : kMaps) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
     const Bundle bundle = parseBundle(glb, "synthetic").value();
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kFewest).value();
-    PluginHost host(*device, glb);
+    PluginHost host(*device, glb, sharedPipelines());
     const std::vector<SpacePoint> points = samplePoints(1000);
     const std::vector<Point> flat = flattened(points);
     for (const std::uint32_t steps : {2u, 4u, 5u, 65536u}) {
@@ -127,10 +127,10 @@ TEST_CASE("turned tiles with fewer taps, in the plane and in three, are the CPU 
 }
 
 TEST_CASE("a shader without turning shows tiles as they are, and one with it turns them") {
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   for (const SyntheticMap& map : kMaps) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-    PluginHost host(*device, glb);
+    PluginHost host(*device, glb, sharedPipelines());
     const std::vector<SpacePoint> points = samplePoints(500);
     const std::vector<Point> flat = flattened(points);
     const auto differing = [&](const auto& a, const auto& b) {

@@ -2,7 +2,7 @@
 // The whole tiling in the shader, through the plugin, against the double-precision oracle and
 // against the CPU twin.
 #include "plugin_host.h"
-#include "require_device.h"
+#include "shared_device.h"
 #include "synthetic_noise.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -125,11 +125,11 @@ namespace {
 /// Parity of every set of uniforms, for one noise of one map.
 std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint32_t> spirv,
                              FetchedBy fetchedBy = FetchedBy::level) {
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
   const Bundle bundle = parseBundle(glb, "synthetic").value();
   const TilingReference reference(bundle, bundle.noises[0].maps[0], fetchedBy);
-  PluginHost host(*device, glb);
+  PluginHost host(*device, glb, sharedPipelines());
   const std::vector<Point> points = samplePoints(float(map.width), 2000);
   std::vector<Parity> all;
   for (const LichenUniformInfo& info : manyUniforms())
@@ -220,13 +220,13 @@ TEST_CASE("the shader and its CPU twin agree in every operator") {
       {kHistogram, BlendOperator::histogramPreserving},
       {kLinear, BlendOperator::linear},
       {kVariance, BlendOperator::variancePreserving}};
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   for (const SyntheticMap& map : kSixteenBits) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
     const Bundle bundle = parseBundle(glb, "synthetic").value();
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
-    PluginHost host(*device, glb);
+    PluginHost host(*device, glb, sharedPipelines());
     const std::vector<Point> points = samplePoints(float(map.width), 1000);
     std::vector<LichenUniformInfo> uniforms = manyUniforms();
     if (map.table != joint) // lattice and taps are the same: one is enough, and contrast
@@ -259,10 +259,10 @@ TEST_CASE("the shader and its CPU twin agree in every operator") {
 }
 
 TEST_CASE("the comparison operators blend the decoded tiles linearly, and about the mean") {
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   const SyntheticMap map{3, 64, 64};
   const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-  PluginHost host(*device, glb);
+  PluginHost host(*device, glb, sharedPipelines());
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   std::vector<Point> points = samplePoints(64.0f, 4000);
   for (Point& point : points) { // one pixel per texel: nothing is lost to filtering

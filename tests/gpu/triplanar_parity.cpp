@@ -2,7 +2,7 @@
 // Triplanar noise in the shader, through the plugin, against the CPU twin, and of tiling both
 // against an oracle in double precision that blends planes of the tiling oracle.
 #include "plugin_host.h"
-#include "require_device.h"
+#include "shared_device.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
@@ -205,7 +205,7 @@ struct Difference {
 /// A noise on a device.
 struct OnDevice {
   explicit OnDevice(const std::vector<std::byte>& glb)
-      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb) {}
+      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb, sharedPipelines()) {}
   ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
   std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
@@ -214,7 +214,7 @@ struct OnDevice {
     return host.evaluate(committed, quantity, info, points);
   }
 
-  std::unique_ptr<VulkanDevice> device = requireDevice();
+  VulkanDevice* device = sharedDevice();
   Bundle bundle;
   PluginHost host;
 };

@@ -128,7 +128,7 @@ TEST_CASE("a seam is measured in units of the interior's steps") {
   CHECK(std::isinf(halves.betweenColumns));
 }
 
-// The table of docs/decisions/006-seam-detection.md: property_seam_detection '[table]'.
+// The table of docs/decisions/006-seam-detection.md: analysis_tests '[table]'.
 TEST_CASE("the strength of seams, tabulated", "[.][table]") {
   std::vector<Named> all = generatedMaterials(512);
   for (Named& photograph : photographs())

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The shortest path through everything, by each method: a bake, its bundle, a picture of it. Runs
+// with sanitizers every time.
+#include "../property/example_exemplar.h"
+#include "rendered.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/texton.h>
+#include <lichen/tiling.h>
+
+#include <array>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr int kExemplarSide = 48, kPictureSide = 96; // a texel a pixel, so that nothing is filtered
+constexpr double kTilesAcross = 2.0;  // of the plane, whose texture coordinates are 0 to 1
+constexpr double kPatchTexels = 10.0; // a side of the exemplar's patches of one material, or less
+
+MapExemplar smallExemplar() {
+  MapExemplar exemplar = threeMaterials(kExemplarSide, kExemplarSide, 5);
+  exemplar.encoding = ValueEncoding::linear; // as the picture's colours
+  return exemplar;
+}
+
+template <class Bake>
+BundleFile bundleOf(Result<Bake> bake) {
+  if (!bake)
+    FAIL(bake.error().message);
+  BundleFile file;
+  file.bundle.tables = std::move(bake.value().tables);
+  file.bundle.noises = {std::move(bake.value().noise)};
+  file.bundle.materials.emplace_back(MaterialNoise{});
+  file.bundle.materials[0]->scale = 1.0 / kTilesAcross;
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  file.generator = "lichen tests";
+  return file;
+}
+
+/// The colours of a plane that fills the picture.
+LinearImage pictureOf(const BundleFile& file) {
+  GltfScene scene(encodeGlb(file).value());
+  const std::size_t positions = scene.addFloats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, 3);
+  const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+  const std::size_t texCoords = scene.addFloats({0, 1, 1, 1, 1, 0, 0, 0}, 2);
+  scene.addMesh({{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", texCoords}},
+                scene.addIndices({0, 1, 2, 0, 2, 3}, 1), 0);
+  scene.addCamera(1.0f, 2.0f * std::atan(1.0f));
+  renderer::RenderSettings settings = settingsOf(kPictureSide, kPictureSide, 1);
+  settings.debugView = "base-color";
+  return render(scene.glb(), settings);
+}
+
+struct Moments {
+  double mean = 0.0, deviation = 0.0;
+};
+
+/// Of every third value from `channel` on.
+Moments momentsOf(const std::vector<float>& values, std::size_t channel) {
+  double sum = 0.0, squares = 0.0;
+  const double count = double(values.size()) / 3.0;
+  for (std::size_t i = channel; i < values.size(); i += 3) {
+    sum += double(values[i]) / count;
+    squares += double(values[i]) * double(values[i]) / count;
+  }
+  return {sum, std::sqrt(std::max(squares - sum * sum, 0.0))};
+}
+
+void checkLooksLike(const LinearImage& picture, const MapExemplar& exemplar) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Moments drawn = momentsOf(picture.values, c), wanted = momentsOf(exemplar.values, c);
+    INFO("channel " << c);
+    // Each patch has independent colours: four deviations of their mean.
+    const double patchesAcross = kPictureSide / kPatchTexels;
+    CHECK(drawn.mean == Approx(wanted.mean).margin(4.0 * wanted.deviation / patchesAcross));
+    CHECK(drawn.deviation > 0.5 * wanted.deviation);
+    CHECK(drawn.deviation < 1.5 * wanted.deviation);
+  }
+}
+
+} // namespace
+
+TEST_CASE("a small bake by tiling is drawn with the colours of its exemplar") {
+  const MapExemplar exemplar = smallExemplar();
+  TilingOptions options;
+  options.periodic = Periodic::yes;
+  checkLooksLike(pictureOf(bundleOf(bakeTiling("small", {&exemplar, 1}, options))), exemplar);
+}
+
+TEST_CASE("a small bake by textons is drawn with the colours of its exemplar") {
+  const MapExemplar exemplar = smallExemplar();
+  TextonOptions options;
+  options.support = 16;
+  checkLooksLike(pictureOf(bundleOf(bakeTexton("small", {&exemplar, 1}, options))), exemplar);
+}
