@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Accessors of a glTF asset -> numbers: strided, sparse, of any component type.
+// glTF accessors -> numbers. Handles strided and sparse accessors and all component types.
 // Sources: glTF 2.0 specification, sections 3.6.2 and 5.1; KHR_mesh_quantization.
 #pragma once
 
@@ -7,20 +7,23 @@
 
 namespace lichen {
 
-/// Of one accessor: three floats, or an index, take 12 bytes.
+/// Maximum number of elements of one accessor. An element of three floats takes 12 bytes, and so
+/// does an index in the reader.
 inline constexpr std::size_t kMostElements = std::size_t(1) << 25;
 
-/// The extension that compresses a buffer view, of those that do, or nothing.
+/// The name of the extension that compresses a buffer view, or nothing.
 [[nodiscard]] std::optional<std::string> compressionOfView(const nlohmann::json& document,
                                                            std::size_t view);
 
-/// The values of an accessor of 2 or 3 components; integers as numbers, normalized ones divided.
-/// Finite. A fault is recorded, and nothing returned. Throws std::bad_alloc.
+/// The values of an accessor of 2 or 3 components, all finite. Integers become floats; normalized
+/// ones are divided by their range. On a fault, records it and returns nothing. Throws
+/// std::bad_alloc.
 template <std::size_t kComponents>
 [[nodiscard]] std::optional<std::vector<std::array<float, kComponents>>>
 readVectors(GltfFile& file, std::size_t accessor, FindingList& findings);
 
-/// The values of a scalar accessor of unsigned integers, all below `limit`.
+/// The values of a scalar accessor of unsigned integers, all below `limit`. On a fault, records it
+/// and returns nothing. Throws std::bad_alloc.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>>
 readIndices(GltfFile& file, std::size_t accessor, std::size_t limit, FindingList& findings);
 

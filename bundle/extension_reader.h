@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The extension's objects in a glTF document -> a bundle, with every fault recorded.
+// The extension's objects in a glTF document -> a bundle, recording every fault.
 #pragma once
 
 #include "gltf_file.h"
@@ -7,13 +7,13 @@
 
 namespace lichen {
 
-/// Reads and checks the extension. The result may be used only when no error was recorded.
+/// Reads and checks the extension. The result is valid only if no error was recorded.
 [[nodiscard]] Bundle readExtension(GltfFile& file, FindingList& findings);
 
 using Tables = std::vector<std::optional<Table>>;
 
-/// Reads and checks one map; of `noise`, what comes before its maps is read; `tables` are those
-/// read so far, null where one could not be.
+/// Reads and checks one map. `noise` must be complete except for its maps. `tables` are the tables
+/// read so far; a table that could not be read is empty.
 [[nodiscard]] NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
                                FindingList& findings);
 
@@ -22,26 +22,30 @@ struct MapMoments {
   std::vector<double> mean;
   std::vector<double> covariance;
 };
-/// Reads and checks those of `n` channels, 0 where the channels are not known.
+/// Reads and checks the moments of `n` channels; `n` is 0 if the channels are unknown.
 [[nodiscard]] MapMoments readMoments(ObjectReader& reader, ValueEncoding encoding, std::size_t n);
-/// Reads and checks the member mipLoss: `rows` rows of as many levels as the caller wants to see.
+/// Reads and checks the member mipLoss, which has `rows` rows. The caller checks the number of
+/// levels.
 [[nodiscard]] std::vector<double> readLosses(ObjectReader& reader, std::size_t rows);
 
-/// Reads and checks where a material takes the weight of a mix from; `textures` are glTF's.
+/// Reads and checks the mix weight of a material. `textures` is the number of textures in the glTF
+/// document.
 [[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,
                                       FindingList& findings);
 
-/// The table that member `key` names, or null. An index that is out of range is recorded.
+/// Reads the member `key` as a table index, and returns the table or null. Records an index that is
+/// out of range.
 [[nodiscard]] const Table* readTableIndex(ObjectReader& reader, const char* key, const char* code,
                                           const Tables& tables, std::size_t& index);
-/// Its size, for messages.
+/// The size of a table, for messages.
 [[nodiscard]] std::string shapeOf(const Table& table);
-/// Colour channels of a table: alpha is unused.
+/// Number of colour channels of a table, at most 3: alpha is unused.
 [[nodiscard]] std::size_t usedChannels(TexelFormat format);
 
-/// A bound that the schema states too; those of parameters are in bundle.h.
+/// Bound from the format's schema. bundle.h has the bounds of the parameters.
 inline constexpr std::uint64_t kMaxTexCoord = 15;
-/// Of the trace: how far rounding may take a covariance from symmetric and positive.
+/// Tolerance for rounding errors: for the eigenvalues of a covariance as a share of its trace, for
+/// its symmetry as a share of its largest value.
 inline constexpr double kCovarianceTolerance = 1e-9;
 
 } // namespace lichen

@@ -8,17 +8,17 @@
 
 namespace lichen {
 
-/// One of its noises, and one of its tables, whose KTX2 bytes a view has.
+/// The JSON object of a noise, and of a table whose KTX2 bytes are in `bufferView`.
 [[nodiscard]] JsonTree describeNoise(const Noise& noise);
 [[nodiscard]] JsonTree describeTable(const Table& table, std::size_t bufferView);
 
-/// Of the bytes of a table: texels then lie aligned in the buffer as they do in the KTX2 file,
-/// where those of RGBA32F take 16 bytes.
+/// Alignment of a table's bytes in the buffer. It preserves the texel alignment of the KTX2 file;
+/// RGBA32F texels take 16 bytes.
 inline constexpr std::size_t kTableAlignment = 16;
 
-/// The root object. Appends each table's KTX2 bytes to `builder`.
+/// The extension's root object. Appends each table's KTX2 bytes to `builder`.
 [[nodiscard]] JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder);
-/// A material's object; members that have their default value are left out.
+/// The extension's object of a material. Members with their default value are omitted.
 [[nodiscard]] JsonTree describeMaterialNoise(const MaterialNoise& use);
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Collects the faults of one file while it is read.
+// Collects the faults of one file during reading.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -16,7 +16,7 @@ public:
   void warn(std::string code, std::string pointer, std::string message) {
     add({Finding::Severity::warning, std::move(code), std::move(pointer), std::move(message)});
   }
-  /// Records a fault that is known already, if this list has it not.
+  /// Records an existing finding, unless the list already has one with the same pointer and code.
   void repeat(const Finding& known) {
     if (std::none_of(findings_.begin(), findings_.end(), [&](const Finding& each) {
           return each.pointer == known.pointer && each.code == known.code;
@@ -28,8 +28,8 @@ public:
 
 private:
   void add(Finding finding) {
-    // A file of millions of faults must not fill the memory with their descriptions. Counted each
-    // for itself, so that no number of warnings hides the first error.
+    // Limits the memory for a file with millions of faults. Errors and warnings have separate
+    // limits, so that warnings never hide the first error.
     constexpr std::size_t kMostOfEach = 500;
     std::size_t& count = finding.severity == Finding::Severity::error ? errors_ : warnings_;
     if (count++ < kMostOfEach)
@@ -41,7 +41,7 @@ private:
   std::size_t warnings_ = 0;
 };
 
-/// Text from a file, in quotes, on one line, ASCII, at most some 60 characters of it.
+/// Text from a file, in quotes, on one line, in ASCII, truncated to about 60 characters.
 [[nodiscard]] std::string quoted(const std::string& text);
 
 } // namespace lichen

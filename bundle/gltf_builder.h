@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The binary half of a glTF file that is being written: one buffer, its views and accessors.
+// The binary data of a glTF file under construction: one buffer, its views and accessors.
 #pragma once
 
 #include <lichen/json_tree.h>
@@ -18,11 +18,11 @@ struct GltfBuilder {
   JsonTree accessors = JsonTree::array();
   std::vector<std::byte> binary;
 
-  /// Appends bytes at a multiple of `alignment` and returns their view's index.
+  /// Appends bytes at a multiple of `alignment`. Returns the index of their view.
   std::size_t addView(std::span<const std::byte> bytes, std::size_t alignment,
                       ViewTarget target = ViewTarget::none);
-  /// A tightly packed accessor over a view of its own. Components are float for vertices, 16-bit
-  /// for indices. Returns its index.
+  /// Adds a tightly packed accessor with its own view. Vertices have float components, indices
+  /// 16-bit ones. Returns the accessor's index.
   template <std::size_t kComponents>
   std::size_t addVertices(const std::vector<std::array<float, kComponents>>& values,
                           bool withBounds = false);

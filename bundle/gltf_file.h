@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The JSON document of a glTF asset and the bytes of its buffers, wherever they are kept.
+// The JSON document of a glTF asset, and the bytes of its buffers from the GLB chunk, files or data
+// URIs.
 #pragma once
 
 #include "findings.h"
@@ -8,12 +9,12 @@
 
 namespace lichen {
 
-/// An asset whose JSON is syntactically sound and an object. Buffers are loaded when first asked
-/// for, so that only those which hold tables are read.
+/// An asset whose JSON is well-formed and an object. Buffers load on first use, so that unused ones
+/// are not read.
 class GltfFile {
 public:
-  /// `folder` is where files that buffers name are looked up; empty when there is none. Borrows
-  /// `file`. Faults that leave nothing to read are recorded, and nothing is returned.
+  /// Resolves buffer files in `folder`, which may be empty if there is none. Borrows `file`. If the
+  /// container is invalid, records the fault and returns nothing.
   [[nodiscard]] static std::optional<GltfFile>
   open(std::span<const std::byte> file, std::filesystem::path folder, FindingList& findings);
 
@@ -21,45 +22,45 @@ public:
   [[nodiscard]] const GltfContainer& container() const { return container_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// The bytes of a buffer view of a table, in bounds. Faults are recorded at each call, those of a
-  /// buffer once in each list.
+  /// The bytes of a table's buffer view, within the buffer. Records faults at each call, but a
+  /// fault of the buffer only once per list.
   [[nodiscard]] std::optional<std::span<const std::byte>> bufferView(std::size_t index,
                                                                      FindingList& findings);
-  /// As above of a view with vertices, whose elements may lie apart.
+  /// As bufferView(), for a view of vertices, which may have a stride.
   struct StridedView {
     std::span<const std::byte> bytes;
-    std::size_t stride = 0; ///< from element to element; 0 where they follow one another
+    std::size_t stride = 0; ///< bytes between element starts; 0 if tightly packed
   };
   [[nodiscard]] std::optional<StridedView> stridedView(std::size_t index, FindingList& findings);
-  /// The bytes of a buffer.
+  /// The bytes of a buffer. Records faults as bufferView() does.
   [[nodiscard]] std::optional<std::span<const std::byte>> wholeBuffer(std::size_t index,
                                                                       FindingList& findings);
-  /// The file that a relative URI names inside the folder, or what is wrong.
+  /// Resolves a relative URI to a file inside the folder. Errors: badInput.
   [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
-  /// The whole of what a URI names: a file inside the folder, or data.
+  /// Reads all bytes of a URI: a file inside the folder, or a data URI.
   [[nodiscard]] Result<std::vector<std::byte>> readWholeUri(const std::string& uri) const;
-  /// Bytes of the buffers loaded so far.
+  /// Total bytes of the buffers loaded so far.
   [[nodiscard]] std::size_t loadedBytes() const;
 
 private:
   struct Buffer {
     bool loaded = false;
-    std::optional<Finding> fault;   ///< for which it cannot be used
+    std::optional<Finding> fault;   ///< the reason why it is unusable, if any
     std::vector<std::byte> storage; ///< empty for the GLB chunk, which is borrowed
     std::span<const std::byte> bytes;
   };
 
-  /// Fills `target`; returns the fault for which it cannot.
+  /// Fills `target`, or returns the fault.
   [[nodiscard]] std::optional<Finding> loadBuffer(std::size_t index, Buffer& target);
-  /// The first `length` bytes of what a URI names, or what is wrong. A file must have them, a data
-  /// URI may be shorter.
+  /// Reads the first `length` bytes of a URI. A shorter file is an error; a shorter data URI is
+  /// not.
   [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,
                                                        std::size_t length) const;
 
   std::filesystem::path folder_;
   GltfContainer container_;
   std::vector<Buffer> buffers_;
-  std::size_t storedBytes_ = 0; ///< of all buffers together
+  std::size_t storedBytes_ = 0; ///< bytes of all buffers from files and data URIs
 };
 
 } // namespace lichen

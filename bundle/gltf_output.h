@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A .gltf and the binary beside it, which replace others as one.
+// Writes a .gltf and the binary beside it, replacing earlier files atomically as a pair.
 #pragma once
 
 #include <lichen/result.h>
@@ -10,14 +10,15 @@
 
 namespace lichen {
 
-/// The relative URI of the binary of `path`: STEM.HASH.bin, named by its content, so that an old
-/// .gltf keeps its own until the new one is whole.
+/// The relative URI of the binary of `path`: STEM.HASH.bin, where HASH depends on the content. An
+/// old .gltf therefore keeps its own binary until the new .gltf is complete.
 [[nodiscard]] std::string binaryUri(const std::filesystem::path& path,
                                     std::span<const std::byte> binary);
 
-/// Writes `binary`, unless it is empty, under its name, then `text` at `path`. Binaries of such
-/// names that the .gltf which was there refers to, and `text` does not, are removed. Errors as
-/// replaceFile, with the old files whole and no other. Throws std::bad_alloc.
+/// Writes `binary`, unless it is empty, to the file of binaryUri(), then `text` to `path`. Then
+/// removes binaries with such names to which the previous .gltf referred and `text` does not.
+/// Errors: those of replaceFile(), which leave the old files intact and no new ones. Throws
+/// std::bad_alloc.
 [[nodiscard]] Result<void> writeGltfPair(const std::filesystem::path& path, const std::string& text,
                                          std::span<const std::byte> binary);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// JSON text -> nlohmann::json, and its end, without an allocation where none may fail.
-// nlohmann's destructor of a nested value moves its elements to a vector: where memory is exhausted
-// that throws inside a destructor, and the process ends. Nested values that an allocation failure
-// can meet are therefore built and taken apart here.
+// JSON text -> nlohmann::json, and its destruction without allocation.
+// nlohmann's destructor of a nested value moves its elements to a vector. When memory is exhausted,
+// that throws inside a destructor and terminates the process. Nested values that may exist during
+// an allocation failure are therefore built and dismantled here.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,16 +20,16 @@ struct JsonFault {
     count  ///< too many values
   };
   Kind kind = Kind::syntax;
-  std::size_t byte = 0; ///< of a fault that the parser found
+  std::size_t byte = 0; ///< byte offset of a fault that the parser found
 };
 
-/// Parses `text` into `document`, as json::parse() does: of members of one name the last counts.
-/// Reads up to `mostValues` of any kind, however deep they lie. Throws std::bad_alloc. Then, and
-/// after a fault, `document` holds what was read, for dismantle().
+/// Parses `text` into `document` as json::parse() does: among members of the same name the last one
+/// wins. Reads at most `mostValues` values, counted at all depths. Throws std::bad_alloc. After an
+/// exception or a fault, `document` holds the values read so far; pass it to dismantle().
 [[nodiscard]] std::optional<JsonFault> buildJson(std::span<const std::byte> text,
                                                  std::size_t mostValues, nlohmann::json& document);
 
-/// Empties an array or object from its leaves on. Recursion goes as deep as it is nested.
+/// Empties an array or object, leaves first. The recursion depth equals the nesting depth.
 void dismantle(nlohmann::json& value) noexcept;
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes to a JSON text that leave every other byte of it as it is.
+// Edits a JSON text and preserves every other byte of it.
 #pragma once
 
 #include <lichen/json_tree.h>
@@ -11,18 +11,18 @@
 
 namespace lichen {
 
-/// What is to become of one value of a document, and of what lies in it.
+/// The pending change to one value of a document and to the values inside it.
 class JsonChange {
 public:
-  /// The change to a member of an object. One that is absent is added, at the object's end.
+  /// The change to a member of an object. An absent member is added at the object's end.
   JsonChange& member(std::string_view key);
-  /// The change to an element of an array, which must be there.
+  /// The change to an array element, which must exist.
   JsonChange& element(std::size_t index) { return elements_[index]; }
-  /// Takes the place of the value. Changes inside it are then not asked for.
+  /// Replaces the value. Changes inside the old value are then ignored.
   void set(JsonTree value) { value_ = std::move(value); }
-  /// Adds an element at the end of an array, which is made where it is absent.
+  /// Appends an element to an array. An absent array is created.
   void append(JsonTree value) { appended_.push_back(std::move(value)); }
-  /// Leaves a member out.
+  /// Removes a member.
   void remove() { isRemoved_ = true; }
 
   [[nodiscard]] bool isNone() const {
@@ -34,12 +34,12 @@ private:
 
   struct Member;
 
-  /// The value where there was none.
+  /// The value that results if there was none before.
   [[nodiscard]] JsonTree made() const;
 
   std::optional<JsonTree> value_;
   bool isRemoved_ = false;
-  std::deque<Member> members_; ///< in the order in which they were asked for; stay in their places
+  std::deque<Member> members_; ///< in order of request; a deque keeps references valid
   std::map<std::size_t, JsonChange> elements_;
   std::vector<JsonTree> appended_;
 };
@@ -49,10 +49,10 @@ struct JsonChange::Member {
   JsonChange change;
 };
 
-/// `text`, which a JSON parser has accepted, with the changes. What is added stands like its
-/// neighbours, on one line. Errors, badInput with a JSON pointer: a change to a value of another
-/// type, to an element that is absent, or to a member that stands twice.
-/// Throws std::bad_alloc. Time: linear in the text.
+/// Returns `text` with the changes applied. `text` must be valid JSON. Additions go on one line and
+/// copy the whitespace of their neighbours. Errors: badInput with a JSON pointer, for a change to a
+/// value of another type, to an absent element, or to a member that occurs twice. Throws
+/// std::bad_alloc. Time: linear in the text.
 [[nodiscard]] Result<std::string> changedJson(std::string_view text, const JsonChange& change);
 
 } // namespace lichen

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Typed access to one JSON object. Every fault is recorded with its JSON pointer, and a usable
-// fallback is returned so that reading goes on to find the next one.
+// Typed access to one JSON object. Each fault is recorded with its JSON pointer, and the reader
+// returns a usable fallback, so that reading continues to the next fault.
 #pragma once
 
 #include "findings.h"
@@ -11,37 +11,39 @@ namespace lichen {
 
 class ObjectReader {
 public:
-  /// Borrows all three. A value that is not an object is recorded; its members then are absent, but
-  /// no further fault is recorded for that.
+  /// Borrows all three. Records a value that is not an object; its members then count as absent,
+  /// without further faults.
   ObjectReader(const nlohmann::json& value, std::string pointer, FindingList& findings);
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
   [[nodiscard]] std::string pointerTo(const char* key) const { return pointer_ + "/" + key; }
 
-  /// A member that must be there; null, recorded as "required", when it is not.
+  /// A mandatory member. If absent, records "required" and returns null.
   [[nodiscard]] const nlohmann::json* required(const char* key);
-  /// A member that may be absent: null without a record.
+  /// An optional member. If absent, returns null without a fault.
   [[nodiscard]] const nlohmann::json* optional(const char* key);
 
   /// Records a fault of a member.
   void error(const char* code, const char* key, std::string message);
 
-  /// Numbers: "type" when it is none, "range" when outside `range`.
+  /// Mandatory numbers (numberOr: optional). Records "type" for another type and "range" for a
+  /// value outside `range`.
   [[nodiscard]] std::optional<double> number(const char* key, NumberRange range);
   [[nodiscard]] double numberOr(const char* key, NumberRange range, double fallback);
   [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key, NumberRange range);
-  /// Integers in [least, most]; `rangeCode` is the code of one outside.
+  /// An integer in [least, most]. Records `rangeCode` for one outside.
   [[nodiscard]] std::optional<std::uint64_t> integer(const char* key, std::uint64_t most,
                                                      const char* rangeCode = "range",
                                                      std::uint64_t least = 0);
   [[nodiscard]] std::optional<std::string> text(const char* key);
-  /// A member that is an array of 1 to `most` elements; null otherwise ("count").
+  /// An array of 1 to `most` elements. Otherwise records a fault ("count" for another size) and
+  /// returns null.
   [[nodiscard]] const nlohmann::json* array(const char* key, std::size_t most);
-  /// Whether the member is there; does not count as having read it.
+  /// Whether the member exists. Does not count as reading it.
   [[nodiscard]] bool has(const char* key) const;
 
-  /// Records a warning for each member that none of the calls above has asked for. Every object may
-  /// have "extensions" and "extras".
+  /// Records a warning for each member that no call above has read, except "extensions" and
+  /// "extras", which every object may have.
   void warnOfUnknown();
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The core material of a noise: what a viewer shows that does not know the extension.
+// The core glTF material of a noise, for viewers that do not support the extension.
 #pragma once
 
 #include "gltf_builder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene that shows a noise: balls on a ground, a camera, a sun.
+// The scene that shows the noises: balls on a ground, a camera, a sun.
 #pragma once
 
 #include "gltf_builder.h"
@@ -8,14 +8,14 @@
 
 namespace lichen {
 
-/// Parts into which the ground can be divided: no more materials are shown by PreviewShape::plane.
+/// Number of sectors of the ground, and so the maximum number of materials for PreviewShape::plane.
 inline constexpr int kGroundSectors = 48;
 
-/// Adds scene, nodes, cameras, meshes and the sun to `root`, geometry to `builder`. Every material,
-/// as many as needsTangents has elements, is shown; a primitive has TANGENT exactly where its
-/// material's needsTangents is set. `exemplarAspect`, width over height, keeps the exemplar's
-/// proportions, since it spans one unit of texture coordinates each way; all share the geometry, so
-/// it is the first noise's. Nothing for PreviewShape::none.
+/// Adds scene, nodes, cameras, meshes and the sun to `root`, and geometry to `builder`. Shows one
+/// material per element of needsTangents; a primitive has TANGENT exactly if its material's element
+/// is true. `exemplarAspect`, width over height, preserves the exemplar's proportions, because an
+/// exemplar spans one unit of texture coordinates along both axes. All materials share the
+/// geometry, so it is the aspect of the first noise. Adds nothing for PreviewShape::none.
 void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents, double exemplarAspect);
 

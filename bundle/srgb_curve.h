@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sRGB transfer function, IEC 61966-2-1: code value <-> light.
+// The sRGB transfer function, IEC 61966-2-1: code value <-> linear light.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Members of a map's constants that methods fill in the same form.
+// Sets members of a map's constants that several methods share.
 #pragma once
 
 #include <lichen/shader_parameters.h>
@@ -10,17 +10,19 @@
 
 namespace lichen {
 
-/// Size, dimensions and mips of the image that the shader fetches.
+/// Sets the size, dimensions and mip count of the image that the shader fetches.
 void setImage(shader::LichenMap& constants, const Table& image);
 
-/// Rows of an n x d matrix (row-major) and an offset of n values; what is absent is 0.
+/// Sets the rows from an n x d matrix (row-major) and an offset of n values. Further matrix columns
+/// become 0; further rows stay unchanged.
 void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
              std::size_t dimensions, const std::vector<double>& offset);
 
-/// sqrt(1 - loss) of each mip as unorm bytes, the first in the lowest byte of x; the last repeats.
+/// The kept amplitude sqrt(1 - loss) of each mip level as unorm bytes, the first in the lowest byte
+/// of x. The last loss repeats for further levels.
 [[nodiscard]] shader::uvec4 keptAmplitudes(std::span<const double> losses);
 
-/// Sets the mean of the decoded values, for maps without a table.
+/// Sets the mean of the decoded values, for maps without an inverse table.
 void setGaussianMean(shader::LichenMap& constants);
 
 } // namespace lichen

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the format asks of a method: how its data is read, checked, written and handed to the
-// shaders. Each method implements it in its own folder; methods.cpp lists them.
+// The interface through which the format reads, checks and writes a method's data and passes it to
+// the shaders. Each method implements it in its own folder; methods.cpp lists the methods.
 #pragma once
 
 #include "extension_reader.h"
@@ -26,50 +26,51 @@ public:
   [[nodiscard]] virtual int revision() const = 0;
   [[nodiscard]] virtual bool fits(Mapping mapping) const = 0;
 
-  /// The members of a map's JSON object that are indices of tables.
+  /// The members of a map's JSON object that are table indices.
   [[nodiscard]] virtual std::span<const std::string_view> tableMembers() const = 0;
   /// Reads and checks the members of a noise that its maps share.
   [[nodiscard]] virtual MethodNoise readNoise(ObjectReader& reader,
                                               FindingList& findings) const = 0;
-  /// Reads and checks the members of one map that belong to the method. `noise` has been read up to
-  /// its maps, `map` up to its moments; members at fault may be missing from both. A table that
-  /// could not be read is null.
+  /// Reads and checks the method's members of one map. `noise` is read up to its maps and `map` up
+  /// to its moments; faulty members may be missing from both. A table that could not be read is
+  /// empty.
   [[nodiscard]] virtual MethodMap readMap(ObjectReader& reader, const Noise& noise,
                                           const NoiseMap& map, const Tables& tables,
                                           FindingList& findings) const = 0;
-  /// Whether the noise changes along the weight of a mix.
+  /// Whether the noise is a mix.
   [[nodiscard]] virtual bool isMix(const Noise&) const { return false; }
 
   /// Appends the members that readNoise() and readMap() read.
   virtual void writeNoise(const Noise& noise, JsonTree& json) const = 0;
   virtual void writeMap(const NoiseMap& map, JsonTree& json) const = 0;
 
-  /// Width and height in texels of the exemplar of one map, and of a tile of the whole noise.
+  /// Width and height in texels of a map's exemplar (exemplarSize), and of a tile of the noise
+  /// (tileSize).
   [[nodiscard]] virtual std::array<std::uint32_t, 2>
   exemplarSize(const Bundle& bundle, const Noise& noise, const NoiseMap& map) const = 0;
   [[nodiscard]] virtual std::array<std::uint32_t, 2> tileSize(const Bundle& bundle,
                                                               const Noise& noise) const = 0;
 
-  /// The cells of the noise on texture coordinates, and the cell in which an integer tile origin
-  /// lies. Skewed rows are each shifted by half a column against the one before.
+  /// The noise's cells on texture coordinates (cells), and the cell of an integer tile origin
+  /// (cellOf). Each skewed row is shifted by half a column relative to the previous one.
   [[nodiscard]] virtual Lattice cells(const Noise& noise, const MaterialNoise& material,
                                       const Placement& placement) const = 0;
   [[nodiscard]] virtual LatticeOrigin cellOf(const Lattice& cells, std::int64_t tileX,
                                              std::int64_t tileY) const = 0;
   [[nodiscard]] virtual bool hasSkewedRows() const = 0;
 
-  /// Sets the members of a noise's constants that place it on surfaces; called where it fits them.
+  /// Sets the noise constants for Mapping::surface. Called only if fits(Mapping::surface).
   virtual void setSurface(const Noise&, const MaterialNoise&, const Placement&,
                           shader::LichenNoise&) const {}
 
-  /// Sets the members of a map's and of a noise's constants that only this method has.
+  /// Sets the map and noise constants that only this method has.
   virtual void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                       shader::LichenMap& constants) const = 0;
   virtual void setNoise(const Bundle& bundle, const MaterialNoise& material,
                         const Placement& placement, shader::LichenNoise& constants) const = 0;
 };
 
-/// Every method, in the order of Method.
+/// All methods, in the order of Method.
 [[nodiscard]] std::span<const MethodFormat* const> methodFormats();
 [[nodiscard]] const MethodFormat& formatOf(Method method);
 [[nodiscard]] inline const MethodFormat& formatOf(const Noise& noise) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a glTF file with LICHEN_materials_exemplar_noise holds: tables, noises, and the materials
-// that use them. docs/gltf_extension/README.md is the format's specification.
+// The content of a glTF file that uses LICHEN_materials_exemplar_noise: tables, noises, and the
+// materials that use them. docs/gltf_extension/README.md specifies the format.
 #pragma once
 
 #include <lichen/result.h>
@@ -38,28 +38,29 @@ enum class MapChannel {
   height,
   opacity
 };
-/// Of the exemplar's stored values, in which mean and covariance are stated. The inverse table
-/// holds light for srgb, the decoded value for the others.
+/// The encoding of the exemplar's stored values; the mean and covariance are in these units. The
+/// inverse table holds linear light for srgb, and decoded values for the other encodings.
 enum class ValueEncoding { srgb, linear, slope, log2 };
 enum class Mapping { uv, triplanar, surface, solid };
-/// Where the places of a mapping in space are: in the world, or on each object, which the noise
-/// then moves, turns and scales with.
+/// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or
+/// object space, where the noise moves, rotates and scales with the object.
 enum class NoiseSpace { world, object };
-/// How a noise is evaluated: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
+/// The synthesis method: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
 enum class Method { tiling, texton };
 
-/// All methods, in their order.
+/// All methods, in the order of the enumeration.
 [[nodiscard]] std::span<const Method> allMethods();
-/// The revision of a method that this version writes and evaluates. Noises of other revisions are
-/// ignored.
+/// The method revision that this version writes and evaluates. Readers ignore noises of unknown
+/// revisions.
 [[nodiscard]] int revisionOf(Method method);
-/// How the impacts of a texton noise lie: one in each cell of a grid, or a Poisson process.
+/// How a texton noise distributes its impacts: one in each cell of a grid, or as a Poisson process.
 enum class PointProcess { stratified, poisson };
-/// Where the weight of a mix comes from: a number, a way along texture coordinates, a texture, or
-/// vertex colours.
+/// The source of a mix weight: a constant, a direction in texture coordinates, a texture, or vertex
+/// colours.
 enum class MixSource { constant, direction, texture, vertexColor };
 
-/// The names that the JSON uses, for both directions.
+/// Conversion between enumerators and their JSON names. The ...From functions return nothing for an
+/// unknown name.
 [[nodiscard]] std::string_view nameOf(MapTarget value);
 [[nodiscard]] std::string_view nameOf(MapChannel value);
 [[nodiscard]] std::string_view nameOf(ValueEncoding value);
@@ -77,8 +78,8 @@ enum class MixSource { constant, direction, texture, vertexColor };
 [[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
 [[nodiscard]] std::optional<MixSource> mixSourceFrom(std::string_view name);
 
-/// What a method holds for all maps of a noise, and for one map. Both alternatives of a noise are
-/// those of one method, in the order of Method.
+/// The data of one method: what all maps of a noise share, and what each map has. The alternatives
+/// of both variants follow the order of Method.
 using MethodNoise = std::variant<TilingNoise, TextonShape>;
 using MethodMap = std::variant<TilingMap, TextonMap>;
 
@@ -87,11 +88,12 @@ struct NoiseMap {
   MapTarget target = MapTarget::baseColor;
   std::vector<MapChannel> channels; ///< 1 to 3
   ValueEncoding encoding = ValueEncoding::srgb;
-  std::vector<double> mean;       ///< of the exemplar's stored values, n = channels.size() of them
+  std::vector<double> mean;       ///< of the exemplar's stored values; n = channels.size() of them
   std::vector<double> covariance; ///< n x n, row-major, symmetric
   MethodMap data;
 
-  /// The data of the map's own method. (std::get would bring an exception's type into libraries.)
+  /// The map's data. Precondition: Data belongs to the map's method. (std::get would pull an
+  /// exception type into the library.)
   template <class Data>
   [[nodiscard]] const Data& as() const {
     assert(std::holds_alternative<Data>(data));
@@ -106,13 +108,13 @@ struct NoiseMap {
   [[nodiscard]] bool operator==(const NoiseMap&) const = default;
 };
 
-/// Calls visit(index) for each index of a table in a map, const or not.
+/// Calls visit(index) for each table index in a map, const or not.
 template <class Map, class Visit>
 void visitTables(Map& map, const Visit& visit) {
   std::visit([&](auto& data) { data.visitTables(data, visit); }, map.data);
 }
 
-/// One noise: maps that share lattice, hash, seed and weights, or impacts.
+/// One noise. Its maps share the lattice, hash, seed and weights, or the impacts.
 struct Noise {
   std::string name;
   double tileSizeMetres = 1.0; ///< width of one exemplar
@@ -120,7 +122,7 @@ struct Noise {
   std::vector<NoiseMap> maps;
 
   [[nodiscard]] Method method() const { return Method(data.index()); }
-  /// The data of the noise's own method.
+  /// The noise's data. Precondition: Data belongs to the noise's method.
   template <class Data>
   [[nodiscard]] const Data& as() const {
     assert(std::holds_alternative<Data>(data));
@@ -137,22 +139,23 @@ struct Noise {
 
 struct Bundle;
 
-/// The place of the noise's map of this target, where it has one.
+/// The index in noise.maps of the map with this target, or nothing.
 [[nodiscard]] std::optional<std::size_t> findMap(const Noise& noise, MapTarget target);
 
-/// Width and height in texels of the exemplar that a map was baked of. The maps of a texton noise
-/// all had the size of the largest. `map` is one of the noise's, and its image is in the bundle.
+/// Width and height in texels of the exemplar from which a map was baked. All maps of a texton
+/// noise report the size of the largest. Precondition: `map` belongs to `noise`, and the bundle
+/// contains its image.
 [[nodiscard]] std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
                                                         const NoiseMap& map);
 
-/// Whether noises of a method can be put on a surface in this way: uv and triplanar always, surface
-/// for textons; none has a solid form.
+/// Whether a method supports a mapping. All methods support uv and triplanar; textons also support
+/// surface; none supports solid.
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 
-/// Whether a noise changes along the weight of a mix.
+/// Whether a noise is a mix, that is, varies with a mix weight.
 [[nodiscard]] bool isMix(const Noise& noise);
 
-/// Whether a mapping has its places in space, not on texture coordinates.
+/// Whether a mapping evaluates the noise at 3-D positions rather than texture coordinates.
 [[nodiscard]] bool isInSpace(Mapping mapping);
 
 /// Inclusive bounds of a number.
@@ -161,10 +164,10 @@ struct NumberRange {
   double most = std::numeric_limits<double>::max();
 };
 
-/// Of Noise::tileSizeMetres, as the format's schema states it.
+/// Range of Noise::tileSizeMetres, as in the format's schema.
 inline constexpr NumberRange kTileSizeRange{1e-6, 1e6};
 
-/// Of a material's parameters, as the format's schema states them.
+/// Ranges of the material parameters, as in the format's schema.
 inline constexpr NumberRange kScaleRange{1e-6, 1e6};
 inline constexpr NumberRange kOffsetRange{-1e9, 1e9};
 inline constexpr NumberRange kRotationRange{-1e6, 1e6};
@@ -173,35 +176,38 @@ inline constexpr NumberRange kPlaneSharpnessRange{1.0, 64.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
-/// Of MaterialNoise::tileRotation: as many steps as the hash has, any angle.
+/// Maximum of MaterialNoise::tileRotation. The hash distinguishes this many angles, so tiles can
+/// take practically any angle.
 inline constexpr std::uint32_t kMostTileRotation = 65536;
 inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
-/// Between the two places of a direction, in texture coordinates: a sixtieth of a texel of the
-/// widest exemplar. The square of 1e-170 is 0, by which the weight would be divided.
+/// Minimum distance between MixWeight::start and end, in texture coordinates: a sixtieth of a texel
+/// of the widest exemplar. The weight is divided by the squared distance, which underflows to 0 for
+/// a distance of 1e-170.
 inline constexpr double kLeastMixWay = 1e-6;
 
-/// The weight of a mix at a point: 0 is its first step, 1 the last, and it is clamped to them.
+/// How a material computes the mix weight at a point. Weight 0 selects the first step and 1 the
+/// last; the weight is clamped to [0, 1].
 struct MixWeight {
   MixSource source = MixSource::constant;
-  double weight = 0.0; ///< of MixSource::constant, in kMixWeightRange
-  /// Of MixSource::direction: the texture coordinates, of the noise's set, where the weight is 0
-  /// and 1; another place has that of the nearest point of the line through them. In
-  /// kMixPlaceRange, and kLeastMixWay or more apart.
+  double weight = 0.0; ///< for MixSource::constant; in kMixWeightRange
+  /// For MixSource::direction: the texture coordinates, in the noise's set, where the weight is 0
+  /// and 1. Other points are projected onto the line through the two. Both are in kMixPlaceRange
+  /// and at least kLeastMixWay apart.
   std::array<double, 2> start{0.0, 0.0};
   std::array<double, 2> end{0.0, 1.0};
-  std::size_t texture = 0; ///< of MixSource::texture: glTF's index; its stored value counts
-  int texCoord = 0;        ///< of the texture, [0, 15]
-  int colorSet = 0;        ///< of MixSource::vertexColor: the n of COLOR_n, [0, 15]
-  int channel = 0;         ///< of a texture or vertex colours: 0 red to 3 alpha
+  std::size_t texture = 0; ///< for MixSource::texture: glTF texture index; stored values, undecoded
+  int texCoord = 0;        ///< texture coordinate set of the texture, [0, 15]
+  int colorSet = 0;        ///< for MixSource::vertexColor: the n of COLOR_n, [0, 15]
+  int channel = 0;         ///< for texture and vertexColor: 0 (red) to 3 (alpha)
 
   [[nodiscard]] bool operator==(const MixWeight&) const = default;
 };
 
-/// How a material uses a noise: everything that may change without a new bake.
+/// How a material uses a noise: all parameters that can change without a new bake.
 struct MaterialNoise {
   std::size_t noise = 0;
   Mapping mapping = Mapping::uv;
-  NoiseSpace space = NoiseSpace::world; ///< of mappings that are in space; world of others
+  NoiseSpace space = NoiseSpace::world; ///< always world where isInSpace(mapping) is false
   int texCoord = 0;
   /// Tile coordinate = offset + R(rotation) uv / scale, with the rotation of KHR_texture_transform:
   /// x' = cos x + sin y, y' = -sin x + cos y. One unit of tile space is one exemplar.
@@ -210,50 +216,54 @@ struct MaterialNoise {
   double rotation = 0.0;                  ///< radians
   std::uint32_t seed = 1;
   double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
-  double planeSharpness = 8.0; ///< of triplanar: exponent of the planes' weights, [1, 64]
-  double contrast = 1.0;       ///< of the Gaussian value about its mean, [0, 4]
-  /// Of tiling: how many steps of a turn tiles lie in, up to kMostTileRotation; 0 and 1: none.
+  double planeSharpness = 8.0; ///< triplanar only: exponent of the plane weights, [1, 64]
+  double contrast = 1.0;       ///< factor on the Gaussian value about its mean, [0, 4]
+  /// Tiling only: the number of evenly spaced angles that tiles take, at most kMostTileRotation. 0
+  /// and 1 leave tiles unrotated.
   std::uint32_t tileRotation = 0;
-  /// Of texton noises: the mean number of impacts that a point sees, in kImpactsRange.
+  /// Texton only: the mean number of impacts that cover a point, in kImpactsRange.
   double impacts = 30.0;
   PointProcess pointProcess = PointProcess::stratified;
-  MixWeight mix; ///< of a mix of textons
+  MixWeight mix; ///< only for a mix of textons
 };
 
-/// A noise of a method or a revision that this version does not know. Materials that use it have no
-/// noise: they are to be shown with their core textures.
+/// A noise whose method or revision this version does not support. Renderers show the materials
+/// that use it with their core glTF textures.
 struct IgnoredNoise {
-  std::size_t place = 0; ///< among all noises of the file
+  std::size_t place = 0; ///< index among all noises of the file
   std::string name;      ///< may be empty
   std::string method;
-  int revision = 0;                   ///< 0 where the file states none
-  std::vector<std::size_t> materials; ///< glTF's, in order
+  int revision = 0;                   ///< 0 if the file states none
+  std::vector<std::size_t> materials; ///< glTF material indices, ascending
 
-  /// Why, such as "revision 3 of tiling; this version knows 1".
+  /// The reason for a message, such as "revision 3 of tiling; this version knows 1".
   [[nodiscard]] std::string reason() const;
 };
 
 /// The extension's content. materials[i] belongs to glTF material i. Noises and tables are numbered
-/// without those that are ignored.
+/// without the ignored ones.
 struct Bundle {
   std::vector<Table> tables;
   std::vector<Noise> noises;
   std::vector<IgnoredNoise> ignoredNoises;
   std::vector<std::optional<MaterialNoise>> materials;
-  std::vector<std::string> materialNames; ///< as many as materials; empty where unnamed
+  std::vector<std::string> materialNames; ///< as many as materials; empty if unnamed
 };
 
-/// Bytes of the texels of all tables: what they take on a GPU, without what a driver adds.
+/// Total bytes of the texels of all tables: their GPU memory, without driver overhead.
 [[nodiscard]] std::size_t texelBytes(const Bundle& bundle);
 
-/// Reads the extension from a .glb or .gltf (buffers embedded, in the GLB chunk, or in files beside
-/// it inside its folder). Everything that checkBundle() calls an error is refused, badInput, with
-/// the first one's message. Never follows a path out of the file's folder. Thread-safe.
+/// Reads the extension from a .glb or .gltf file. Buffers may be embedded, in the GLB chunk, or in
+/// files inside the .gltf's folder; the reader never follows a path out of that folder. Errors:
+/// badInput, with the first error that checkBundle() reports; resources when memory does not
+/// suffice. Thread-safe.
 [[nodiscard]] Result<Bundle> readBundle(const std::filesystem::path& path);
-/// As above from memory: a GLB, or a .gltf whose buffers are data URIs.
+/// As readBundle(), from memory: a GLB, or a .gltf whose buffers are data URIs. Messages begin with
+/// `name`.
 [[nodiscard]] Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name);
 
-/// One fault of a file, with a stable code such as "noise-index" and a JSON pointer to the place.
+/// One fault of a file, with a stable code such as "noise-index" and a JSON pointer to its
+/// location.
 struct Finding {
   enum class Severity { error, warning } severity = Severity::error;
   std::string code;
@@ -261,10 +271,11 @@ struct Finding {
   std::string message;
 };
 
-/// Every fault of the extension and its tables that can be told without the exemplar. An Error only
-/// when the file cannot be read at all, or is no whole GLB or JSON of glTF 2. Thread-safe.
+/// Reports every fault of the extension and its tables that can be detected without the exemplar.
+/// Returns an Error only if the file cannot be read, or is not a complete GLB or glTF 2 JSON.
+/// Thread-safe.
 [[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
-/// As above from memory; what cannot be read at all is a finding too.
+/// As checkBundle() of a path, from memory. An unreadable file is reported as a finding too.
 [[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several bundles -> one with all their noises.
+// Several bundles -> one bundle with all their noises.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -11,7 +11,7 @@
 
 namespace lichen {
 
-/// A bundle that was read without error, and what messages call it.
+/// A valid bundle, and the file name that messages use for it.
 struct NamedBundle {
   std::string file;
   Bundle bundle;
@@ -19,19 +19,20 @@ struct NamedBundle {
 
 struct MergedBundle {
   Bundle bundle;                  ///< material i uses noise i
-  std::vector<std::string> notes; ///< sentences for the user: what was renamed or left out
+  std::vector<std::string> notes; ///< sentences for the user: what was renamed or dropped
 };
 
-/// All noises in order, each with the parameters and name of the first material that uses it, or
-/// with the defaults and its own name. A name that an earlier noise has gets a number, with a note;
-/// so does a material's. Texels stay as they are; tables that are equal become one.
-/// Errors: badInput, naming the file, for a bundle without noises or with one of a revision that
-/// this version cannot carry over; resources when memory does not suffice.
+/// Merges all noises, in order. Each gets the parameters and name of the first material that uses
+/// it, or the defaults and its own name. A mix weight from a texture becomes the default weight,
+/// with a note. A noise or material whose name is already taken gets a number appended, for a noise
+/// with a note. Texels are copied unchanged, and equal tables are shared. Errors: badInput, naming
+/// the file, for a bundle without noises or with a noise of an unsupported method or revision;
+/// resources when memory does not suffice.
 [[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);
 
-/// The place in `into` of a noise of `from`: that of one which is the same but for its name, else
-/// behind the others, with its tables, of which those that are there already are shared, and a
-/// number behind a name in `taken`. Throws std::bad_alloc.
+/// Adds noise `index` of `from` to `into` and returns its index there. If `into` already has a
+/// noise that differs only in name, returns that one. Otherwise appends the noise and those of its
+/// tables that `into` lacks, and appends a number to a name in `taken`. Throws std::bad_alloc.
 [[nodiscard]] std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
                                      std::set<std::string> taken);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes a bundle as a glTF scene that any viewer opens: the noise in our extension, a tileable
-// preview of the same mean and scale in the core material.
+// Writes a bundle as a glTF scene that any viewer opens. The extension holds the noise; the core
+// material holds a tileable preview with the same mean and scale.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -8,23 +8,24 @@
 namespace lichen {
 
 enum class PreviewShape {
-  sphere, ///< a sphere for each material, on a ground with the first that reaches to the horizon
-  plane,  ///< the ground alone, divided between the materials, seen at a grazing angle
-  none,   ///< no nodes and no meshes: a material library
+  sphere, ///< one sphere per material, on a ground of the first that reaches the horizon
+  plane,  ///< the ground alone, divided between the materials, at a grazing angle
+  none,   ///< a material library without nodes or meshes
 };
 
-/// PNG files for the core slots; empty where the noise has no such map. Power-of-two sizes.
+/// PNG files for the core material's texture slots; empty if the noise has no such map. Sides are
+/// powers of two.
 struct PreviewImages {
-  std::vector<std::byte> baseColor; ///< its alpha is the noise's opacity
+  std::vector<std::byte> baseColor; ///< alpha is the noise's opacity
   std::vector<std::byte> normal;
   std::vector<std::byte> occlusionRoughnessMetallic;
   std::vector<std::byte> emissive;
-  /// How many exemplars one preview image spans each way, >= 1.
+  /// Number of exemplars that one preview image spans along each axis, >= 1.
   int tilesPerImage = 1;
 };
 
-/// What the scene around the bundle looks like. One material per noise, in order, taking
-/// bundle.materials[i] (which the caller has filled) and previews[i].
+/// A bundle and its preview scene. The scene has one material per noise, in order, which uses
+/// bundle.materials[i] (filled by the caller) and previews[i].
 struct BundleFile {
   Bundle bundle;
   std::vector<PreviewImages> previews; ///< one per noise
@@ -32,13 +33,13 @@ struct BundleFile {
   std::string generator; ///< asset.generator, such as "lichen 0.1.0"
 };
 
-/// Deterministic bytes of a GLB. Errors: usage when the parts do not fit one another or
-/// readBundle() would refuse the result, for its reason; resources when memory does not suffice.
+/// Encodes a GLB, with deterministic bytes. Errors: usage, with the reason, when the parts are
+/// inconsistent or readBundle() would reject the result; resources when memory does not suffice.
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
-/// Writes .glb, or .gltf with one STEM.HASH.bin beside it, named by its content; that of the .gltf
-/// which this one replaces is removed. Errors as replaceFile, with the old files whole and no
-/// other; usage for another extension.
+/// Writes a .glb, or a .gltf with its binary beside it in STEM.HASH.bin, where HASH depends on the
+/// content. Replacing a .gltf removes its old binary. Errors: those of encodeGlb() and
+/// replaceFile(), which leave the old files intact and no new ones; usage for another extension.
 [[nodiscard]] Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file);
 
 } // namespace lichen

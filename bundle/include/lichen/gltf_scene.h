@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A glTF asset of anyone's, to whose materials noises are given. All else of it stays as it is.
+// Adds noises to the materials of an existing glTF asset and preserves the rest of the asset.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -16,98 +16,101 @@ struct PrimitivePlace {
   std::size_t primitive = 0;
 };
 
-/// The triangles of a primitive: three indices each, of strips and fans too.
+/// The triangles of a primitive, three indices each. Strips and fans are converted.
 struct PrimitiveGeometry {
   std::vector<std::array<float, 3>> positions;
-  std::vector<std::array<float, 3>> normals; ///< as many as positions, or none
+  std::vector<std::array<float, 3>> normals; ///< as many as positions, or empty
   std::vector<std::uint32_t> triangles;
 };
 
-/// What putting a noise on materials has come to.
+/// The result of GltfScene::applyNoise().
 struct AppliedNoise {
-  std::string name; ///< in the asset
+  std::string name; ///< the noise's name in the asset
   bool isNew = false;
   std::size_t newTables = 0;
 };
 
-/// The JSON text keeps every byte but for what is added or, at the places that say so below,
-/// replaced; the bytes of buffers stay where they are, new ones follow them.
+/// An asset and its pending changes. Writing preserves every byte of the JSON text except for
+/// additions and the replacements documented below. Existing buffer bytes keep their offsets; new
+/// bytes follow them.
 class GltfScene {
 public:
-  /// Reads a .glb or .gltf. Errors: badInput where it is none, where materials, meshes, primitives
-  /// or attributes are not what glTF says, or where its own noises are at fault; resources.
+  /// Reads a .glb or .gltf. Errors: badInput if the file is neither, if its materials, meshes,
+  /// primitives or attributes violate glTF, or if its existing noises are invalid; resources when
+  /// memory does not suffice.
   [[nodiscard]] static Result<GltfScene> open(const std::filesystem::path& path);
   GltfScene(GltfScene&&) noexcept;
   GltfScene& operator=(GltfScene&&) noexcept;
   ~GltfScene();
 
   [[nodiscard]] const std::filesystem::path& path() const;
-  [[nodiscard]] const nlohmann::json& document() const; ///< as it was read
+  [[nodiscard]] const nlohmann::json& document() const; ///< as read, without pending changes
   [[nodiscard]] std::size_t materialCount() const;
-  /// "material 2", "material 'wood'", or "material 2 'wood'" where another is called so; for
-  /// messages.
+  /// For messages: "material 2", "material 'wood'", or "material 2 'wood'" if another material has
+  /// the same name.
   [[nodiscard]] std::string materialTitle(std::size_t material) const;
   [[nodiscard]] std::string meshTitle(std::size_t mesh) const;
   [[nodiscard]] std::string primitiveTitle(PrimitivePlace place) const;
 
   [[nodiscard]] const std::vector<PrimitivePlace>& primitivesOf(std::size_t material) const;
-  /// The accessor of an attribute such as "TANGENT"; of an added one the new one.
+  /// The accessor of an attribute such as "TANGENT", including one set by setAttribute(); nothing
+  /// if the primitive has no such attribute.
   [[nodiscard]] std::optional<std::size_t> attribute(PrimitivePlace place,
                                                      const std::string& name) const;
 
-  /// Errors: badInput, naming the primitive, for what is at fault in it, for points and lines, and
-  /// for vertices that are compressed by an extension; resources.
+  /// Reads a primitive's triangles. Errors: badInput, naming the primitive, for invalid data,
+  /// points, lines, or vertices compressed by an extension; resources when memory does not suffice.
   [[nodiscard]] Result<PrimitiveGeometry> geometry(PrimitivePlace place);
 
-  /// Reads positions, normals, texture coordinates and indices, of points and lines too, without
-  /// keeping them. Returns the extension by which they are compressed, then unread, or nothing.
-  /// Errors: badInput, naming the primitive and the accessor, where no viewer can draw it;
-  /// resources.
+  /// Validates positions, normals, texture coordinates and indices, of points and lines too,
+  /// without storing them. If an extension compresses them, returns its name and skips the check.
+  /// Errors: badInput, naming the primitive and the accessor, if no viewer can draw the primitive;
+  /// resources when memory does not suffice.
   [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
 
-  /// The least and the greatest value of an attribute of two components, such as "TEXCOORD_0", that
-  /// the primitive has; nothing where its vertices are compressed, which are then unread. Errors as
-  /// checkVertices().
+  /// The minimum and maximum of a two-component attribute of the primitive, such as "TEXCOORD_0".
+  /// Returns nothing if an extension compresses the vertices. Errors as checkVertices().
   struct Range2 {
     std::array<float, 2> least{}, most{};
   };
   [[nodiscard]] Result<std::optional<Range2>> rangeOf(PrimitivePlace place,
                                                       const std::string& attribute);
 
-  /// Adds vertices as an accessor of floats, and returns its index. Throws std::bad_alloc.
+  /// Adds a float accessor and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
   /// Adds or replaces an attribute. Throws std::bad_alloc.
   void setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor);
 
-  /// Adds or replaces a factor of a material, a number or several, in the object `parent` of it, or
-  /// in the material itself where that is empty. Throws std::bad_alloc.
+  /// Adds or replaces a material factor of one or more numbers. `parent` names the object that
+  /// holds the factor; the material itself if empty. Throws std::bad_alloc.
   void setFactor(std::size_t material, std::string_view parent, std::string_view key,
                  const std::vector<double>& value);
 
-  /// Adds a PNG or JPEG file as an image of `mediaType` and a texture of it, which ends at its
-  /// borders and does not repeat; returns the texture's index. Throws std::bad_alloc.
+  /// Adds a PNG or JPEG file as an image of `mediaType`, and a texture that clamps to its edges.
+  /// Returns the texture's index. Throws std::bad_alloc.
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
-  [[nodiscard]] std::size_t textureCount() const; ///< with those that were added
+  [[nodiscard]] std::size_t textureCount() const; ///< including added textures
 
-  /// Images whose files are not there; a .glb made of a .gltf cannot take them into itself. Throws
-  /// std::bad_alloc.
+  /// Images whose files do not exist, which therefore cannot be embedded when a .gltf is written as
+  /// a .glb. Throws std::bad_alloc.
   [[nodiscard]] std::vector<std::size_t> absentImages() const;
-  /// Has an image stay in its file in a .glb too. Throws std::bad_alloc.
+  /// Keeps an image external even in a .glb. Throws std::bad_alloc.
   void leaveImage(std::size_t image);
 
-  /// Gives materials a noise of a bundle with the parameters of `use`, whose index of a noise is
-  /// not used. A noise that the asset has already, from an earlier call too, is shared, and so are
-  /// tables; a name that another noise has gets a number. What a material said about a noise is
-  /// replaced. Errors: resources.
+  /// Assigns a noise of a bundle to materials, with the parameters of `use`; ignores use.noise.
+  /// Reuses equal noises and tables that the asset already has, including those from earlier calls.
+  /// Appends a number to a name that another noise has. Replaces the materials' previous noise.
+  /// Errors: resources.
   [[nodiscard]] Result<AppliedNoise> applyNoise(const Bundle& bundle, std::size_t noise,
                                                 const MaterialNoise& use,
                                                 std::span<const std::size_t> materials);
 
-  /// Writes .glb, or .gltf with new bytes in STEM.HASH.bin beside it; either kind becomes either. A
-  /// .glb made of a .gltf takes the first buffer and the images into itself. Errors as
-  /// replaceFile; usage where the asset names files beside it and `path` is in another folder, or
-  /// for another extension; badInput for changes that the document has no place for.
+  /// Writes a .glb, or a .gltf with the new bytes in STEM.HASH.bin beside it. Converts between the
+  /// two according to the extension of `path`; converting to .glb embeds the first buffer and the
+  /// images. Errors: those of replaceFile; usage if `path` has another extension, or lies in
+  /// another folder while the asset refers to external files; badInput if the document's structure
+  /// prevents a change.
   [[nodiscard]] Result<void> write(const std::filesystem::path& path);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A JSON document that is being written, and its text.
-// nlohmann's values are not used for that: their destructor allocates, so where memory runs out
-// while a document is built, the process would end.
+// A JSON document under construction, and its text. nlohmann's values are unsuitable: their
+// destructor allocates, so running out of memory while building a document would terminate the
+// process.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace lichen {
 
-/// A value of a document. Members keep the order in which they are set, so that the same bundle
-/// gives the same bytes. Strings are UTF-8; others throw nlohmann::json::exception.
+/// A value of a document. Members keep their insertion order, so the same bundle always gives the
+/// same bytes. Strings must be UTF-8; others throw nlohmann::json::exception.
 class JsonTree {
 public:
   JsonTree() = default; ///< null, until it gets a member or an element
   JsonTree(std::string_view text) : kind_(Kind::scalar), text_(textOf(text)) {}
   JsonTree(const std::string& text) : JsonTree(std::string_view(text)) {}
   JsonTree(const char* text) : JsonTree(std::string_view(text)) {}
-  template <std::same_as<bool> Flag> // nothing else, such as a pointer, becomes a bool
+  template <std::same_as<bool> Flag> // prevents conversion from pointers
   JsonTree(Flag value) : kind_(Kind::scalar), text_(value ? "true" : "false") {}
   template <std::floating_point Number>
   JsonTree(Number value) : kind_(Kind::scalar), text_(textOf(double(value))) {}
@@ -37,25 +37,26 @@ public:
   template <class Value, std::size_t kSize>
   JsonTree(const std::array<Value, kSize>& values)
       : kind_(Kind::array), values_(values.begin(), values.end()) {}
-  /// An object where every value is an array of a string and another value, an array elsewhere.
+  /// An object if every value is an array of a string and another value; otherwise an array.
   JsonTree(std::initializer_list<JsonTree> values);
 
   [[nodiscard]] static JsonTree array();
   [[nodiscard]] static JsonTree object();
 
-  /// The member of an object, null where it was absent. The next new member ends the reference.
+  /// The member of an object; adds a null member if absent. Adding another member invalidates the
+  /// reference.
   JsonTree& operator[](std::string_view key);
   [[nodiscard]] bool contains(std::string_view key) const;
   void erase(std::string_view key);
 
   void push_back(JsonTree value);
-  /// Whether an array has an element like this one.
+  /// Whether an array contains an equal element.
   [[nodiscard]] bool has(const JsonTree& element) const;
 
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] bool empty() const { return values_.empty(); }
 
-  /// The document on one line, or indented by two spaces a level.
+  /// The document on one line, or indented by two spaces per level.
   [[nodiscard]] std::string compact() const;
   [[nodiscard]] std::string indented() const;
 
@@ -70,13 +71,13 @@ private:
   [[nodiscard]] static std::string textOf(std::uint64_t value);
 
   [[nodiscard]] bool isMember() const;
-  [[nodiscard]] std::size_t find(std::string_view key) const; ///< size() where it is absent
+  [[nodiscard]] std::size_t find(std::string_view key) const; ///< size() if absent
   void append(std::string& text, const std::string& lineEnd, std::string_view step,
               std::string_view colon) const;
 
   Kind kind_ = Kind::null;
-  std::string text_;              ///< of a scalar, as the document has it
-  std::vector<std::string> keys_; ///< of an object's values, in quotes
+  std::string text_;              ///< JSON text of a scalar
+  std::vector<std::string> keys_; ///< keys of an object's values, in quotes
   std::vector<JsonTree> values_;
 };
 

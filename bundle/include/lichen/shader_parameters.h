@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The uniform structs of the shader library, filled from a bundle: what the engine plugin uploads
-// and what the CPU twin evaluates.
+// Fills the uniform structs of the shader library from a bundle. The engine plugin uploads them,
+// and the CPU twin evaluates them.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -12,52 +12,55 @@
 
 namespace lichen {
 
-/// The constants of one map. `map` indexes `noise.maps`, whose table indices must be valid.
+/// The constants of one map. `map` is a valid index into `noise.maps`, and the map's table indices
+/// are valid.
 [[nodiscard]] shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise,
                                           std::size_t map);
 
-/// The table of a map of a mix, with `laterSteps`, which the shader has at the binding of an
-/// inverse table. Throws std::bad_alloc.
+/// The step table of a map with `laterSteps`. The shader reads it from the binding of the inverse
+/// table. Throws std::bad_alloc.
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
-/// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): the decoded value of a
-/// map with LICHEN_DECODING_GAUSSIAN at a Gaussian value. Of the variance of each stored channel
-/// `lostVariance`, at least 0 and above 1 where contrast is, is missing: the mean over what is
-/// missing, for sRGB within 0.0005.
+/// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): decodes a Gaussian
+/// value of a map with LICHEN_DECODING_GAUSSIAN. `lostVariance` is the share of each stored
+/// channel's variance that filtering removed, >= 0; it exceeds 1 where contrast does. Returns the
+/// mean of the decoded value over the lost variance, for sRGB within 0.0005.
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
                                                    const std::array<float, 3>& lostVariance);
-/// The twin of lichenDecodeRows, clamped as lichenDecodeSeparable does: what the tables of a map
-/// with LICHEN_DECODING_SEPARABLE give -> the decoded value.
+/// The twin of lichenDecodeRows, with the clamping of lichenDecodeSeparable: the values `along`
+/// from the tables of a map with LICHEN_DECODING_SEPARABLE -> the decoded value.
 [[nodiscard]] std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
                                                     const std::array<float, 3>& along);
 
-/// Where and how a material's noise is evaluated.
+/// Settings that place a material's noise on a surface.
 struct Placement {
-  /// Whole tiles added to every coordinate; |.| up to 2^40. Where one is not 0, its period is
-  /// whole.
+  /// Whole tiles added to every coordinate, |.| up to 2^40. If an origin is not 0 and the placement
+  /// is periodic, the period along that axis is a whole number of tiles.
   std::int64_t tileOriginX = 0;
   std::int64_t tileOriginY = 0;
-  /// Of triplanar and surface noise, whose origins are in space, in tiles as high as wide.
+  /// For triplanar and surface noise, which evaluate at 3-D positions. These tiles are as high as
+  /// wide.
   std::int64_t tileOriginZ = 0;
-  bool periodic = false;     ///< repeat after periodTilesX x periodTilesY tiles; of Mapping::uv
-  double periodTilesX = 0.0; ///< at least about half a tile; whole texels, for an exact seam
+  bool periodic = false;     ///< repeat every periodTilesX x periodTilesY tiles; Mapping::uv only
+  double periodTilesX = 0.0; ///< at least about half a tile; whole texels for an exact seam
   double periodTilesY = 0.0;
-  double maxAnisotropy = 1.0; ///< of the sampler that fetches the Gaussian images
+  double maxAnisotropy = 1.0; ///< of the sampler for the Gaussian images
 };
 
-/// How many times as many impacts a point of a surface sees as one of a plane: many count little.
-/// The excess kurtosis of a sum with the weights of [GLM17] section 6 is 9/5 that of a plain one.
+/// Factor from the impacts that cover a point of a plane to those that cover a point of a surface.
+/// Surface noise needs more because many have a low weight: with the weights of [GLM17] section 6,
+/// the excess kurtosis of the sum is 9/5 of an unweighted sum's.
 inline constexpr double kSurfaceImpacts = 2.0;
 
-/// The plane of latticeSeed() for noise on surfaces: 0 is uv, 0 to 2 are triplanar's.
+/// The plane argument of latticeSeed() for surface noise. Plane 0 is uv; 0 to 2 are triplanar's.
 inline constexpr std::uint32_t kSurfacePlane = 3;
 
-/// The parameters of `material`, whose noise index must be valid.
+/// The constants of `material`, whose noise index must be valid, at `placement`.
 [[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,
                                               const Placement& placement);
 
-/// The constants of a texton noise, as `material` uses it at `placement`; zeros for tiling.
+/// The constants of a texton noise for `material` at `placement`. All zero for tiling.
 [[nodiscard]] shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& material,
                                                 const Placement& placement);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bundle holds of a noise by sparse convolution of textons [GLM17].
+// The data of a texton noise [GLM17]: sparse convolution of a texton.
 #pragma once
 
 #include <lichen/table.h>
@@ -12,26 +12,27 @@
 
 namespace lichen {
 
-/// What the textons of all maps of a noise have in common.
+/// The properties that the textons of all maps of a noise share.
 ///
-/// Their coefficients are the top left part of a frame of frameWidth() x frameHeight() texels,
-/// which is zero elsewhere: half a texel of the last mip on all sides, as the image repeats. An
-/// image is `steps` frames, one above the other, together at most kMaxTableSide high.
+/// The coefficients fill the top left part of a frame of frameWidth() x frameHeight() texels; the
+/// rest is zero. Because the image repeats, this leaves a margin of half a texel of the last mip
+/// level on all sides. An image stacks `steps` frames vertically and is at most kMaxTableSide high.
 struct TextonShape {
   int coefficientsX = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
   int coefficientsY = 0;  ///< likewise
-  int order = 1;          ///< of the B-spline between coefficients: 0, 1 or 3
+  int order = 1;          ///< degree of the interpolating B-spline: 0, 1 or 3
   int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int texelsPerTileY = 0; ///< likewise
-  int steps = 1;          ///< of a mix, textons from its first exemplar to the last; otherwise 1
+  int steps = 1;          ///< textons of a mix, from its first exemplar to the last; 1 if not a mix
 
-  /// As many as keep four texels of the last mip, 2^(mipLevels - 1) coefficients wide, inside the
-  /// texton: wider ones would reach far beyond it and make a pixel pay for impacts that it hardly
-  /// sees.
+  /// The largest number of mip levels whose last level has at least four texels, each 2^(mipLevels
+  /// - 1) coefficients wide, inside the texton. Coarser texels would reach far beyond the texton,
+  /// and a pixel would pay for impacts that hardly contribute.
   [[nodiscard]] int mostMipLevels() const;
 
-  /// Texels of a frame: whole texels of the last mip, and one more.
+  /// Frame size in texels: the coefficients rounded up to whole texels of the last mip level, plus
+  /// one of those texels.
   [[nodiscard]] std::uint32_t frameWidth() const;
   [[nodiscard]] std::uint32_t frameHeight() const;
 
@@ -41,14 +42,15 @@ inline constexpr int kMaxTextonSide = 1024;
 inline constexpr int kMaxTextonMips = 9; ///< mostMipLevels() of the largest texton
 inline constexpr int kMaxTextonSteps = 64;
 
-/// Levels of averaging for which the losses of a texton's channel are known.
+/// Maximum number of averaging levels for which a texton's channel states its lost variance.
 inline constexpr std::size_t kMaxTextonLosses = 16;
 
-/// One row of a TextonMap::mipLoss, which has `rows` of them; `row` < `rows`.
+/// Row `row` of a TextonMap::mipLoss that has `rows` rows. Precondition: `row` < `rows`.
 [[nodiscard]] std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
                                               std::size_t rows);
 
-/// One later step of a mix; its members mean the same as those of the map for the first step.
+/// A step of a mix after the first. The members mean the same as those of the map, which describe
+/// the first step.
 struct TextonStep {
   std::vector<double> mean;
   std::vector<double> covariance;
@@ -58,21 +60,22 @@ struct TextonStep {
 };
 
 /// A map's texton. The stored value is NoiseMap::mean + scale x the sum over impacts. In a mix,
-/// mean, covariance and mipLoss are those of its first step.
+/// mean, covariance and mipLoss describe the first step.
 struct TextonMap {
-  /// Index into Bundle::tables: an image of a float format with a colour channel for each of the
-  /// map's. TextonShape says where its coefficients lie.
+  /// Index into Bundle::tables of an image in a float format, with at least one colour channel per
+  /// map channel. TextonShape specifies the layout of the coefficients.
   std::size_t image = 0;
-  /// A factor >= 0 for each channel: six times its standard deviation, in a mix the largest of all
+  /// A factor >= 0 per channel: six times its standard deviation, in a mix the largest of all
   /// steps.
   std::vector<double> scale;
-  /// One row a channel, one value a level of averaging, TextonShape::mipLevels to kMaxTextonLosses
-  /// of them: the share of the variance that is lost there, in [0, 1], 0 first, never decreasing.
-  /// Values beyond the image's mips are those of box averages.
+  /// The lost variance at each level of averaging, as a share of the full variance. One row per
+  /// channel, one value per level, with TextonShape::mipLevels to kMaxTextonLosses levels. Values
+  /// are in [0, 1], start at 0 and never decrease. Levels beyond the image's mip levels are box
+  /// averages.
   std::vector<double> mipLoss;
-  std::vector<TextonStep> laterSteps; ///< TextonShape::steps - 1
+  std::vector<TextonStep> laterSteps; ///< TextonShape::steps - 1 elements
 
-  /// Calls visit(index) for each index of a table.
+  /// Calls visit(index) for each table index.
   template <class Self, class Visit>
   static void visitTables(Self& self, const Visit& visit) {
     visit(self.image);

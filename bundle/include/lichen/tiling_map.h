@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bundle holds of a noise by tiling and blending [HN18].
+// The data of a tiling noise [HN18]: tiling and blending.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace lichen {
 
-/// The maps of a tiling noise have nothing in common but what every noise has.
+/// The maps of a tiling noise share nothing beyond the members of Noise.
 struct TilingNoise {
   [[nodiscard]] bool operator==(const TilingNoise&) const = default;
 };
@@ -20,22 +20,23 @@ struct TilingNoise {
 /// unused), where D is the dimension of the affine space that the exemplar's values span: a grey
 /// photograph stored as RGB has D = 1 and three channels. The inverse table maps [0, 1]^D to the
 /// channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x 64 L; D = 3: 3-D, 32 x 32 x 32 L.
-/// Slab k is prefiltered for the lost variance levels[k] = 1 - (1 - k / (L - 1))^2, in units of the
-/// full variance: the amplitude that is left falls linearly from slab 0 (nothing lost) to slab
-/// L - 1 (constant).
+/// Slab k is prefiltered for the lost variance levels[k] = 1 - (1 - k / (L - 1))^2, as a share of
+/// the full variance. The kept amplitude therefore falls linearly from slab 0 (no loss) to slab L -
+/// 1 (constant).
 struct TilingMap {
   std::size_t gaussian = 0;                ///< index into Bundle::tables
-  std::optional<std::size_t> inverseTable; ///< absent for an exemplar that is Gaussian already
+  std::optional<std::size_t> inverseTable; ///< absent if the exemplar is already Gaussian
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
-  /// For a separable table: decoded = tableOffset + tableBasis t, t one value an axis; n x D
-  /// values, row-major, and n, the number of the map's channels. Empty for a joint table or none.
+  /// For a separable table: decoded = tableOffset + tableBasis t, where t has one value per axis.
+  /// tableBasis has n x D values, row-major, and tableOffset n, for n map channels. Both are empty
+  /// for a joint table or none.
   std::vector<double> tableBasis;
   std::vector<double> tableOffset;
-  /// The share of the variance that each mip level of the Gaussian image has lost, averaged over
-  /// its channels; in [0, 1], 0 first, never decreasing.
+  /// The lost variance of each mip level of the Gaussian image, as a share of the full variance,
+  /// averaged over the channels. Values are in [0, 1], start at 0 and never decrease.
   std::vector<double> mipLoss;
 
-  /// Calls visit(index) for each index of a table.
+  /// Calls visit(index) for each table index.
   template <class Self, class Visit>
   static void visitTables(Self& self, const Visit& visit) {
     visit(self.gaussian);
@@ -46,8 +47,8 @@ struct TilingMap {
   [[nodiscard]] bool operator==(const TilingMap&) const = default;
 };
 
-/// How Gaussian values become the map's own: by one table over all dimensions, by one for each, or
-/// by the affine map of its mean and covariance.
+/// How Gaussian values are decoded: by one table over all dimensions, by one table per dimension,
+/// or by the affine map from the mean and covariance.
 enum class TableKind { joint, separable, none };
 [[nodiscard]] TableKind tableKindOf(const TilingMap& map);
 /// "joint", "separable" or "none".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The grid of cells in which the impacts of texton noise lie, one in the mean in each: squares, or
-// of surface noise cubes.
+// The grid of cells for the impacts of texton noise, with one impact per cell on average. Cells are
+// near squares on texture coordinates and cubes for surface noise.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -9,22 +9,22 @@
 
 namespace lichen {
 
-/// Cells per tile and, where the placement is periodic, per period: the whole numbers nearest to
-/// what gives a point `impacts` impacts in the mean. Cells of a periodic grid whose period is not
-/// a whole number of tiles do not end with the tile.
+/// Cells per tile and, if the placement is periodic, per period: the integers closest to those for
+/// which `impacts` impacts cover a point on average. If a period is not a whole number of tiles,
+/// tile borders need not coincide with cell borders.
 [[nodiscard]] Lattice impactGrid(const TextonShape& shape, double impacts,
                                  const Placement& placement);
 
-/// The cell in which an integer tile origin lies, modulo 2^32. A tile is a whole number of cells.
+/// The cell of an integer tile origin, modulo 2^32. A tile must be a whole number of cells.
 [[nodiscard]] LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX,
                                              std::int64_t tileY);
 
-/// The r of [GLM17] section 6, in texels: how thick a layer of impacts a point sees. For a texton
-/// that is not square, the side of the square of its area.
+/// [GLM17] section 6: r, in texels, the thickness of the layer of impacts that cover a point. For a
+/// texton that is not square, the side of a square of the same area.
 [[nodiscard]] double surfaceThickness(const TextonShape& shape);
 
-/// Of surface noise: cubes, of which a point sees kSurfaceImpacts x `impacts` in the mean. Never
-/// periodic.
+/// The cubes of surface noise, sized so that kSurfaceImpacts x `impacts` impacts cover a point on
+/// average. Never periodic.
 [[nodiscard]] Lattice surfaceGrid(const TextonShape& shape, double impacts);
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise [GLM17] in the format.
+// The format of texton noise [GLM17].
 #pragma once
 
 #include "methods/method_format.h"
@@ -35,8 +35,8 @@ public:
                 shader::LichenNoise& constants) const override;
 };
 
-/// Checks the texels of a texton whose image, scale, statistics and losses have the right sizes.
-/// Time: 70 ns for each channel of a texel. Memory: 60 bytes a texel (docs/benchmarks.md).
+/// Checks the texels of a texton. The image, scale, statistics and losses must have the right
+/// sizes. Time: 70 ns per channel of a texel. Memory: 60 bytes per texel (docs/benchmarks.md).
 void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
                        const TextonMap& texton, const Table& image);
 

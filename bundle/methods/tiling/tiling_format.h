@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling and blending [HN18] in the format.
+// The format of tiling and blending [HN18].
 #pragma once
 
 #include "methods/method_format.h"
