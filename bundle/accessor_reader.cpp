@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Accessors -> numbers; see accessor_reader.h. Input is hostile: counts are checked against the
-// bytes that are there before anything is allocated for them.
+// Accessors -> numbers; see accessor_reader.h. Input is hostile: the reader checks each count
+// against the available bytes before it allocates memory.
 #include "accessor_reader.h"
 
 #include "object_reader.h"
@@ -18,7 +18,8 @@ constexpr std::uint64_t kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsi
                         kUnsignedInt = 5125, kFloat = 5126;
 constexpr std::uint64_t kMostViews = std::uint64_t(1) << 24;
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 32;
-/// Of an accessor whose elements are zero for want of bytes: 12 MiB of vectors.
+/// Maximum number of elements of an accessor without a buffer view, whose elements are zero: 12 MiB
+/// of vectors.
 constexpr std::size_t kMostZeros = std::size_t(1) << 20;
 
 std::size_t componentBytes(std::uint64_t type) {
@@ -73,7 +74,7 @@ std::uint32_t loadIndex(const std::byte* bytes, std::uint64_t type) {
                                   : load<std::uint32_t>(bytes);
 }
 
-/// Elements of equal size, one every `stride` bytes; in bounds.
+/// Elements of equal size, one every `stride` bytes, within bounds.
 struct Elements {
   const std::byte* first = nullptr;
   std::size_t stride = 0;
@@ -81,7 +82,7 @@ struct Elements {
   [[nodiscard]] const std::byte* at(std::size_t i) const { return first + i * stride; }
 };
 
-/// Ends the reading of an accessor; the fault is recorded.
+/// Thrown to stop reading an accessor after its fault is recorded.
 struct Unreadable {};
 
 class AccessorReader {
@@ -90,7 +91,7 @@ public:
       : file_(file), findings_(findings), pointer_("/accessors/" + std::to_string(index)),
         json_(elementOf(index)), reader_(json_, pointer_, findings) {}
 
-  /// `types` are the component types that are accepted.
+  /// Reads the accessor's description. `types` lists the accepted component types.
   void describe(const char* type, std::size_t components,
                 std::initializer_list<std::uint64_t> types) {
     count_ = std::size_t(integer(reader_, "count", kMostElements));
@@ -108,8 +109,8 @@ public:
     }
   }
 
-  /// `convert(bytes of an element)` of all elements, those of `sparse` in place of the others; zero
-  /// where there are no bytes. Nothing is allocated for them before their bytes are found.
+  /// Returns `convert(bytes of an element)` for all elements. Sparse elements replace dense ones;
+  /// elements without a buffer view are zero. Allocates only after it has found the bytes.
   template <class Convert>
   auto values(const Convert& convert) {
     const std::optional<Elements> dense =
@@ -202,7 +203,7 @@ private:
     return {*value, reader.pointerTo(key), findings_};
   }
 
-  /// `count` elements, not 0, of `size` bytes in the view that an object names.
+  /// Finds `count` > 0 elements of `size` bytes in the buffer view that an object names.
   Elements elementsOf(ObjectReader& reader, std::size_t count, std::size_t size, bool mayStride) {
     const auto view = std::size_t(integer(reader, "bufferView", kMostViews));
     const auto offset = reader.has("byteOffset")

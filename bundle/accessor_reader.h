@@ -7,8 +7,8 @@
 
 namespace lichen {
 
-/// Maximum number of elements of one accessor. An element of three floats takes 12 bytes, and so
-/// does an index in the reader.
+/// Maximum number of elements of one accessor. Three floats take 12 bytes, and so does an index of
+/// a strip, which becomes a triangle.
 inline constexpr std::size_t kMostElements = std::size_t(1) << 25;
 
 /// The name of the extension that compresses a buffer view, or nothing.

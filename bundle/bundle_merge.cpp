@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundles -> one bundle: tables renumbered, names made unique.
+// Bundles -> one bundle with renumbered tables and unique names.
 #include "extension_writer.h"
 
 #include <lichen/bundle_merge.h>
@@ -11,7 +11,7 @@
 namespace lichen {
 namespace {
 
-/// `name`, or where that is taken the first of name-2, name-3, ... that is not.
+/// `name`, or if that is taken, the first free one of name-2, name-3, ...
 std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
   std::string unique = name;
   for (std::size_t number = 2; !taken.insert(unique).second; ++number)
@@ -24,7 +24,7 @@ bool isSameImage(const Table& a, const Table& b) {
          a.mipLevels == b.mipLevels && a.texels == b.texels;
 }
 
-/// The index of the table among others, to which it is added if none is like it.
+/// The index of a table in `all`; appends the table if `all` has no equal one.
 std::size_t placeTable(std::vector<Table>& all, const Table& table, const std::string& name) {
   const auto same = std::find_if(all.begin(), all.end(),
                                  [&](const Table& other) { return isSameImage(other, table); });
@@ -35,7 +35,8 @@ std::size_t placeTable(std::vector<Table>& all, const Table& table, const std::s
   return all.size() - 1;
 }
 
-/// Puts the tables of a noise of `from` among those of `into`, for a noise called `name`.
+/// Adds the tables of a noise of `from` to `into`, and renumbers the noise's indices. `name` is the
+/// noise's new name.
 void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::string& name) {
   const auto placed = [&](std::size_t index) {
     const Table& table = from.tables[index];
@@ -47,7 +48,7 @@ void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::stri
     visitTables(map, [&](std::size_t& table) { table = placed(table); });
 }
 
-/// Gathers bundles one after the other.
+/// Merges bundles one after the other.
 class Merger {
 public:
   Result<void> add(const NamedBundle& input);
@@ -118,9 +119,9 @@ std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
   const std::size_t tablesBefore = into.tables.size();
   const std::string name = uniqueName(noise.name, taken);
   placeTables(into, from, noise, name);
-  if (into.tables.size() == tablesBefore) { // else it cannot be there
+  if (into.tables.size() == tablesBefore) { // a noise with new tables cannot be a duplicate
     const auto same = std::find_if(into.noises.begin(), into.noises.end(), [&](const Noise& other) {
-      noise.name = other.name; // the only difference that does not matter
+      noise.name = other.name; // ignores the name in the comparison
       return noise == other;
     });
     if (same != into.noises.end())

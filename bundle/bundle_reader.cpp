@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Public entry points of reading and checking: both run the same pass over the file.
+// Public entry points for reading and checking. Both run the same pass over the file.
 #include "extension_reader.h"
 
 #include <lichen/files.h>
@@ -10,14 +10,14 @@
 namespace lichen {
 namespace {
 
-/// Reads what can be read and records every fault.
+/// Reads the readable parts and records every fault.
 Bundle inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
                FindingList& findings) {
   std::optional<GltfFile> gltf = GltfFile::open(file, folder, findings);
   return gltf ? readExtension(*gltf, findings) : Bundle{};
 }
 
-/// `name` is a path or a text.
+/// `name` is a path or a string.
 Error notEnoughMemory(const auto& name) noexcept {
   return memoryError(
       [&] { return std::filesystem::path(name).string() + ": not enough memory to read it"; });
@@ -72,7 +72,7 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
     else if (const Finding& fault = findings.all().front(); fault.code != "memory")
       return Error{ErrorKind::badInput, path.string() + ": " + fault.pointer +
                                             (fault.pointer.empty() ? "" : ": ") + fault.message};
-    // What could not be read for lack of memory may be sound.
+    // A part that did not fit in memory may be valid.
     if (std::any_of(findings.all().begin(), findings.all().end(),
                     [](const Finding& finding) { return finding.code == "memory"; }))
       return notEnoughMemory(path);

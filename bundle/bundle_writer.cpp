@@ -17,8 +17,7 @@ namespace {
 
 Error refusal(const std::string& what) { return Error{ErrorKind::usage, "bundle: " + what}; }
 
-/// Whether the parts of `file` fit one another; what is inside the bundle is checked after
-/// encoding.
+/// Checks that the parts of `file` are consistent. The bundle's content is checked after encoding.
 Result<void> checkParts(const BundleFile& file) {
   const std::size_t noises = file.bundle.noises.size();
   if (noises == 0)
@@ -44,8 +43,8 @@ Result<void> checkParts(const BundleFile& file) {
   return {};
 }
 
-/// Width over height of the first noise's exemplar. 1 where the bundle has none, or is at fault,
-/// which is found when the finished file is checked.
+/// Width over height of the first noise's exemplar. 1 if the bundle has none or is invalid; the
+/// check of the finished file reports that fault.
 double exemplarAspect(const Bundle& bundle) {
   if (bundle.noises.empty() || bundle.noises.front().maps.empty())
     return 1.0;
@@ -59,7 +58,7 @@ double exemplarAspect(const Bundle& bundle) {
   return double(std::max(width, 1u)) / double(std::max(height, 1u));
 }
 
-/// The whole document but its buffer.
+/// The whole document without its buffer.
 JsonTree describe(const BundleFile& file, GltfBuilder& builder) {
   const Bundle& bundle = file.bundle;
   JsonTree root;
@@ -82,7 +81,7 @@ JsonTree describe(const BundleFile& file, GltfBuilder& builder) {
   return root;
 }
 
-/// A document that lacks only its buffer, and that buffer.
+/// A document without its buffer, and the buffer's bytes.
 struct Encoded {
   JsonTree root;
   std::vector<std::byte> binary;
@@ -96,7 +95,7 @@ Result<Encoded> encode(const BundleFile& file) {
   return Encoded{std::move(root), std::move(builder.binary)};
 }
 
-/// As a GLB, which can be read: the checker sees it first.
+/// Frames the document as a GLB, and checks that readBundle() accepts it.
 Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   JsonTree root = encoded.root;
   root["buffers"].push_back({{"byteLength", encoded.binary.size()}});
@@ -112,7 +111,7 @@ Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   return glb;
 }
 
-/// Runs `operation`, which returns a Result, with its exceptions turned into errors.
+/// Runs `operation`, which returns a Result, and converts its exceptions to errors.
 template <class Operation>
 auto guarded(const Operation& operation) -> decltype(operation()) {
   return withinMemory([] { return "bundle: not enough memory to encode"; },
@@ -151,12 +150,12 @@ Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& fi
     if (!encoded)
       return encoded.error();
     {
-      const Result<std::vector<std::byte>> glb = framed(encoded.value()); // checked for both forms
+      const Result<std::vector<std::byte>> glb = framed(encoded.value()); // also checks a .gltf
       if (!glb)
         return glb.error();
       if (extension == ".glb")
         return replaceFile(path, glb.value());
-    } // as large as the bundle itself, which is still to be written
+    } // frees the GLB, which is as large as the bundle, before writing the .gltf
     return writeGltf(path, std::move(encoded).value());
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian values of which a part is missing -> the mean of what they stand for, in closed form.
+// Gaussian values with lost variance -> the mean of the decoded values, in closed form.
 #include "srgb_curve.h"
 
 #include <lichen/shader_parameters.h>
@@ -19,7 +19,7 @@ double normalDensity(double x) {
   return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-/// A stored value -> the quantity, inside the range of its encoding.
+/// Decodes a stored value, clamped to the range of its encoding.
 double decodedStored(double stored, shader::uint encoding) {
   switch (encoding) {
   case LICHEN_ENCODING_SLOPE:
@@ -33,7 +33,7 @@ double decodedStored(double stored, shader::uint encoding) {
   }
 }
 
-/// The mean of 2^x - 1, x Gaussian and at least 0.
+/// The mean of max(2^x - 1, 0) for Gaussian x.
 double meanLog(double stored, double deviation) {
   const double tilt = std::numbers::ln2 * deviation;
   const double light = std::exp2(std::min(stored + 0.5 * tilt * deviation, kMostLog));
@@ -41,8 +41,8 @@ double meanLog(double stored, double deviation) {
                   double(kHalfMax));
 }
 
-/// The mean of a stored value, Gaussian about `stored`, decoded. As lichenMeanDecoded, where the
-/// steps are explained.
+/// The mean of the decoded value for a stored value that is Gaussian about `stored`. Twin of
+/// lichenMeanDecoded, which explains the steps.
 double meanDecoded(double stored, double deviation, shader::uint encoding) {
   constexpr double kLeast = 1e-6;
   deviation = std::max(deviation, kLeast);

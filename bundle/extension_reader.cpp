@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The extension's root, tables, noises and material uses, read and checked against one another.
+// Reads the extension's root, tables, noises and materials, and checks them against one another.
 #include "extension_reader.h"
 
 #include "methods/method_format.h"
@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr std::size_t kMaxTables = 4096;
 constexpr std::size_t kMaxNoises = 1024;
 constexpr std::size_t kMaxMaterials = 65536;
-constexpr std::size_t kMaxMaps = 6; // as many as targets
+constexpr std::size_t kMaxMaps = 6; // one per target
 
 std::string elementPointer(const std::string& array, std::size_t index) {
   return array + "/" + std::to_string(index);
@@ -28,7 +28,7 @@ bool listsExtension(const json& root, const char* key) {
          std::find(list->begin(), list->end(), std::string(kExtensionName)) != list->end();
 }
 
-/// A member of what may be an object, or null.
+/// A member of a value that may be null or no object; null if absent.
 const json* memberOf(const json* value, std::string_view key) {
   if (value == nullptr || !value->is_object())
     return nullptr;
@@ -36,7 +36,7 @@ const json* memberOf(const json* value, std::string_view key) {
   return member == value->end() ? nullptr : &*member;
 }
 
-/// The extension's own object inside a glTF object, or null.
+/// The extension's object inside a glTF object, or null.
 const json* extensionOf(const json& object) {
   return memberOf(memberOf(&object, "extensions"), kExtensionName);
 }
@@ -45,7 +45,7 @@ std::string extensionPointer(const std::string& object) {
   return object + "/extensions/" + std::string(kExtensionName);
 }
 
-/// One element of `tables`, or nothing when it cannot be used.
+/// Reads one element of `tables`; returns nothing if it is invalid.
 std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t& bytesRead,
                                FindingList& findings) {
   constexpr std::size_t kMaxBufferViews = 1u << 24u;
@@ -60,7 +60,7 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
   const auto bytes = file.bufferView(std::size_t(*view), findings);
   if (!bytes)
     return std::nullopt;
-  // Tables that share bytes would let a small file claim any amount of memory.
+  // Rejects tables that share bytes: a small file could otherwise claim any amount of memory.
   bytesRead += bytes->size();
   if (bytesRead > file.loadedBytes()) {
     reader.error("table-overlap", "bufferView", "shares bytes with another table");
@@ -72,14 +72,14 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
     return std::nullopt;
   }
   if (!table) {
-    // The message of a refusal begins with the name, which the pointer replaces.
+    // Removes the name from the message, since the pointer identifies the table.
     findings.error("table-ktx2", reader.pointer(), table.error().message.substr(name.size() + 2));
     return std::nullopt;
   }
   return std::move(table).value();
 }
 
-/// A number that may stand for a revision; 0 where there is none.
+/// The noise's revision, or 0 if it states no valid one.
 int statedRevision(const json& noise) {
   const json* revision = memberOf(&noise, "revision");
   if (revision == nullptr || !revision->is_number_unsigned())
@@ -88,8 +88,8 @@ int statedRevision(const json& noise) {
   return value <= std::uint64_t(std::numeric_limits<int>::max()) ? int(value) : 0;
 }
 
-/// Whether a noise is of a method or of a later revision that this version does not know. Others
-/// are for readNoise() to read, or to find what is wrong with them.
+/// Whether a noise has an unsupported method or a later revision. readNoise() reads all others and
+/// reports their faults.
 bool isUnknown(const json& noise) {
   const json* name = memberOf(&noise, "method");
   if (name == nullptr || !name->is_string())
@@ -98,7 +98,7 @@ bool isUnknown(const json& noise) {
   return !method || statedRevision(noise) > revisionOf(*method);
 }
 
-/// All that can be known of such a noise.
+/// Reads what this version understands of an unsupported noise.
 IgnoredNoise ignoreNoise(const json& noise, std::size_t place, const std::string& pointer,
                          FindingList& findings) {
   IgnoredNoise ignored;
@@ -120,7 +120,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
   noise.name = reader.text("name").value_or("");
   Method method{};
   if (const auto named = reader.text("method"))
-    method = methodFrom(*named).value_or(method); // one that is not known is ignored
+    method = methodFrom(*named).value_or(method); // isUnknown() has ruled out other methods
   if (const auto revision = reader.integer("revision", std::numeric_limits<int>::max());
       revision && *revision != std::uint64_t(revisionOf(method)))
     reader.error("noise-revision", "revision",
@@ -154,7 +154,7 @@ std::array<double, 2> readOffset(ObjectReader& reader) {
   return {0.0, 0.0};
 }
 
-/// What a noise of the file is an element of: Bundle::noises or Bundle::ignoredNoises.
+/// The index of a file's noise in Bundle::noises or Bundle::ignoredNoises.
 struct NoisePlace {
   bool isIgnored = false;
   std::size_t index = 0;
@@ -182,8 +182,8 @@ NoisePlaces readNoises(const json& list, const std::string& pointer, const Table
   return places;
 }
 
-/// The ignored noise of a material, or null: what else such a material says is not for this
-/// version.
+/// The ignored noise of a material, or null. This version does not check the other members of such
+/// a material.
 IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle& bundle) {
   const json* index = memberOf(&use, "noise");
   if (index == nullptr || !index->is_number_unsigned() ||
@@ -193,7 +193,7 @@ IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle&
   return place.isIgnored ? &bundle.ignoredNoises[place.index] : nullptr;
 }
 
-/// How the noise of a material is put on a surface, where its method has such a form.
+/// Reads a material's mapping and checks that the noise's method supports it.
 Mapping readMapping(ObjectReader& reader, Method method) {
   const std::string name = reader.text("mapping").value_or("uv");
   const std::optional<Mapping> mapping = mappingFrom(name);
@@ -209,7 +209,7 @@ Mapping readMapping(ObjectReader& reader, Method method) {
   return Mapping::uv;
 }
 
-/// Where the places of a mapping in space are.
+/// Reads the coordinate space of a mapping that evaluates 3-D positions.
 NoiseSpace readSpace(ObjectReader& reader, Mapping mapping) {
   const std::string name = reader.text("space").value_or("world");
   const std::optional<NoiseSpace> space = noiseSpaceFrom(name);
@@ -258,7 +258,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     use.pointProcess = process.value_or(use.pointProcess);
   }
   use.mix = readMixWeight(reader, textures, findings);
-  // A noise with errors may not know its steps.
+  // A noise with errors may lack its number of steps.
   if (reader.has("mix") && findings.errorCount() == 0 && !isMix(bundle.noises[use.noise]))
     findings.warn("mix-without-steps", reader.pointerTo("mix"),
                   "the noise is no mix, so that its weight has no effect");
@@ -313,8 +313,8 @@ void warnOfUnusedTables(const Bundle& bundle, const std::string& pointer, Findin
       findings.warn("table-unused", elementPointer(pointer, i), "no map uses this table");
 }
 
-/// Which tables are read. Where a noise is ignored, those of the other noises: what it has in its
-/// own is not for this version to judge.
+/// Selects the tables to read. If a noise is ignored, only those that supported noises use, because
+/// this version cannot check the tables of an ignored noise.
 std::vector<bool> readableTables(const json* noises, std::size_t count) {
   std::vector<bool> readable(count, true);
   if (noises == nullptr || std::none_of(noises->begin(), noises->end(), isUnknown))
@@ -336,7 +336,7 @@ std::vector<bool> readableTables(const json* noises, std::size_t count) {
   return readable;
 }
 
-/// Moves the tables that were read into the bundle, whose maps name them by their places there.
+/// Moves the tables into the bundle and renumbers the maps' indices.
 void keepTables(Tables tables, Bundle& bundle) {
   std::vector<std::size_t> places;
   for (std::optional<Table>& table : tables) {
@@ -349,7 +349,7 @@ void keepTables(Tables tables, Bundle& bundle) {
       visitTables(map, [&](std::size_t& table) { table = places[table]; });
 }
 
-/// The root object: tables first, since maps are checked against them.
+/// Reads the root object. Tables come first, because maps are checked against them.
 NoisePlaces readRoot(GltfFile& file, const json& extension, Bundle& bundle, FindingList& findings) {
   ObjectReader reader(extension, extensionPointer(""), findings);
   const json* tableList = reader.array("tables", kMaxTables);

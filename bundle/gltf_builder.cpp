@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffer views and accessors of a glTF file that is being written; see gltf_builder.h.
+// Buffer views and accessors of a glTF file under construction; see gltf_builder.h.
 #include "gltf_builder.h"
 
 #include <algorithm>

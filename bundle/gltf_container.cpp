@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frame of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting depth
-// is checked before it is used.
+// The container of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting
+// depth is checked before use.
 #include "json_builder.h"
 
 #include <lichen/gltf_container.h>
@@ -22,15 +22,15 @@ constexpr std::size_t kGlbHeaderBytes = 12;
 constexpr std::size_t kGlbChunkHeaderBytes = 8;
 constexpr std::size_t kGlbAlignment = 4; // of chunks
 
-/// Exporters stay below unless they embed large buffers as data URIs.
+/// Exporters stay below this limit unless they embed large buffers as data URIs.
 constexpr std::size_t kMaxJsonBytes = std::size_t(64) << 20;
-/// A value's parsed form takes up to 160 bytes of the heap of a 64-bit glibc, measured: 96 as an
-/// object's member, in a node of 80, and 64 as an empty object, of 48. In an array it takes no more
-/// than 48 instead of the 96, while the array doubles. The characters of strings and names take up
-/// to twice the text's. Together that is within 640 + 128 MiB; exporters spend some 10 bytes of
-/// text a value.
+/// Limits the memory for the parsed document to 640 + 128 MiB. Measured on a 64-bit glibc heap, a
+/// parsed value takes up to 160 bytes: 96 as an object's member, in a node of 80, and 64 as an
+/// empty object of 48. In an array it takes at most 48 instead of 96, while the array doubles. The
+/// characters of strings and names take up to twice the size of the text. Exporters write about 10
+/// bytes of text per value.
 constexpr std::size_t kMaxJsonValues = std::size_t(4) << 20;
-/// glTF itself nests 8 deep; extensions and extras somewhat deeper.
+/// glTF itself nests 8 levels deep; extensions and extras nest slightly deeper.
 constexpr int kMaxJsonDepth = 64;
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
@@ -67,7 +67,7 @@ bool nestsTooDeep(std::span<const std::byte> text) {
   return false;
 }
 
-/// Ends the reading of a container.
+/// Thrown to stop reading a container.
 struct Fault {
   Finding finding;
 };
@@ -77,7 +77,7 @@ struct Fault {
   throw Fault{{Finding::Severity::error, code, pointer, message}};
 }
 
-/// Sets `text` and `binaryChunk`.
+/// Splits a GLB into its chunks.
 void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
   if (file.size() < kGlbHeaderBytes)
     fail("glb-length", "the GLB ends inside its header");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the buffers of a glTF asset; see gltf_file.h. Input is hostile: every offset and length is
-// checked before it is used.
+// checked before use.
 // Sources: glTF 2.0 specification, section 3.6; RFC 4648 (base64).
 #include "gltf_file.h"
 
@@ -12,8 +12,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxBuffers = 4096;
-/// Read from files and data URIs for one asset, as much as a GLB's chunk can hold: a small .gltf
-/// may name one big file in every buffer.
+/// Maximum total size of buffers from files and data URIs, equal to that of a GLB chunk. Without
+/// it, a small .gltf could name one big file in every buffer.
 constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
 /// [glTF 2.0, section 5.11.4]
@@ -64,7 +64,7 @@ Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
   return bytes;
 }
 
-/// A non-negative integer member, or nothing. An absent one is `fallback`.
+/// A non-negative integer member, `fallback` if absent, or nothing for another type.
 std::optional<std::uint64_t> countMember(const json& object, const char* key,
                                          std::optional<std::uint64_t> fallback) {
   const auto member = object.find(key);
@@ -234,7 +234,7 @@ std::optional<std::span<const std::byte>> GltfFile::wholeBuffer(std::size_t inde
                                                                 FindingList& findings) {
   Buffer& source = buffers_[index];
   if (!source.loaded) {
-    source.fault = loadBuffer(index, source); // which may throw
+    source.fault = loadBuffer(index, source); // may throw
     source.loaded = true;
   }
   if (source.fault) {

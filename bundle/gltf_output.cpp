@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// .gltf and binary; see gltf_output.h.
+// Writes a .gltf and its binary; see gltf_output.h.
 #include "gltf_output.h"
 
 #include <lichen/files.h>
@@ -10,7 +10,7 @@
 namespace lichen {
 namespace {
 
-/// A file name as a relative URI: everything but unreserved characters (RFC 3986) as %XX.
+/// A file name as a relative URI, with all but unreserved characters (RFC 3986) as %XX.
 std::string uriOf(const std::string& fileName) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string uri;
@@ -30,8 +30,8 @@ std::string uriOf(const std::string& fileName) {
 
 constexpr std::size_t kHashDigits = 8;
 
-/// FNV-1a of 32 bits in hexadecimal (Fowler, Noll, Vo; draft-eastlake-fnv): enough to tell apart
-/// the few binaries that one stem ever has.
+/// 32-bit FNV-1a in hexadecimal (Fowler, Noll, Vo; draft-eastlake-fnv). It is long enough to
+/// distinguish the few binaries of one stem.
 std::string hashOf(std::span<const std::byte> bytes) {
   std::uint32_t hash = 0x811c9dc5u;
   for (const std::byte b : bytes)
@@ -47,7 +47,7 @@ std::filesystem::path binaryBeside(const std::filesystem::path& path, const std:
   return std::filesystem::path(path).replace_extension("." + hash + ".bin");
 }
 
-/// The hash in the name of a binary that was written for `path`.
+/// The hash in the name of a binary of `path`, or nothing for another name.
 std::optional<std::string> hashIn(const std::string& uri, const std::filesystem::path& path) {
   const std::string before = uriOf(path.stem().string()) + ".";
   if (uri.size() < before.size() + kHashDigits)
@@ -59,7 +59,7 @@ std::optional<std::string> hashIn(const std::string& uri, const std::filesystem:
   return hash;
 }
 
-/// The binaries of such names that a .gltf for `path` refers to.
+/// The binaries named STEM.HASH.bin to which a .gltf at `path` refers.
 std::vector<std::filesystem::path> binariesOf(std::span<const std::byte> gltf,
                                               const std::filesystem::path& path) {
   std::vector<std::filesystem::path> binaries;
@@ -91,7 +91,7 @@ Result<void> writeGltfPair(const std::filesystem::path& path, const std::string&
     superseded = binariesOf(old.value(), path);
   const std::vector<std::filesystem::path> kept = binariesOf(textBytes, path);
 
-  std::error_code ignored; // what cannot be removed is an unused file, no fault of the asset
+  std::error_code ignored; // a binary that cannot be removed does not harm the asset
   const std::filesystem::path binaryPath = binaryBeside(path, hashOf(binary));
   const bool existed = std::filesystem::exists(binaryPath, ignored);
   if (!binary.empty())

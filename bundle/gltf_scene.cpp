@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading an asset as far as noises need it, and adding vertices and noises; see gltf_scene.h.
+// Reads what noises need from an asset, and adds vertices and noises; see gltf_scene.h.
 #include "extension_reader.h"
 #include "extension_writer.h"
 #include "gltf_scene_state.h"
@@ -15,8 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Records what in a document's skeleton is not what glTF says. Everything that is asked for later
-/// without a check is checked here.
+/// Records violations of glTF in a document's structure. Later code relies on these checks.
 class SkeletonCheck {
 public:
   SkeletonCheck(const json& root, FindingList& findings) : root_(root), findings_(findings) {}
@@ -38,7 +37,7 @@ public:
   }
 
 private:
-  /// An array of objects, which may be absent; null where it is, or is none.
+  /// An optional array of objects; null if absent or invalid.
   const json* objects(const json& parent, const char* key, const std::string& pointer) {
     const auto list = parent.find(key);
     if (list == parent.end())
@@ -50,7 +49,7 @@ private:
     return nullptr;
   }
 
-  /// The noise takes the place of textures and is multiplied by what stands beside them.
+  /// Checks the textures that the noise replaces, and the factors that multiply them.
   void material(const json& value, const std::string& pointer) {
     for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
       texture(value, key, pointer);
@@ -108,7 +107,7 @@ private:
   FindingList& findings_;
 };
 
-/// The first error as the user sees it, or nothing.
+/// The first error with its message for the user, or nothing.
 std::optional<Error> firstError(const FindingList& findings, const std::filesystem::path& path) {
   for (const Finding& finding : findings.all())
     if (finding.severity == Finding::Severity::error)
@@ -118,7 +117,7 @@ std::optional<Error> firstError(const FindingList& findings, const std::filesyst
   return std::nullopt;
 }
 
-/// Empty where it has none.
+/// The element's name; empty if it has none.
 std::string nameOf(const json& element) {
   const auto name = element.find("name");
   return name != element.end() && name->is_string() ? name->get<std::string>() : std::string();
@@ -132,7 +131,7 @@ NameCounts countNames(const json& document, const char* array) {
   return counts;
 }
 
-/// By name, by index, or by both where another has the name.
+/// Names an element by name or index, or by both if another has the same name.
 std::string titleOf(const char* kind, const json& elements, std::size_t index,
                     const NameCounts& names) {
   const std::string name = nameOf(elements[index]);
@@ -142,7 +141,7 @@ std::string titleOf(const char* kind, const json& elements, std::size_t index,
   return name.empty() ? title : title + " '" + name + "'";
 }
 
-/// The accessor of a new view.
+/// The accessor of a new view of floats.
 JsonTree describeVertices(std::size_t view, std::size_t count, std::size_t components) {
   constexpr int kFloat = 5126;
   return {{"bufferView", view},
@@ -203,8 +202,9 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
   return withinMemory([&] { return path.string() + ": not enough memory to read it"; }, read);
 }
 
-/// Names and places of the noises. Where some are of a later revision, what they have in the arrays
-/// is not known, so nothing there is shared: all of it stays in front of what is added.
+/// Collects the names of the noises. If the file has ignored noises, shares nothing with existing
+/// noises and tables, because the content of the ignored ones is unknown; additions go behind all
+/// of them.
 void GltfScene::State::readNoises() {
   const json::json_pointer place("/extensions/" + std::string(kExtensionName));
   if (!document().contains(place))

@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Receives the parser's events. A value is added empty and filled in its place, so that no nested
-/// value is ever held by a temporary.
+/// Receives the parser's events. It adds each value empty and fills it in place, so that no
+/// temporary ever holds a nested value.
 class Builder : public json::json_sax_t {
 public:
   Builder(json& root, std::size_t mostValues) : root_(root), valuesLeft_(mostValues) {}
@@ -49,10 +49,10 @@ private:
       return parent.back();
     }
     json& member = parent[key_];
-    dismantle(member); // of an earlier member of the same name
+    dismantle(member); // an earlier member of the same name
     return member = std::move(value);
   }
-  /// Whether one more value may be read; ends the parse otherwise.
+  /// Counts one more value; stops the parse at the limit.
   bool count() {
     if (valuesLeft_ == 0)
       fault_ = JsonFault{JsonFault::Kind::count};
@@ -79,7 +79,7 @@ private:
 
   json& root_;
   std::size_t valuesLeft_;
-  /// The arrays and objects around the next value. None moves before it is closed.
+  /// The arrays and objects that contain the next value. None moves before it is closed.
   std::vector<json*> open_;
   std::string key_;
   std::optional<JsonFault> fault_;

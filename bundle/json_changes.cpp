@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// JSON text with changes; see json_changes.h. One pass copies the text and stops at what changes.
+// Applies changes to JSON text; see json_changes.h. One pass copies the text and stops at each
+// change.
 // Source: RFC 8259.
 #include "json_changes.h"
 
@@ -30,7 +31,8 @@ JsonTree JsonChange::made() const {
   return tree;
 }
 
-/// The text is sound JSON, so that only what must be told apart is looked at.
+/// Copies a text with changes. The text is valid JSON, so the scanner distinguishes only what it
+/// needs.
 class JsonRewriter {
 public:
   explicit JsonRewriter(std::string_view text) : text_(text) {}
@@ -58,7 +60,7 @@ private:
   }
   void copySpace() { out_ += space(); }
 
-  /// Passes over a string, with its quotes.
+  /// Reads a string with its quotes.
   std::string_view string() {
     const std::size_t begin = at_++;
     while (text_[at_] != '"')
@@ -67,7 +69,7 @@ private:
     return text_.substr(begin, at_ - begin);
   }
 
-  /// Passes over a value.
+  /// Reads a value.
   std::string_view skip() {
     const std::size_t begin = at_;
     int depth = 0;
@@ -90,7 +92,7 @@ private:
     return text_.substr(begin, at_ - begin);
   }
 
-  /// With the space around it, which an added member has too.
+  /// Reads a colon with the whitespace around it, which added members reuse.
   std::string_view passColon() {
     const std::size_t begin = at_;
     (void)space();
@@ -171,8 +173,8 @@ private:
     close();
   }
 
-  /// What stands around the items of the array or object that is being copied. `before` is the
-  /// space before the next item, `after` that behind the last one.
+  /// The whitespace around the items of the array or object being copied: `before` precedes the
+  /// next item, `after` follows the last one.
   struct Frame {
     std::string_view first, before, after;
     bool isEmpty = true;
@@ -192,7 +194,7 @@ private:
     out_ += frame.before;
     frame.isEmpty = false;
   }
-  /// Behind an item, to the next one or the end.
+  /// Moves from the end of an item to the next item or the closing bracket.
   void endItem() {
     Frame& frame = frames_.back();
     frame.after = space();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON values -> text; see json_tree.h. Numbers and strings are written by nlohmann.
+// JSON values -> text; see json_tree.h. nlohmann writes the numbers and strings.
 #include <lichen/json_tree.h>
 
 #include <nlohmann/json.hpp>
@@ -77,8 +77,8 @@ std::string JsonTree::textOf(double value) { return nlohmann::json(value).dump()
 std::string JsonTree::textOf(std::int64_t value) { return std::to_string(value); }
 std::string JsonTree::textOf(std::uint64_t value) { return std::to_string(value); }
 
-/// `lineEnd` comes before and after the values of an array or object, `step` after it before
-/// each of them, and `colon` behind keys.
+/// Appends the text of a value. `lineEnd` precedes and follows the values of an array or object,
+/// `step` indents each of them, and `colon` follows keys.
 void JsonTree::append(std::string& text, const std::string& lineEnd, std::string_view step,
                       std::string_view colon) const {
   if (kind_ == Kind::null || kind_ == Kind::scalar) {

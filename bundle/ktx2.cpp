@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// KTX2 container <-> table, uncompressed formats only. File: header, level index, data format
-// descriptor, key/value data, then the mip levels, smallest first, each aligned to its texel.
+// KTX2 container <-> table, uncompressed formats only. A file has the header, level index, data
+// format descriptor and key/value data, then the mip levels, smallest first, each aligned to its
+// texel size.
 // Sources: KTX File Format Specification 2.0; Khronos Data Format Specification 1.3, section 5.
 #include <lichen/bundle.h>
 
@@ -47,7 +48,7 @@ struct LevelIndexEntry {
 struct FormatEntry {
   TexelFormat format;
   std::uint32_t vkFormat; ///< value of VkFormat
-  std::uint32_t typeSize; ///< bytes of a component
+  std::uint32_t typeSize; ///< bytes per component
   bool isFloat;
 };
 constexpr std::array<FormatEntry, 9> kFormats = {{{TexelFormat::r8Unorm, 9, 1, false},
@@ -61,8 +62,6 @@ constexpr std::array<FormatEntry, 9> kFormats = {{{TexelFormat::r8Unorm, 9, 1, f
                                                   {TexelFormat::rgba32Sfloat, 109, 4, true}}};
 
 const FormatEntry& entryOf(TexelFormat format) { return kFormats[std::size_t(format)]; }
-
-/// Largest side, as of images.
 
 template <class T>
 void append(std::vector<std::byte>& bytes, const T& value) {
@@ -119,7 +118,7 @@ std::vector<std::uint32_t> describeFormat(TexelFormat format) {
       type |= kQualifierLinear;
     words.push_back(channel * bits | (bits - 1) << 16u | type << 24u);
     words.push_back(0); // sample position
-    // The range that stands for black to white: the whole of UNORM, -1 to 1 of a float.
+    // The values of black and white: the full range of UNORM, -1 to 1 for floats.
     words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(-1.0f) : 0u);
     words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(1.0f) : 255u);
   }
@@ -144,7 +143,7 @@ bool contains(std::size_t size, std::uint64_t offset, std::uint64_t length) {
   return offset <= size && length <= size - offset;
 }
 
-/// Checks everything in the header that does not depend on the rest of the file, and gives a table
+/// Checks everything in the header that does not depend on the rest of the file. Returns a table
 /// without texels.
 Result<Table> tableFromHeader(const Header& header, const std::string& name) {
   const auto format = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatEntry& e) {
@@ -190,8 +189,8 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
   return table;
 }
 
-/// The transfer function and the samples decide what texels mean, so nothing but the descriptor
-/// that the format has is accepted; primaries, flags and version may differ.
+/// Whether a descriptor equals that of the format, except for primaries, flags and version. The
+/// transfer function and the samples must match, because they define what the texels mean.
 bool descriptorMatches(std::span<const std::byte> descriptor, TexelFormat format) {
   const std::vector<std::uint32_t> expected = describeFormat(format);
   const auto expectedBytes = std::as_bytes(std::span(expected));
@@ -205,7 +204,8 @@ bool descriptorMatches(std::span<const std::byte> descriptor, TexelFormat format
   return true;
 }
 
-/// Empty when the key/value data is well-formed and does not turn or swizzle the image.
+/// The fault of the key/value data; empty if it is well-formed and neither reorients nor swizzles
+/// the image.
 std::string keyValueFault(std::span<const std::byte> data, bool is3d) {
   while (!data.empty()) {
     if (data.size() < sizeof(std::uint32_t))
@@ -233,8 +233,8 @@ std::string keyValueFault(std::span<const std::byte> data, bool is3d) {
   return {};
 }
 
-/// Copies the levels out of the file. They must lie smallest first, aligned, after `firstByte`,
-/// and end where the file ends.
+/// Copies the mip levels from the file. They must be smallest first, aligned, after `firstByte`,
+/// and end at the end of the file.
 Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size_t firstByte) {
   const std::size_t alignment = levelAlignment(table.format);
   std::uint64_t end = firstByte;
@@ -270,7 +270,7 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
   return table;
 }
 
-/// NaN and infinity have all exponent bits set.
+/// Whether all texels are finite. NaN and infinity have all exponent bits set.
 bool isFinite(const Table& table) {
   const FormatEntry& entry = entryOf(table.format);
   if (!entry.isFloat)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map of a noise: the JSON members that maps of all methods have, checked against one another.
+// Reads one map of a noise: the JSON members that all methods share, checked against one another.
 #include "extension_reader.h"
 #include "methods/method_format.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The channels that a target may name, in this order.
+/// The channels that a target may have, in order.
 std::vector<MapChannel> channelsOf(MapTarget target) {
   switch (target) {
   case MapTarget::baseColor:
@@ -41,7 +41,8 @@ bool encodingFits(MapTarget target, ValueEncoding encoding) {
   }
 }
 
-/// All colour channels must be named, of the others any but in order.
+/// occlusionRoughnessMetallic may have any subset of its channels, in order; other targets must
+/// have all.
 bool channelsFit(MapTarget target, const std::vector<MapChannel>& channels) {
   const std::vector<MapChannel> all = channelsOf(target);
   if (target != MapTarget::occlusionRoughnessMetallic)

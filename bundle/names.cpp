@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words that the extension's JSON uses for targets, channels, encodings, mappings, spaces
-// and sources of weights.
+// The names that the extension's JSON uses for targets, channels, encodings, mappings, spaces,
+// point processes and mix sources.
 #include <lichen/bundle.h>
 
 #include <algorithm>

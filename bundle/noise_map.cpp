@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of a noise's maps has a target, which mappings are in space, and why a noise is ignored.
+// Finds a noise's map by target, classifies mappings, and explains why a noise is ignored.
 #include <lichen/bundle.h>
 
 #include <algorithm>

@@ -81,7 +81,7 @@ const json* ObjectReader::array(const char* key, std::size_t most) {
 }
 
 std::optional<std::vector<double>> ObjectReader::numbers(const char* key, NumberRange range) {
-  constexpr std::size_t kMostNumbers = 64; // levels, the longest list of the format
+  constexpr std::size_t kMostNumbers = 64; // levels, the longest list in the format
   const json* list = array(key, kMostNumbers);
   if (list == nullptr)
     return std::nullopt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Core materials: preview images in the texture slots, scaled by KHR_texture_transform so that one
-// exemplar has the same size as in the noise.
+// Core glTF materials: preview images in the texture slots, with KHR_texture_transform so that
+// exemplars have the same size as in the noise.
 #include "preview_material.h"
 
 #include "extension_writer.h"
@@ -18,7 +18,7 @@ bool hasChannel(const Noise& noise, MapChannel channel) {
   });
 }
 
-/// Adds an image and a texture; returns the texture's index. All share one sampler, which repeats.
+/// Adds an image and a texture with the shared, repeating sampler. Returns the texture's index.
 std::size_t addTexture(JsonTree& root, GltfBuilder& builder, const std::string& name,
                        const std::vector<std::byte>& png) {
   constexpr int kLinear = 9729;
@@ -32,8 +32,8 @@ std::size_t addTexture(JsonTree& root, GltfBuilder& builder, const std::string& 
   return root["textures"].size() - 1;
 }
 
-/// A texture reference that spans `tilesPerImage` exemplars: with the extension's
-/// tile = offset + R uv / scale, the image's coordinate is tile / tilesPerImage.
+/// A reference to a texture that spans `tilesPerImage` exemplars. With the extension's tile =
+/// offset + R uv / scale, the image coordinate is tile / tilesPerImage.
 JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& use,
                      int tilesPerImage) {
   JsonTree info = {{"index", texture}};
@@ -68,7 +68,7 @@ void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, 
   };
   if (!preview.baseColor.empty())
     material[kPbr]["baseColorTexture"] = texture("baseColor", preview.baseColor);
-  // Factors multiply the map; where it has no such channel they are the value.
+  // Factors multiply the map; without the channel, the factor is the value.
   material[kPbr]["metallicFactor"] = hasChannel(noise, MapChannel::metallic) ? 1.0 : 0.0;
   material[kPbr]["roughnessFactor"] =
       hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
@@ -85,8 +85,8 @@ void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, 
     material["emissiveTexture"] = texture("emissive", preview.emissive);
     material["emissiveFactor"] = {1.0, 1.0, 1.0};
   }
-  // Filtered opacity is the share of a pixel that is covered: blended, it is right at every
-  // distance, while a mask would close or empty what it shows from afar.
+  // Filtered opacity is the covered share of a pixel, so blending is correct at every distance. A
+  // mask would close or open distant surfaces.
   if (hasChannel(noise, MapChannel::opacity))
     material["alphaMode"] = "BLEND";
   material["extensions"][std::string(kExtensionName)] = describeMaterialNoise(use);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The preview scene: for each noise a ball of radius 1 on one ground, seen by a camera at low
-// height in front of them, or from higher up where they lie in rows, lit by a sun from the upper
-// left. Units are metres, +Y is up, the camera looks along -Z. Texture coordinates count exemplars
-// when the material's scale is 1.
+// The preview scene: one ball of radius 1 per noise on a common ground, lit by a sun from the upper
+// left. The camera is low in front of the balls, or higher if they form several rows. Units are
+// metres, +Y is up, and the camera looks along -Z. Texture coordinates count exemplars if the
+// material's scale is 1.
 // Source of the ball's mapping: J. P. Snyder, Map Projections, 1987, ch. 24 (Lambert azimuthal
 // equal-area): radius 2 sin(theta / 2) at the angle theta from the centre.
 #include "preview_scene.h"
@@ -25,14 +25,14 @@ struct Mesh {
   std::vector<std::uint16_t> indices;
 };
 
-// A ball's diameter spans about three exemplars: enough to tell noise from repetition, few enough
-// to see the texture's detail.
+// A ball's diameter spans about three exemplars: enough to distinguish noise from repetition, and
+// few enough to show the texture's detail.
 constexpr double kExemplarsPerMetre = 1.5;
 constexpr double kBallSpacing = 2.5;
 constexpr double kCameraFieldOfView = 36.0 * std::numbers::pi / 180.0; // vertical
 constexpr double kCameraElevation = 8.0 * std::numbers::pi / 180.0;
-/// Of several rows: a row that lies kRowSpacing behind another is seen above it, since
-/// kRowSpacing * sin(kRowsElevation) is a ball's diameter.
+/// For several rows: a row kRowSpacing behind another appears above it, since kRowSpacing *
+/// sin(kRowsElevation) is a ball's diameter.
 constexpr double kRowsElevation = 45.0 * std::numbers::pi / 180.0;
 constexpr double kRowSpacing = 2.0 * std::numbers::sqrt2;
 constexpr double kCameraDistance = 4.8;     // one ball fills two thirds of the height
@@ -53,8 +53,8 @@ std::array<double, 3> normalized(const std::array<double, 3>& v) {
 
 Vec3 toFloat(const std::array<double, 3>& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
 
-/// Triangles of the sectors [first, last) of a polar grid, counter-clockwise. Vertex 0 is in the
-/// middle, then come `rings` rings of `sectors` vertices from the inside out.
+/// Triangles of the sectors [first, last) of a polar grid, counter-clockwise. Vertex 0 is the
+/// centre, followed by `rings` rings of `sectors` vertices from the inside out.
 std::vector<std::uint16_t> polarIndices(int rings, int sectors, int first, int last) {
   std::vector<std::uint16_t> indices;
   const auto vertex = [sectors](int ring, int sector) {
@@ -70,8 +70,8 @@ std::vector<std::uint16_t> polarIndices(int rings, int sectors, int first, int l
 }
 
 /// A sphere of radius 1 about the origin, mapped from the side that faces `toCamera` (a unit vector
-/// in the plane x = 0): the projection's only singular point is on the far side, so no seam and no
-/// pole is in sight.
+/// in the plane x = 0). The projection's only singular point is on the far side, so no seam or pole
+/// is visible.
 Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
   constexpr int kRings = 48;
   constexpr int kSectors = 96;
@@ -83,8 +83,9 @@ Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
     const auto position = combine(std::cos(theta), toCamera, std::sin(theta), outward, 0.0, up);
     const auto alongTheta = combine(-std::sin(theta), toCamera, std::cos(theta), outward, 0.0, up);
     const auto alongPhi = combine(-std::sin(phi), right, std::cos(phi), up, 0.0, up);
-    // The direction in which u grows, from the derivatives 2 cos(theta / 2) of the projection along
-    // theta and 1 / cos(theta / 2) of its inverse along phi; kept from vanishing at the far point.
+    // The direction in which u grows, from the projection's derivative 2 cos(theta / 2) along theta
+    // and its inverse's 1 / cos(theta / 2) along phi. The lower bound keeps it from vanishing at
+    // the far point.
     const double squash = std::max(1e-3, std::pow(std::cos(theta / 2.0), 2.0));
     const auto tangent = toFloat(
         normalized(combine(std::cos(phi), alongTheta, -std::sin(phi) * squash, alongPhi, 0.0, up)));
@@ -92,13 +93,13 @@ Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
     mesh.positions.push_back(toFloat(position));
     mesh.normals.push_back(toFloat(position));
     mesh.tangents.push_back({tangent[0], tangent[1], tangent[2], 1.0f});
-    // The middle of an exemplar faces the camera.
+    // The centre of an exemplar faces the camera.
     mesh.uvs.push_back({float(0.5 + radius * std::cos(phi)),
                         float(0.5 - exemplarAspect * radius * std::sin(phi))});
   };
   addVertex(0.0, 0.0);
   for (int r = 1; r <= kRings; ++r)
-    for (int s = 0; s < kSectors; ++s) // the last ring is the far point, half a sector on
+    for (int s = 0; s < kSectors; ++s) // the last ring is the far point, offset by half a sector
       addVertex(std::numbers::pi * r / kRings,
                 2.0 * std::numbers::pi * (s + (r == kRings ? 0.5 : 0.0)) / kSectors);
   mesh.indices = polarIndices(kRings - 1, kSectors, 0, kSectors);
@@ -110,8 +111,8 @@ Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
   return mesh;
 }
 
-/// A disc in the plane y = 0. Its rings double in radius, so that texture coordinates keep their
-/// precision near the camera; its edge is 0.2 degrees below the horizon.
+/// A disc in the plane y = 0. The ring radii double, so that texture coordinates stay precise near
+/// the camera. The edge is 0.2 degrees below the horizon.
 constexpr int kGroundRings = 11;
 Mesh makeGround(double exemplarAspect) {
   constexpr double kFirstRadius = 0.5; // metres; the last is 512
@@ -133,7 +134,7 @@ Mesh makeGround(double exemplarAspect) {
   return mesh;
 }
 
-/// Accessors of a mesh; tangents only when some material needs them.
+/// Adds the accessors of a mesh; tangents only if a material needs them.
 JsonTree addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
   JsonTree attributes = {{"POSITION", builder.addVertices(mesh.positions, true)},
                          {"NORMAL", builder.addVertices(mesh.normals)},
@@ -155,7 +156,7 @@ bool any(const std::vector<bool>& values) {
   return std::find(values.begin(), values.end(), true) != values.end();
 }
 
-/// The ground, divided like a cake between the materials that `needsTangents` has elements for.
+/// Adds the ground, divided into one sector per element of `needsTangents`.
 void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
                double exemplarAspect) {
   const std::size_t materials = needsTangents.size();
@@ -173,13 +174,13 @@ void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& ne
   root["meshes"].push_back(std::move(mesh));
 }
 
-/// A centre on the level of the balls: x to the right, z towards the camera.
+/// The centre of a ball on the ground plane: x to the right, z towards the camera.
 struct BallPlace {
   double x = 0.0;
   double z = 0.0;
 };
 
-/// Rows about the origin, as many as balls in a row at most; two lie side by side.
+/// Ball centres in rows about the origin, in a nearly square grid; two balls lie side by side.
 std::vector<BallPlace> ballPlaces(std::size_t balls) {
   const auto columns = std::size_t(std::ceil(std::sqrt(double(balls))));
   const std::size_t rows = (balls + columns - 1) / columns;
@@ -196,7 +197,7 @@ std::vector<BallPlace> ballPlaces(std::size_t balls) {
   return places;
 }
 
-/// One ball a material.
+/// Adds one ball per material.
 void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>& eye,
               const std::vector<bool>& needsTangents, double exemplarAspect) {
   const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}), exemplarAspect);
@@ -213,14 +214,14 @@ void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>&
   }
 }
 
-/// Quaternion x, y, z, w of a turn about +X by `pitch`, then about +Y by `yaw`.
+/// Quaternion (x, y, z, w) of a rotation about +X by `pitch`, then about +Y by `yaw`.
 JsonTree rotation(double yaw, double pitch) {
   const double sy = std::sin(yaw / 2.0), cy = std::cos(yaw / 2.0);
   const double sp = std::sin(pitch / 2.0), cp = std::cos(pitch / 2.0);
   return {cy * sp, sy * cp, -sy * sp, cy * cp};
 }
 
-/// From where a square picture has all balls in it.
+/// The camera distance at which a square image contains all balls.
 double cameraDistance(const std::vector<BallPlace>& balls, double elevation) {
   double distance = kCameraDistance;
   for (const BallPlace& ball : balls) {
@@ -242,7 +243,7 @@ void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye, double el
       {{"name", "camera"},
        {"type", "perspective"},
        {"perspective", {{"yfov", kCameraFieldOfView}, {"znear", 0.1}, {"zfar", 2000.0}}}});
-  // From the upper left, somewhat from behind the camera, so that relief casts shading.
+  // From the upper left and slightly behind the camera, so that relief is visible in the shading.
   constexpr double kSunYaw = -50.0 * std::numbers::pi / 180.0;
   constexpr double kSunPitch = -42.0 * std::numbers::pi / 180.0;
   constexpr double kSunLux = 3.0; // about pi: white paper facing the sun has radiance 1

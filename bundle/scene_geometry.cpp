@@ -15,7 +15,8 @@ using nlohmann::json;
 constexpr std::uint64_t kTriangles = 4, kTriangleFan = 6; // a strip is between
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
-/// A strip's or fan's triangles are wound like its first. A list loses an incomplete last one.
+/// Converts indices to a triangle list. All triangles of a strip or fan get the winding of the
+/// first. Drops an incomplete last triangle of a list.
 std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, std::uint64_t mode) {
   if (mode == kTriangles) {
     indices.resize(indices.size() - indices.size() % 3);
@@ -36,7 +37,7 @@ bool hasDraco(const json& primitive) {
   return extensions != primitive.end() && extensions->is_object() && extensions->contains(kDraco);
 }
 
-/// What of a primitive says that its triangles cannot be read, or nothing.
+/// The reason why a primitive's triangles cannot be read, or nothing.
 std::optional<std::string> unreadable(const json& primitive) {
   const std::uint64_t mode = primitive.value("mode", kTriangles);
   if (mode < kTriangles || mode > kTriangleFan)
@@ -53,8 +54,8 @@ std::string countMismatch(std::size_t count, const char* what, std::size_t posit
   return std::to_string(count) + " " + what + " for " + std::to_string(positions) + " positions";
 }
 
-/// Its `triangles` are the indices as they are stored. Errors are recorded; the result is then
-/// incomplete.
+/// Reads a primitive; `triangles` holds the indices as stored. Records errors, after which the
+/// result is incomplete.
 PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingList& findings) {
   PrimitiveGeometry geometry;
   const json& attributes = primitive["attributes"];
@@ -82,7 +83,7 @@ PrimitiveGeometry readGeometry(GltfFile& file, const json& primitive, FindingLis
   return geometry;
 }
 
-/// Checks the vertices of a scene's primitives, each accessor once. Errors are recorded.
+/// Checks the vertices of a scene's primitives, each accessor once. Records errors.
 class VertexCheck {
 public:
   VertexCheck(GltfFile& file, SoundAccessors& sound, FindingList& findings)
@@ -103,7 +104,7 @@ public:
   }
 
 private:
-  /// Of the accessor's vectors; nothing where they are at fault.
+  /// The number of the accessor's vectors, or nothing if it is invalid.
   template <std::size_t kComponents>
   std::optional<std::size_t> count(const json& accessor) {
     const std::pair key{accessor.get<std::size_t>(), kComponents};
@@ -129,11 +130,11 @@ private:
   }
 
   GltfFile& file_;
-  SoundAccessors& sound_; // added to
+  SoundAccessors& sound_; // grows with each valid accessor
   FindingList& findings_;
 };
 
-/// The extension that compresses what would be read of a primitive, or nothing.
+/// The name of the extension that compresses a primitive's accessors, or nothing.
 std::optional<std::string> compressionOf(const json& document, const json& primitive) {
   if (hasDraco(primitive))
     return kDraco;
@@ -155,7 +156,7 @@ std::optional<std::string> compressionOf(const json& document, const json& primi
   return primitive.contains("indices") ? ofAccessor(primitive["indices"]) : std::nullopt;
 }
 
-/// The first fault, of the primitive of this title.
+/// The first fault as an error; its message starts with `title`.
 Error faultOf(const FindingList& findings, const std::string& title) {
   const Finding& first = findings.all().front();
   return Error{first.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
@@ -193,7 +194,7 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
     if (Compression extension = compressionOf(document(), primitive))
       return extension;
     if (!primitive["attributes"].contains("POSITION"))
-      return Compression(); // which glTF allows, and nothing is drawn
+      return Compression(); // glTF allows this and draws nothing
     FindingList findings;
     VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
     if (findings.errorCount() > 0)
@@ -215,7 +216,7 @@ Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place
         *state_->file, primitive["attributes"][attribute].get<std::size_t>(), findings);
     if (!values)
       return faultOf(findings, state_->path.string() + ": " + primitiveTitle(place) + ": ");
-    Range2 range{values->front(), values->front()}; // an accessor is not empty
+    Range2 range{values->front(), values->front()}; // an accessor is never empty
     for (const std::array<float, 2>& value : *values)
       for (std::size_t k = 0; k < 2; ++k) {
         range.least[k] = std::min(range.least[k], value[k]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An asset with what was added to it -> .glb or .gltf; see gltf_scene.h.
+// An asset and its changes -> .glb or .gltf; see gltf_scene.h.
 #include "gltf_output.h"
 #include "gltf_scene_state.h"
 
@@ -24,7 +24,7 @@ bool namesFile(const json& object) {
   return uri != nullptr && !uri->starts_with("data:");
 }
 
-/// The media type of an image file by its first bytes, or nothing for what glTF does not take.
+/// The media type of an image file from its first bytes, or nothing if glTF does not support it.
 std::optional<std::string> mediaTypeOf(std::span<const std::byte> image) {
   const std::string_view text(reinterpret_cast<const char*>(image.data()), image.size());
   if (text.starts_with("\x89PNG\r\n\x1a\n"))
@@ -45,7 +45,7 @@ Error fileError(const std::filesystem::path& path, const std::string& what,
 
 } // namespace
 
-/// Puts the parts together. Works on the state's own changes: an asset is written once.
+/// Assembles the output. Modifies the state's own changes, because an asset is written only once.
 class SceneWriter {
 public:
   SceneWriter(GltfScene::State& state, const std::filesystem::path& path)
@@ -71,7 +71,7 @@ private:
     return list == state_.document().end() ? kNone : *list;
   }
 
-  /// Images in files and data URIs become views.
+  /// Converts images in files and data URIs to buffer views.
   Result<void> takeImages() {
     for (std::size_t i = 0; i < state_.countOf("images"); ++i) {
       const json& image = state_.document()["images"][i];
@@ -98,8 +98,8 @@ private:
     return {};
   }
 
-  /// Which buffer takes what is added, and the bytes it has: of a .glb the first one; of a .gltf a
-  /// new one, or the first one of the .glb that it was.
+  /// Selects the buffer that receives the additions, and its existing bytes. A .glb uses its first
+  /// buffer. A .gltf uses a new one, or the first one if the asset was a .glb.
   Result<void> chooseBuffer() {
     const auto& chunk = state_.file->container().binaryChunk;
     const bool firstIsChunk = chunk && !buffers().empty() && !buffers()[0].contains("uri");
@@ -122,12 +122,12 @@ private:
     return {};
   }
 
-  /// Whether a .glb in its place would need no file beside it.
+  /// Whether writing a .glb instead of this .gltf would need no buffer file beside it.
   [[nodiscard]] bool takesAllAsGlb() const {
     return !isGlb_ && !state_.file->container().isGlb && state_.countOf("buffers") < 2;
   }
 
-  /// Other files that the asset names must be found from where it is written.
+  /// Checks that the output can still reach the asset's external files.
   Result<void> checkOtherFiles() {
     std::error_code ignored;
     if (std::filesystem::equivalent(folderOf(path_), folderOf(state_.path), ignored))
@@ -151,7 +151,7 @@ private:
   }
 
   [[nodiscard]] std::size_t firstAdded() const {
-    constexpr std::size_t kAlignment = 16; // what any view was added with divides it
+    constexpr std::size_t kAlignment = 16; // a multiple of each view's alignment
     return (before_.size() + kAlignment - 1) / kAlignment * kAlignment;
   }
 
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  /// The bytes of the buffer, and what the document says of it.
+  /// Returns the bytes of the buffer, and updates its description in the document.
   std::vector<std::byte> finishBuffer() {
     std::vector<std::byte> binary(before_.begin(), before_.end());
     if (!state_.added.empty()) {
@@ -185,7 +185,7 @@ private:
       change.append(description);
       return binary;
     }
-    // What was not added to keeps its length, which may be less than the chunk's.
+    // A buffer without additions keeps its length, which may be less than the chunk's.
     if (!state_.added.empty())
       change.element(0).member("byteLength").set(binary.size());
     if (!isGlb_)
@@ -225,8 +225,8 @@ private:
   GltfScene::State& state_;
   const std::filesystem::path& path_;
   bool isGlb_;
-  std::span<const std::byte> before_; ///< of the buffer that takes what is added
-  bool takesFirst_ = false;           ///< that is the document's first
+  std::span<const std::byte> before_; ///< existing bytes of the buffer that receives the additions
+  bool takesFirst_ = false;           ///< whether that is the document's first buffer
 };
 
 std::vector<std::size_t> GltfScene::absentImages() const {

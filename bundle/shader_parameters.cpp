@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bundle and material -> the shader library's uniform structs, as far as no method matters.
+// Bundle and material -> the shader library's uniform structs, except the members of single
+// methods.
 #include "methods/method_format.h"
 
 #include <lichen/shader_parameters.h>
@@ -25,12 +26,13 @@ shader::uint encodingOf(ValueEncoding encoding) {
   return LICHEN_ENCODING_SRGB;
 }
 
-/// The whole tiles of an offset, or on a periodic lattice its whole periods, in tiles.
+/// The integer part of an offset in tiles; on a periodic lattice, its whole periods.
 double wholePart(double offset, bool periodic, double periodTiles) {
   return periodic ? std::floor(offset / periodTiles) * periodTiles : std::floor(offset);
 }
 
-/// The remainder of a tile origin in [0, period), a whole period where the origin is not 0.
+/// A tile origin modulo the period, in [0, period). If the origin is not 0, the period is a whole
+/// number.
 double reduced(std::int64_t origin, double period) {
   if (origin == 0)
     return 0.0;
@@ -38,7 +40,7 @@ double reduced(std::int64_t origin, double period) {
   return double(((origin % whole) + whole) % whole);
 }
 
-/// Where a tile origin lies in a periodic lattice.
+/// The position of a tile origin in a periodic lattice.
 LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placement& placement) {
   const double row = reduced(placement.tileOriginY, placement.periodTilesY) * lattice.rowsPerTile;
   const double column =
@@ -50,7 +52,7 @@ LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placem
            std::min(float(row - std::floor(row)), belowOne)}};
 }
 
-/// The method's cells, and where the place's origin lies in them.
+/// Sets the method's cells, and the position of the tile origin in them.
 void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
               const Placement& placement) {
   const MethodFormat& format = formatOf(noise);
@@ -61,7 +63,8 @@ void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoi
   result.periodRows = lattice.periodRows;
   result.periodTilesX = float(placement.periodTilesX);
   result.periodTilesY = float(placement.periodTilesY);
-  // Whole tiles or periods of the offset go where they are exact, so that floats hold the rest.
+  // Moves whole tiles or periods of the offset to the origin, where they are exact, so that floats
+  // hold only the rest.
   const double wholeX = wholePart(material.offset[0], placement.periodic, placement.periodTilesX);
   const double wholeY = wholePart(material.offset[1], placement.periodic, placement.periodTilesY);
   result.offsetX = float(material.offset[0] - wholeX);
@@ -77,7 +80,8 @@ void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoi
   result.fractionJ = origin.fraction[1];
 }
 
-/// An origin in space, in tiles -> along the right and down of the plane that looks along an axis.
+/// A 3-D origin in tiles -> its coordinates to the right and down in the plane perpendicular to an
+/// axis.
 std::array<double, 2> ontoPlane(const Placement& placement, std::size_t axis) {
   const auto x = double(placement.tileOriginX);
   const auto y = double(placement.tileOriginY);
@@ -86,8 +90,8 @@ std::array<double, 2> ontoPlane(const Placement& placement, std::size_t axis) {
   return planes[axis];
 }
 
-/// The three planes of triplanar noise, each at the place's origin. Exact where tiles are square
-/// and not rotated; else 2^-12 tiles off at 2^40.
+/// Sets the three planes of triplanar noise at the placement's origin. Exact for square, unrotated
+/// tiles; otherwise off by 2^-12 tiles at 2^40.
 void setPlanes(shader::LichenNoise& result, const Bundle& bundle, const Noise& noise,
                const MaterialNoise& material, const Placement& placement) {
   const MethodFormat& format = formatOf(noise);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mean, covariance and lost variance of an exemplar's stored values, or of one step of a mix. n is
-// the number of channels.
+// Reads the mean, covariance and lost variance of an exemplar's stored values, or of one step of a
+// mix. n is the number of channels.
 #include "extension_reader.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Whether the n x n matrix plus a little of its trace has a Cholesky factor, which it has exactly
-/// when no eigenvalue is below minus that little.
+/// Whether no eigenvalue is below minus the tolerance: adding the tolerance to the diagonal must
+/// give a matrix with a Cholesky factor.
 bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
   double trace = 0.0;
   for (std::size_t i = 0; i < n; ++i)
@@ -43,7 +43,7 @@ bool isSymmetric(const std::vector<double>& c, std::size_t n) {
   return true;
 }
 
-/// Where a mean of stored values can lie, with room for rounding.
+/// The range of a mean of stored values, with a tolerance for rounding.
 NumberRange meanRange(ValueEncoding encoding) {
   constexpr double kRounding = 1e-6;
   constexpr double kSteepest = 20.0;    // 1 / 0.05, the least nz

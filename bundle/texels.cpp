@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texel formats of a table: bytes of a texel and of a mip level, texels to floats and back.
-// Texel (x, y, z) of a level starts at byte ((z * height + y) * width + x) * texelBytes(format).
+// Texel formats of a table: bytes per texel and mip level, texels to floats and back. Texel (x, y,
+// z) of a mip level starts at byte ((z * height + y) * width + x) * texelBytes(format).
 // Sources: IEEE 754-2008 binary16; IEC 61966-2-1 (sRGB).
 #include "srgb_curve.h"
 
@@ -44,10 +44,10 @@ std::size_t componentBytes(TexelFormat format) {
 
 constexpr float kUnorm8Max = 255.0f;
 
-// binary16 has 5 exponent bits of bias 15 and 10 mantissa bits, binary32 8 of bias 127 and 23.
-// A subnormal half is a whole number of units of 2^-24.
+// binary16 has 5 exponent bits with bias 15 and 10 mantissa bits; binary32 has 8 with bias 127 and
+// 23. A subnormal half is an integer multiple of 2^-24.
 
-/// Rounds to nearest, ties to even; |value| <= kHalfMax.
+/// Rounds to nearest, ties to even. Precondition: |value| <= kHalfMax.
 std::uint16_t halfFromFloat(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const std::uint32_t sign = (bits >> 16u) & 0x8000u;
@@ -59,7 +59,7 @@ std::uint16_t halfFromFloat(float value) {
   return std::uint16_t(sign | ((rebiased + roundUp) >> 13u));
 }
 
-/// Of a finite half.
+/// Precondition: `half` is finite.
 float floatFromHalf(std::uint16_t half) {
   const std::uint32_t sign = std::uint32_t(half & 0x8000u) << 16u;
   const std::uint32_t magnitude = half & 0x7fffu;
@@ -70,7 +70,7 @@ float floatFromHalf(std::uint16_t half) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) | sign);
 }
 
-/// The light of each 8-bit sRGB code.
+/// The linear light of each 8-bit sRGB code.
 const std::array<float, 256>& lightOfCode() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> light{};
@@ -81,7 +81,7 @@ const std::array<float, 256>& lightOfCode() {
   return table;
 }
 
-/// Whether channel c of an interleaved format holds an sRGB code; alpha never does.
+/// Whether a channel of a format holds an sRGB code; alpha never does.
 bool isSrgbChannel(TexelFormat format, std::size_t channel) {
   return format == TexelFormat::rgba8Srgb && channel < 3;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A map's image, matrix and losses -> members of its constants.
+// A map's image, matrix and lost variances -> members of its constants.
 #include "map_constants.h"
 
 #include <algorithm>

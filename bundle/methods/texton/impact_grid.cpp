@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Shape of the textons, mean number of impacts -> the grid of cells.
-// Whole cells in a tile make integer tile origins exact; the amplitude is that of the density that
-// results, so the covariance is exact too, and only the number of impacts is rounded. [GLM17]
-// Galerne, Leclaire and Moisan 2017, section 6.
+// Texton shape, mean number of impacts -> the grid of cells.
+// A whole number of cells per tile makes integer tile origins exact. The amplitude uses the
+// resulting density, so the covariance is exact too; only the number of impacts is rounded.
+// Source: [GLM17] Galerne, Leclaire and Moisan 2017, section 6.
 #include "impact_grid.h"
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace lichen {
 namespace {
 
-/// How many cells come nearest to filling a length: at least one, and so few that an int holds
-/// three periods of them.
+/// The number of cells whose total length is closest to a length: at least one, and few enough that
+/// an int holds three periods.
 int cellsIn(double lengthTexels, double sideTexels) {
   constexpr double kMostCells = 1 << 29;
   return int(std::clamp(std::round(lengthTexels / sideTexels), 1.0, kMostCells));
 }
 
-/// A B-spline of order k reaches (k + 1) / 2 texels beyond the centres of the coefficients.
+/// A B-spline of order k extends (k + 1) / 2 texels beyond the centres of the coefficients.
 double supportArea(const TextonShape& shape) {
   return double(shape.coefficientsX + shape.order) * double(shape.coefficientsY + shape.order);
 }
@@ -43,7 +43,7 @@ Lattice impactGrid(const TextonShape& shape, double impacts, const Placement& pl
 }
 
 Lattice surfaceGrid(const TextonShape& shape, double impacts) {
-  // [GLM17] section 6: lambda r^3 impacts.
+  // [GLM17] section 6: lambda r^3 impacts cover a point.
   const double side =
       std::cbrt(supportArea(shape) * surfaceThickness(shape) / (kSurfaceImpacts * impacts));
   Lattice grid;

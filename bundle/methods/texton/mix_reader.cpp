@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the weight of a mix comes from, as a material says.
+// Reads the mix weight of a material.
 #include "extension_reader.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ using nlohmann::json;
 constexpr std::uint64_t kMaxColorSet = 15;
 constexpr std::uint64_t kMaxChannel = 3; // alpha
 
-/// Texture coordinates, or what they are by default.
+/// An optional pair of texture coordinates, with its default.
 std::array<double, 2> readPlace(ObjectReader& reader, const char* key,
                                 const std::array<double, 2>& preset) {
   if (!reader.has(key))
@@ -33,7 +33,7 @@ void readDirection(ObjectReader& reader, MixWeight& mix) {
                  "nearer than 0.000001 to start; a place further away is accepted");
 }
 
-/// A textureInfo of glTF.
+/// Reads a glTF textureInfo.
 void readTexture(ObjectReader& reader, std::size_t textures, FindingList& findings,
                  MixWeight& mix) {
   const json* member = reader.required("texture");

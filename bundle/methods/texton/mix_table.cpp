@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of a mix of textons as the shader reads them: a 3-D table of steps x 1 x
+// The steps of a mix of textons -> the table that the shader reads: 3-D, steps x 1 x
 // LICHEN_MIX_ROWS half floats, linear along the steps.
 #include <lichen/shader_parameters.h>
 
@@ -10,10 +10,11 @@
 namespace lichen {
 namespace {
 
-/// The shader divides by a ratio of deviations and multiplies with it: any but 0 will do.
+/// Minimum ratio of standard deviations. The shader multiplies and divides by the ratio, so it must
+/// not be 0; any other value works.
 constexpr double kLeastRatio = 0x1p-14; // the smallest normal half float
 
-/// Six deviations of a channel over what its texels are multiplied with.
+/// The ratio of six standard deviations of a channel to the channel's scale.
 double deviationRatio(const TextonStep& step, const std::vector<double>& scale, std::size_t c) {
   constexpr double kScaleDeviations = 6.0;
   const double variance = step.covariance[c * scale.size() + c];
@@ -43,7 +44,7 @@ Table mixTable(const NoiseMap& map) {
     for (std::size_t c = map.mean.size(); c < kComponents; ++c)
       texel(LICHEN_MIX_DEVIATION)[c] = 1.0f;
     for (std::size_t c = 0; c < texton.scale.size(); ++c) {
-      // Of a channel that never varies mips keep nothing, as where there is no mix.
+      // The kept amplitudes of a constant channel stay 0, as without a mix.
       const std::span<const double> losses = lossRow(steps[s].mipLoss, c, texton.scale.size());
       for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && texton.scale[c] > 0.0; ++mip)
         texel(LICHEN_MIX_KEPT + mip)[c] =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where texton noise fits, how large its exemplar was, and its members as JSON.
+// The supported mappings of texton noise, the size of its exemplar, and its members as JSON.
 #include "texton_format.h"
 
 namespace lichen {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A texton noise and its material -> the members of the shader's constants that only textons have.
+// A texton noise and its material -> the texton-only members of the shader's constants.
 #include "impact_grid.h"
 #include "methods/map_constants.h"
 #include "texton_format.h"
@@ -10,7 +10,7 @@
 namespace lichen {
 namespace {
 
-/// The n x n matrix with these values on its diagonal, row by row.
+/// The n x n diagonal matrix of n values, row-major.
 std::vector<double> diagonal(const std::vector<double>& values) {
   const std::size_t n = values.size();
   std::vector<double> matrix(n * n, 0.0);
@@ -19,8 +19,8 @@ std::vector<double> diagonal(const std::vector<double>& values) {
   return matrix;
 }
 
-/// What mips keep of each channel of a texton; nothing of one that does not vary, so that impacts
-/// are left out where nothing is left of the others.
+/// Sets the kept amplitudes of each channel. They are 0 for a constant channel, so that the shader
+/// skips impacts once the other channels have faded out.
 void setTextonKept(shader::LichenMap& result, const TextonMap& map) {
   const std::array<shader::uvec4*, 3> kept{&result.mipKept0, &result.mipKept1, &result.mipKept2};
   for (std::size_t c = 0; c < map.scale.size(); ++c)
@@ -28,14 +28,15 @@ void setTextonKept(shader::LichenMap& result, const TextonMap& map) {
       *kept[c] = keptAmplitudes(lossRow(map.mipLoss, c, map.scale.size()));
 }
 
-/// Weight of a mix = constant + perUv . uv.
+/// Mix weight = constant + perUv . uv.
 struct LinearWeight {
   double constant = 0.0;
   std::array<double, 2> perUv{};
 };
 
-/// Of a constant or a direction, at texture coordinates relative to the place's tile origin. With
-/// other mappings than uv that is a place in space, which moves no texture coordinates.
+/// The linear weight of MixSource::constant or direction, with uv relative to the placement's tile
+/// origin. The origin moves the texture coordinates only for Mapping::uv; for other mappings it is
+/// a 3-D position.
 LinearWeight linearWeight(const MaterialNoise& material, const Placement& placement) {
   const MixWeight& mix = material.mix;
   if (mix.source == MixSource::constant)
@@ -45,7 +46,7 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
   const std::array<double, 2> way{mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
   const double squaredLength = way[0] * way[0] + way[1] * way[1];
   LinearWeight weight{0.0, {way[0] / squaredLength, way[1] / squaredLength}};
-  // The origin in texture coordinates: tile coordinates are a rotation of them over the scale.
+  // Converts the origin to texture coordinates: the inverse of tile = R(rotation) uv / scale.
   const double cosine = std::cos(material.rotation) * material.scale;
   const double sine = std::sin(material.rotation) * material.scale;
   const bool isMoved = material.mapping == Mapping::uv;
@@ -84,7 +85,8 @@ shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& mat
     result.mixPerV = float(weight.perUv[1]);
   }
   if (material.mapping == Mapping::surface) {
-    // [GLM17] proposition 3: the variance is lambda r / 3 times that of the texton.
+    // [GLM17] proposition 3: the variance of surface noise is lambda r / 3 times that of the
+    // texton.
     const double cube = shape.texelsPerTileX / surfaceGrid(shape, material.impacts).columnsPerTile;
     const double lambda = 1.0 / (cube * cube * cube);
     result.surfaceCubeTexels = float(cube);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a texton noise has of its own: the shape that its textons share, and each map's texton. n is
-// the number of a map's channels.
+// Reads the texton members of a noise: the shape that its textons share, and each map's texton. n
+// is the number of a map's channels.
 #include "texton_format.h"
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-/// Of a shape that was at fault.
+/// Whether the shape was invalid; readNoise() then returns a default shape.
 bool isUnknown(const TextonShape& shape) { return shape.coefficientsX == 0; }
 
-/// Two integers in [1, most], x and y.
+/// Two integers in [1, most]: x and y.
 std::optional<std::array<int, 2>> readPair(ObjectReader& reader, const char* key, int most) {
   const auto values = reader.numbers(key, {1.0, double(most)});
   if (!values)
@@ -39,7 +39,8 @@ int readOrder(ObjectReader& reader) {
   return int(order.value_or(1));
 }
 
-/// Whether the exemplar, mips and steps fit the number of coefficients.
+/// Checks the numbers of coefficients, mip levels and steps against one another and against the
+/// exemplar's size.
 void checkShape(ObjectReader& reader, const TextonShape& shape) {
   const auto sides = [](int x, int y) { return std::to_string(x) + " x " + std::to_string(y); };
   const std::string coefficients = sides(shape.coefficientsX, shape.coefficientsY);
@@ -60,7 +61,8 @@ void checkShape(ObjectReader& reader, const TextonShape& shape) {
                      " is accepted for frames of " + std::to_string(shape.frameHeight()) + " rows");
 }
 
-/// Whether a map's image is one of such textons.
+/// Checks that an image has the size, mip levels and format of textons with this shape and n
+/// channels.
 bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, const Table& image) {
   const auto error = [&](const std::string& message) {
     reader.error("map-texton", "texton", message);
@@ -82,7 +84,7 @@ bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, c
   return true;
 }
 
-/// A value a channel, or none.
+/// One value per channel, or an empty vector on a fault.
 std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const char* code,
                                    NumberRange range, std::size_t n) {
   const auto values = reader.numbers(key, range);
@@ -93,7 +95,7 @@ std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const 
   return values.value_or(std::vector<double>());
 }
 
-/// What the steps after the first have for themselves. `texton` has the first one's losses.
+/// Reads the steps after the first. `texton` already has the first step's mipLoss.
 void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
                     FindingList& findings, TextonMap& texton) {
   constexpr const char* kCode = "map-later-steps";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large a texton's frame is, how many mips it may have, and the rows of its losses.
+// The frame size of a texton, its maximum number of mip levels, and the rows of its mipLoss.
 #include <lichen/texton_map.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace lichen {
 namespace {
 
-/// Room for the coefficients in whole texels of the last mip, and one more, in which a bilinear
-/// fetch of that mip fades to 0 on both sides.
+/// Rounds the coefficients up to whole texels of the last mip level and adds one more, in which a
+/// bilinear fetch of that level fades to 0 on both sides.
 std::uint32_t frameSide(int coefficients, int mipLevels) {
   const std::uint32_t coarse = 1u << std::uint32_t(mipLevels - 1);
   return ((std::uint32_t(coefficients) + coarse - 1) / coarse + 1) * coarse;

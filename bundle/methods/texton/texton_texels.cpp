@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Whether a texton's texels are what the format says of them: 0 around the coefficients, mips that
-// are averages, and the variance that the map states, as far as the rounding of texels tells.
+// Checks a texton's texels, within their rounding error: 0 around the coefficients, mip levels that
+// average the level above, and the stated covariance and lost variance.
 //
-// The noise's covariance is sum over k, l of b(k - l) alpha(k) alpha(l)^T, alpha being scale x
-// texels. A texel that is off by e at the most moves a sum of products a a' by no more than
-// sum b (|a| e' + e |a'| + e e'). Sources: [GLM17] sections 4.1 and 5.2.
+// The noise's covariance is sum over k, l of b(k - l) alpha(k) alpha(l)^T, where alpha is scale x
+// texels. If texels a and a' have errors of at most e and e', the error of a sum of their products
+// is at most sum b (|a| e' + e |a'| + e e'). Source: [GLM17] section 4.1.
 #include "texton_format.h"
 
 #include <algorithm>
@@ -16,24 +16,26 @@
 namespace lichen {
 namespace {
 
-/// Of a number that is written with some seven digits.
+/// Relative rounding error of a number written with about seven digits.
 constexpr double kTextRounding = 1e-6;
 
-/// How far rounding may take a texel: a share of it, and what is lost of the smallest ones.
+/// The rounding error of a texel: a share of its magnitude, plus the step between the smallest
+/// values.
 struct Rounding {
   double share = 0.0;
   double least = 0.0;
 };
 
-/// Twice what one rounding to nearest does, so that a mip may be made of texels that were rounded.
+/// Twice the error of one rounding to nearest, because mip levels may be averages of rounded
+/// texels.
 Rounding roundingOf(TexelFormat format) {
   const bool isHalf = texelBytes(format) == 2 * std::size_t(channelCount(format));
   constexpr double kSumsOfSingles = 4.0; // an average of four adds and divides in single precision
   return isHalf ? Rounding{0x1p-10, 0x1p-24} : Rounding{kSumsOfSingles * 0x1p-23, 0x1p-149};
 }
 
-/// Texels of one channel of a frame, row by row, and 0 around them; with their magnitudes, which
-/// tell what each may be off, averaged as they are.
+/// Texels of one channel of a frame, row-major; texels outside count as 0. The magnitudes, which
+/// bound the rounding errors, are averaged like the values.
 struct Plane {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -45,7 +47,7 @@ double errorOf(float magnitude, const Rounding& rounding) {
   return rounding.share * double(magnitude) + rounding.least;
 }
 
-/// Averages of 2 x 2 texels, those beyond the borders 0.
+/// Averages of 2 x 2 texels, with 0 beyond the borders.
 std::vector<float> halved(std::span<const float> values, std::size_t width, std::size_t height) {
   std::vector<float> half;
   half.reserve((width + 1) / 2 * ((height + 1) / 2));
@@ -66,7 +68,7 @@ Plane halved(const Plane& plane) {
           halved(plane.magnitudes, plane.width, plane.height)};
 }
 
-/// b_j, j = 0 .. order: the B-spline of degree 2 order + 1 at the integers. [GLM17] section 4.1.
+/// [GLM17] section 4.1: b_j, j = 0 .. order, the B-spline of degree 2 order + 1 at the integers.
 std::span<const double> kernelAutocorrelation(int order) {
   static constexpr std::array<double, 1> kBox = {1.0};
   static constexpr std::array<double, 2> kTent = {2.0 / 3.0, 1.0 / 6.0};
@@ -77,12 +79,12 @@ std::span<const double> kernelAutocorrelation(int order) {
   return order == 1 ? std::span<const double>(kTent) : std::span<const double>(kCubic);
 }
 
-/// Sum over k, l of b(k - l) p(k) q(l) of two planes of this width.
+/// The sum over k, l of b(k - l) p(k) q(l) for two planes of `width` texels per row.
 double product(std::span<const float> p, std::span<const float> q, std::size_t width, int order) {
   const std::span<const double> b = kernelAutocorrelation(order);
   const auto reach = std::size_t(order);
   const std::size_t rows = p.size() / width;
-  // Of a row: sums along y of p, and q with zeros around it.
+  // For one row: weighted sums of p along y, and q padded with zeros.
   std::vector<double> alongY(width), padded(width + 2 * reach);
   double sum = 0.0;
   for (std::size_t y = 0; y < rows; ++y) {
@@ -108,14 +110,14 @@ double sumOf(std::span<const float> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// A sum of products, and how far rounding may have taken it.
+/// A sum of products and its rounding error.
 struct Moment {
   double value = 0.0;
   double error = 0.0;
 };
 
 Moment momentOf(const Plane& p, const Plane& q, int order, const Rounding& rounding) {
-  // The error of a texel is share |a| + least, and b adds up to 1.
+  // A texel's error is share |a| + least, and the b add up to 1.
   const auto [share, least] = rounding;
   const double shares = (2.0 + share) * share * product(p.magnitudes, q.magnitudes, p.width, order);
   const double leasts = least * ((1.0 + share) * (sumOf(p.magnitudes) + sumOf(q.magnitudes)) +
@@ -123,18 +125,18 @@ Moment momentOf(const Plane& p, const Plane& q, int order, const Rounding& round
   return {product(p.values, q.values, p.width, order), shares + leasts};
 }
 
-/// What is checked, and where its faults are recorded.
+/// The texton under test, and the reader that records its faults.
 struct Texton {
   ObjectReader& reader;
   const TextonShape& shape;
   const NoiseMap& map;
   const TextonMap& data;
   const Table& image;
-  Rounding rounding;                      ///< of its texels
-  std::vector<std::vector<float>> levels; ///< of the image, decoded
+  Rounding rounding;                      ///< rounding error of the texels
+  std::vector<std::vector<float>> levels; ///< decoded mip levels of the image
 };
 
-/// One channel of a frame.
+/// Extracts one channel of one step's frame.
 Plane planeOf(const Texton& texton, std::size_t step, std::uint32_t level, std::size_t channel) {
   const auto stride = std::size_t(channelCount(texton.image.format));
   Plane plane{texton.shape.frameWidth() >> level, texton.shape.frameHeight() >> level, {}, {}};
@@ -156,7 +158,7 @@ std::string placeOf(std::size_t x, std::size_t y, std::uint32_t level) {
 
 std::string text(double value) { return nlohmann::json(value).dump(); }
 
-/// Whether a frame is 0 but for its coefficients.
+/// Checks that each frame is 0 outside the coefficients.
 bool checkBorders(const Texton& texton) {
   const auto stride = std::size_t(channelCount(texton.image.format));
   for (std::size_t y = 0; y < texton.image.height; ++y)
@@ -176,7 +178,7 @@ bool checkBorders(const Texton& texton) {
   return true;
 }
 
-/// Whether each mip of a channel has the averages of the level above it.
+/// Checks that each mip level of a channel averages the level above it.
 bool checkMips(const Texton& texton, std::size_t step, std::size_t channel) {
   Plane average = planeOf(texton, step, 0, channel);
   for (std::uint32_t level = 1; level < texton.image.mipLevels; ++level) {
@@ -198,7 +200,8 @@ bool checkMips(const Texton& texton, std::size_t step, std::size_t channel) {
   return true;
 }
 
-/// Whether each scale is six times the deviation of its channel, of a mix the greatest.
+/// Checks that each scale is six times its channel's standard deviation, in a mix the largest of
+/// all steps.
 void checkScale(const Texton& texton) {
   constexpr double kDeviations = 6.0;
   const std::size_t n = texton.map.channels.size();
@@ -215,7 +218,7 @@ void checkScale(const Texton& texton) {
   }
 }
 
-/// Whether the noise of a step has the covariance that is stated of it.
+/// Checks that the noise of a step has the stated covariance.
 void checkCovariance(const Texton& texton, std::size_t step,
                      const std::vector<double>& covariance) {
   const std::size_t n = texton.map.channels.size();
@@ -236,8 +239,8 @@ void checkCovariance(const Texton& texton, std::size_t step,
     }
 }
 
-/// The share of a channel's variance that each level of averaging keeps; none of one that does not
-/// vary.
+/// The share of a channel's variance that remains at each level of averaging. Empty for a constant
+/// channel.
 std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size_t channel,
                                std::size_t levels) {
   Plane plane = planeOf(texton, step, 0, channel);
@@ -249,7 +252,7 @@ std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size
   for (std::uint32_t level = 1; level < levels; ++level) {
     texelArea *= 4.0;
     plane = level < texton.image.mipLevels ? planeOf(texton, step, level, channel) : halved(plane);
-    // Minified textons are interpolated bilinearly, whatever the order.
+    // Minified textons are interpolated bilinearly, for every order.
     const Moment moment = momentOf(plane, plane, 1, texton.rounding);
     const double share = texelArea * moment.value / whole.value;
     kept.push_back({share, (texelArea * moment.error + share * whole.error) / whole.value});
@@ -257,8 +260,7 @@ std::vector<Moment> keptShares(const Texton& texton, std::size_t step, std::size
   return kept;
 }
 
-/// Whether each level of averaging loses the share of a channel's variance that is stated of it, no
-/// less than the level before.
+/// Checks a channel's lost variance at each level of averaging, which must never decrease.
 bool checkLosses(const Texton& texton, std::size_t step, std::size_t channel,
                  const std::vector<double>& mipLoss) {
   const std::span<const double> stated = lossRow(mipLoss, channel, texton.map.channels.size());
@@ -280,7 +282,7 @@ bool checkLosses(const Texton& texton, std::size_t step, std::size_t channel,
   return true;
 }
 
-/// Likewise of all channels of a step; the first fault is told.
+/// Checks the lost variance of all channels of a step. Stops at the first fault.
 void checkLosses(const Texton& texton, std::size_t step, const std::vector<double>& mipLoss) {
   for (std::size_t c = 0; c < texton.map.channels.size(); ++c)
     if (!checkLosses(texton, step, c, mipLoss))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where tiling fits, how large its exemplar was, and its members as JSON.
+// The supported mappings of tiling, the size of its exemplars, and its members as JSON.
 #include "tiling_format.h"
 
 #include <algorithm>

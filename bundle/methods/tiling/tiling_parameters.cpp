@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tiling noise and its material -> the members of the shader's constants that only tiling has.
+// A tiling noise and its material -> the tiling-only members of the shader's constants.
 #include "methods/map_constants.h"
 #include "tiling_format.h"
 
@@ -10,8 +10,8 @@
 namespace lichen {
 namespace {
 
-/// Six times the lower Cholesky factor of a positive definite n x n matrix, row by row: what takes
-/// Gaussian values of deviation 1/6 to this covariance.
+/// Six times the lower Cholesky factor of a positive definite n x n matrix, row-major. It maps
+/// Gaussian values of standard deviation 1/6 to values with this covariance.
 std::vector<double> gaussianToStored(const std::vector<double>& covariance, std::size_t n) {
   constexpr double kDeviations = 6.0;
   std::vector<double> factor(n * n, 0.0);
@@ -31,7 +31,7 @@ float dotRow(const shader::vec4& row, const std::array<float, 3>& v) {
   return row.x * v[0] + row.y * v[1] + row.z * v[2];
 }
 
-/// The mean of the decoded values: the last slab of the inverse table, which is constant.
+/// Sets the mean of the decoded values, from the last slab of the inverse table, which is constant.
 void setTableMean(const TilingMap& map, const Bundle& bundle, shader::LichenMap& constants) {
   const Table& table = bundle.tables[*map.inverseTable];
   const std::vector<float> texels = decodeLevel(table, 0);
@@ -44,7 +44,8 @@ void setTableMean(const TilingMap& map, const Bundle& bundle, shader::LichenMap&
   constants.mean = {mean[0], mean[1], mean[2], mean[3]};
 }
 
-/// How many of a map's first mips have texels that divide the step between tile offsets.
+/// The number of mip levels, from level 0, whose texel size divides the step between tile offsets.
+/// 0 if the map's size differs from the tile's.
 shader::uint alignedMips(const std::array<std::uint32_t, 2>& tile, const Table& gaussian) {
   if (tile != std::array<std::uint32_t, 2>{gaussian.width, gaussian.height})
     return 0;
@@ -53,7 +54,7 @@ shader::uint alignedMips(const std::array<std::uint32_t, 2>& tile, const Table& 
   return 1 + std::min(step, std::uint32_t(halvings));
 }
 
-/// The steps between the offsets of tiles of this size.
+/// Sets the number of tile offsets and the step between them.
 void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t, 2>& tile) {
   const auto step = [](std::uint32_t size) {
     return float(double(1u << tileOffsetShift(size)) / double(size));

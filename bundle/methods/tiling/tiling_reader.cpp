@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The members of a map that belong to tiling, checked against one another and against the tables.
-// D is the number of channels of the Gaussian image, n that of the map, L of the levels.
+// Reads the tiling members of a map and checks them against one another and against the tables. D
+// is the number of channels of the Gaussian image, n that of the map, L that of the levels.
 #include "tiling_format.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 using nlohmann::json;
 
-/// 64 slabs of a 32^3 table make a depth of 2,048, the least that desktop devices offer.
+/// 64 slabs of a 32^3 table have a depth of 2,048, the smallest limit of desktop devices.
 constexpr std::size_t kMaxTableLevels = 64;
 constexpr double kLevelTolerance = 1e-6;
 
-/// Whether all pivots of the Cholesky factorization stand out from its rounding.
+/// Whether all pivots of the Cholesky factorization exceed its rounding error.
 bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
   double trace = 0.0;
   for (std::size_t i = 0; i < n && c.size() == n * n; ++i)
@@ -32,7 +32,7 @@ bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
   return true;
 }
 
-/// The affine map of a separable table.
+/// Reads the affine map of a separable table.
 void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaussian,
                     TilingMap& tiling) {
   constexpr NumberRange kBasisRange{-1e6, 1e6};
@@ -100,9 +100,9 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
                         std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
   const bool isSlope = map.encoding == ValueEncoding::slope;
   const bool isSeparable = tableKindOf(tiling) == TableKind::separable;
-  const std::size_t needed = isSeparable
-                                 ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
-                                 : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
+  const std::size_t needed =
+      isSeparable ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
+                  : map.channels.size() + (isSlope ? 1 : 0); // the variance of the slopes
   if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(channelCount(table.format)) + " channels; at least " +
