@@ -258,7 +258,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     use.pointProcess = process.value_or(use.pointProcess);
   }
   use.mix = readMixWeight(reader, textures, findings);
-  // A noise with errors may lack its number of steps.
+  // A noise with errors may have no number of steps.
   if (reader.has("mix") && findings.errorCount() == 0 && !isMix(bundle.noises[use.noise]))
     findings.warn("mix-without-steps", reader.pointerTo("mix"),
                   "the noise is no mix, so that its weight has no effect");

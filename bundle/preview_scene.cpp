@@ -174,7 +174,7 @@ void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& ne
   root["meshes"].push_back(std::move(mesh));
 }
 
-/// The centre of a ball on the ground plane: x to the right, z towards the camera.
+/// The horizontal position of a ball's centre: x to the right, z towards the camera.
 struct BallPlace {
   double x = 0.0;
   double z = 0.0;

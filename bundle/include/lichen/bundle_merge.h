@@ -31,8 +31,9 @@ struct MergedBundle {
 [[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);
 
 /// Adds noise `index` of `from` to `into` and returns its index there. If `into` already has a
-/// noise that differs only in name, returns that one. Otherwise appends the noise and those of its
-/// tables that `into` lacks, and appends a number to a name in `taken`. Throws std::bad_alloc.
+/// noise that differs only in name, returns that one. Otherwise appends the noise, shares the
+/// tables that `into` already has, and appends a number to a name in `taken`. Throws
+/// std::bad_alloc.
 [[nodiscard]] std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
                                      std::set<std::string> taken);
 

@@ -64,8 +64,8 @@ tileOffsetIndex(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::u
   return {((h[0] >> 16u) * countX) >> 16u, ((h[1] >> 16u) * countY) >> 16u};
 }
 
-/// The rotation of a vertex's tile, as a step in [0, steps) of a full turn; `steps` <= 2^16. Uses
-/// the hash word that the offset does not use.
+/// The rotation of a vertex's tile: a number of steps, in [0, steps), of 2 pi / steps each; `steps`
+/// <= 2^16. Uses the hash word that the offset does not use.
 [[nodiscard]] constexpr std::uint32_t tileRotationStep(std::uint32_t i, std::uint32_t j,
                                                        std::uint32_t seedWord,
                                                        std::uint32_t steps) {

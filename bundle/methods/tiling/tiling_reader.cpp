@@ -100,9 +100,9 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
                         std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
   const bool isSlope = map.encoding == ValueEncoding::slope;
   const bool isSeparable = tableKindOf(tiling) == TableKind::separable;
-  const std::size_t needed =
-      isSeparable ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
-                  : map.channels.size() + (isSlope ? 1 : 0); // the variance of the slopes
+  const std::size_t needed = isSeparable
+                                 ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
+                                 : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
   if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(channelCount(table.format)) + " channels; at least " +
