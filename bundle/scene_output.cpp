@@ -122,7 +122,7 @@ private:
     return {};
   }
 
-  /// Whether writing a .glb instead of this .gltf would need no buffer file beside it.
+  /// Whether a .glb, unlike this .gltf, could embed all external files.
   [[nodiscard]] bool takesAllAsGlb() const {
     return !isGlb_ && !state_.file->container().isGlb && state_.countOf("buffers") < 2;
   }

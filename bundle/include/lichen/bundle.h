@@ -50,8 +50,8 @@ enum class Method { tiling, texton };
 
 /// All methods, in the order of the enumeration.
 [[nodiscard]] std::span<const Method> allMethods();
-/// The method revision that this version writes and evaluates. Readers ignore noises of unknown
-/// revisions.
+/// The method revision that this version writes and evaluates. Readers ignore noises of later
+/// revisions and report others as errors.
 [[nodiscard]] int revisionOf(Method method);
 /// How a texton noise distributes its impacts: one in each cell of a grid, or as a Poisson process.
 enum class PointProcess { stratified, poisson };
@@ -227,8 +227,8 @@ struct MaterialNoise {
   MixWeight mix; ///< only for a mix of textons
 };
 
-/// A noise whose method or revision this version does not support. Renderers show the materials
-/// that use it with their core glTF textures.
+/// A noise of an unknown method or a later revision than this version supports. Renderers show the
+/// materials that use it with their core glTF textures.
 struct IgnoredNoise {
   std::size_t place = 0; ///< index among all noises of the file
   std::string name;      ///< may be empty

@@ -26,8 +26,8 @@ struct MergedBundle {
 /// it, or the defaults and its own name. A mix weight from a texture becomes the default weight,
 /// with a note. A noise or material whose name is already taken gets a number appended, for a noise
 /// with a note. Texels are copied unchanged, and equal tables are shared. Errors: badInput, naming
-/// the file, for a bundle without noises or with a noise of an unsupported method or revision;
-/// resources when memory does not suffice.
+/// the file, for a bundle without noises or with ignored ones; resources when memory does not
+/// suffice.
 [[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);
 
 /// Adds noise `index` of `from` to `into` and returns its index there. If `into` already has a
