@@ -25,8 +25,8 @@ namespace {
 
 using namespace tiling;
 
-/// Whether `covariance` is definite, as the format asks of a map without a table; with room for its
-/// rounding in the file.
+/// Whether the covariance is positive definite, as the format requires of a map without a table,
+/// with a margin for rounding in the file.
 bool spansAll(const exemplar::ColorSpace& space) {
   constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
   const auto solver = transport::principalAxes(space.moments.covariance);
@@ -52,7 +52,7 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   return {};
 }
 
-/// A map that does not vary: nothing to match, one constant for image and table.
+/// The fit of a map that does not vary: one constant for image and table.
 MapFit constantFit(const MapExemplar& map) {
   MapFit fit;
   fit.gaussian.width = map.width;
@@ -75,14 +75,14 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
 /// How the values of a map are stored.
 enum class MapKind { constant, gaussianOnly, separable, sorted, transported };
 
-/// A map and how it is going to be baked.
+/// A map and the way it will be stored.
 struct PlannedMap {
   const MapExemplar& map;
   exemplar::ColorSpace space;
   MapKind kind;
 };
 
-/// Without a table a map cannot go with others: those of a set keep theirs unless told.
+/// A map without a table cannot correlate with others, so maps of a set are not tested.
 bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
   return maps == 1 && wanted == GaussianOnly::detect;
 }
@@ -97,14 +97,14 @@ MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
-  // Slopes need their variance, and half floats do not hold what light above 1 is along an axis.
+  // Slopes need their variance, and half floats cannot hold light above 1 along an axis.
   const bool mayBeSeparable =
       map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
   return options.lut == LookupTable::separable && mayBeSeparable ? MapKind::separable
                                                                  : MapKind::transported;
 }
 
-/// What the steps of a map's bake take, in units of transporting a pixel by the default effort.
+/// The work of the steps of a map's bake, in units of transporting a pixel with the default effort.
 struct MapWork {
   double fit = 0.0;
   double rest = 0.0; ///< mips, losses and slabs
@@ -112,8 +112,8 @@ struct MapWork {
   [[nodiscard]] double whole() const { return fit + rest; }
 };
 
-/// Of choosing the kind of a map whose values may be Gaussian, over all its bake: 16 projections of
-/// 6 ns a pixel on two cores. Twenty times as much where surrogates decide, which is rare.
+/// Work of the Gaussian test, relative to the whole bake: 16 projections of 6 ns per pixel on two
+/// cores. Twenty times as much if surrogates decide, which is rare.
 constexpr double kKindWork = 0.02;
 
 MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort,
@@ -143,7 +143,7 @@ MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effo
   return {(choosesShare ? fit.trial : 0.0) + fit.fit, kSlabs + rest};
 }
 
-/// Of a map that may have `others` before it, to go with, which have chosen the share.
+/// The work of a map. With `others` before it, it correlates with them and reuses their share.
 MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
   MapWork work = workAlone(planned, periodic, effort, !others);
   const bool isJoint = planned.kind == MapKind::sorted || planned.kind == MapKind::transported;
@@ -156,20 +156,20 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
   return work;
 }
 
-/// The tables of a map and what the bundle says of them.
+/// The tables of a map and what the bundle stores about them.
 struct MapTables {
   Gaussianized image;
   Table gaussian;
-  std::vector<exemplar::ChannelMatrix> lost; ///< by the mips of `gaussian`
+  std::vector<exemplar::ChannelMatrix> lost; ///< per mip level of `gaussian`
   std::optional<Table> inverse;
-  std::vector<double> tableBasis, tableOffset; ///< of a separable table
+  std::vector<double> tableBasis, tableOffset; ///< only for a separable table
 
   MapTables(Gaussianized gaussianized, int bits)
       : image(std::move(gaussianized)), gaussian(gaussianTable(image, bits)),
         lost(lostVariance(gaussian)) {}
 };
 
-/// Of what follows the fit; the slabs take the rest.
+/// Part of the progress after the fit; the slabs take the rest.
 constexpr double kMipsOfProgress = 0.5;
 
 MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits, ProgressPart progress) {
@@ -189,7 +189,7 @@ MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int b
   progress.reach(0.0);
   MapTables tables(combinedImage(fit), bits);
   progress.reach(kMipsOfProgress);
-  // Values along an axis have either sign, and the darks are differences: always half floats.
+  // Values along an axis may be negative, and dark colours are differences: always half floats.
   constexpr int kTableBits = 16;
   tables.inverse =
       inverseTableTexels(separableSlabs(fit, bits, tables.lost), map.encoding, kTableBits);
@@ -226,9 +226,9 @@ void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTabl
   bake.noise.maps.push_back(std::move(result));
 }
 
-/// The joint fit. The first map that chooses a share of the surroundings chooses it for all, in
-/// `fitting`: their Gaussian images stay alike where the maps are. Where others are to go with the
-/// map, it is one of the `settled` after.
+/// Makes the joint fit. The first map that chooses a share of the surroundings chooses it for all,
+/// in `fitting`, so that Gaussian images are similar where the maps are. If `settled` is not null,
+/// the map is appended to it for later maps.
 MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<SettledMap>* settled,
                 ProgressPart progress, TilingBake& bake) {
   fitting.progress = progress;
@@ -245,8 +245,8 @@ MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<S
   return fit;
 }
 
-/// The map's tables, of the kind that was planned. Only a map with a joint table is `settled` and
-/// goes with those that are; nullptr where no map is to come.
+/// Makes the map's tables, of the planned kind. Only a map with a joint table correlates with the
+/// `settled` maps and joins them; `settled` is nullptr if no map follows.
 MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
                    std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
   const MapExemplar& map = planned.map;
@@ -267,14 +267,14 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
     transport::TransportOptions options = transport::optionsFor(fitting.transport);
     options.progress = first;
     const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision, options);
-    // Colours may vary in code along axes along which their light does not.
+    // Code values may vary along axes where the light does not.
     if (fit.dimensions() > 1)
       return separableTables(map, fit, bits, rest);
   }
   return jointTables(map, fitJoint(planned, fitting, settled, first, bake), bits, rest);
 }
 
-/// What each map is going to be; the part of `progress` that this takes is where the bakes begin.
+/// Plans each map. `progress` covers only this step.
 std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps, const TilingOptions& options,
                                     ProgressPart progress) {
   std::vector<PlannedMap> planned;

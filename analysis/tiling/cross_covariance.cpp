@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Gaussian image of a map (width * height points), Gaussian images and values of the maps before it
+// Gaussian image of a map (width * height points), Gaussian images and values of the earlier maps
 // -> the Gaussian image with values exchanged.
 //
-// z below is G with mean 0 and variance 1, y a value less its mean on the D axes of its map, in
-// units of the map's deviation, B = E[y z^T]; the P coordinates of all settled maps are stacked.
-// What the covariances of decoded blends lack of E[y_settled y^T] is P x D. A share K (P x D) of
-// the settled coordinates is added to z, which makes their linear part B_settled E[z_settled z^T]
-// B^T grow by B_settled E[z_settled z_settled^T] K B^T, and the points are matched once more.
+// Below, z is G with mean 0 and variance 1; y is a value minus its mean on the D axes of its map,
+// in units of the map's standard deviation; B = E[y z^T]. The P coordinates of all settled maps are
+// stacked. The difference between E[y_settled y^T] and the covariances of decoded blends is P x D.
+// Adding a share K (P x D) of the settled coordinates to z increases the linear part of the blends'
+// covariances, B_settled E[z_settled z^T] B^T, by B_settled E[z_settled z_settled^T] K B^T. The
+// points are then matched again.
 // Source: docs/theory.md, "Maps that belong together".
 #include "cross_covariance.h"
 
@@ -27,30 +28,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-/// In correlations: about the standard error of those of blends.
+/// In correlations: about the standard error of the correlations of blends.
 constexpr double kNegligible = 3e-4;
 
-/// Exchanging values inside ties has less effect than in a continuum, which gain makes up for:
-/// with six of these the plaster wall's bias is 2.2 %, with three (and fewer blends) 4.2 %.
+/// Exchanging values inside ties has less effect than in a continuum; a gain compensates. With six
+/// of these passes the plaster wall's bias is 2.2 %, with three (and fewer blends) 4.2 %.
 constexpr int kMostPassesOnLine = 6;
 constexpr double kMostGain = 4.0;
 
-/// A pass that brings less has reached what exchange can.
+/// A pass that reduces the error by a smaller share has reached the limit of exchanging.
 constexpr double kLeastReduction = 0.1;
 
-/// Root mean square, in deviations: the Gaussian value of a pixel then still has 99 % of its
+/// Root mean square, in standard deviations: a pixel's Gaussian value then still gets 99 % of its
 /// variance from the pixel's own value. Photographs need 0.01 to 0.03.
 constexpr double kLargestMove = 0.1;
 
-/// Of the product of the shares that two axes have in their maps' variances: below it an axis is
-/// no way to change covariances, since it would take too large moves. With a tenth of it those of
-/// the photographed sets' slopes grow by 9 and 23 %.
+/// Relative to the product of the shares that two axes have in their maps' variances. An axis below
+/// it cannot change covariances without too large moves. With a tenth of it the moves of the
+/// photographed sets' slopes grow by 9 and 23 %.
 constexpr double kDamping = 1e-3;
 
-/// Points that moved less than their neighbours are apart are matched anew by few exchanges.
+/// A few exchanges suffice to match points that moved less than the distance to their neighbours.
 constexpr transport::TransportOptions kExchanges{.swapRounds = 1, .exactRounds = 1};
 
-/// Columns of a field that are summed at once.
+/// Columns of a field per summed block.
 constexpr Index kColumnsOfBlock = 4096;
 
 MatrixXf standardized(const std::vector<Point>& points, int dimensions) {
@@ -64,8 +65,8 @@ MatrixXf standardized(const std::vector<Point>& points, int dimensions) {
   return z;
 }
 
-/// E[a b^T] over `count` columns: left(begin, n) is n columns of a, one of its rows each a
-/// coordinate. Blocks are added in order, whatever thread sums them.
+/// E[a b^T] over `count` columns. left(begin, n) returns n columns of a, one row per coordinate.
+/// Blocks are added in order, whichever thread sums them, so the result is deterministic.
 template <class Left, class Right>
 MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
   std::vector<MatrixXd> sums(std::size_t((count + kColumnsOfBlock - 1) / kColumnsOfBlock));
@@ -79,7 +80,7 @@ MatrixXd meanProduct(Index count, const Left& left, const Right& right) {
   return sums[0] / double(count);
 }
 
-/// Values less their mean, on the axes of `space`, of some pixels: D x columns.
+/// Values of some pixels minus the mean, on the axes of `space`: D x columns.
 MatrixXd valuesOf(const MapExemplar& map, const exemplar::ColorSpace& space,
                   const std::vector<Index>& pixels) {
   const auto channels = Index(map.channels.size());
@@ -92,7 +93,7 @@ MatrixXd valuesOf(const MapExemplar& map, const exemplar::ColorSpace& space,
   return space.basis * values;
 }
 
-/// The table's values as valuesOf() has those of pixels.
+/// The table's values minus the mean, on the axes of `space`, as valuesOf() returns for pixels.
 InverseTable onAxes(const InverseTable& table, const MapExemplar& map,
                     const exemplar::ColorSpace& space) {
   InverseTable projected{table.dimensions, table.side, space.dimensions(), {}};
@@ -109,7 +110,7 @@ InverseTable onAxes(const InverseTable& table, const MapExemplar& map,
   return projected;
 }
 
-/// The pixels of `other` at the places of `n` pixels of `map`.
+/// The pixels of `other` at the same relative positions as `n` pixels of `map`.
 std::vector<Index> samePlaces(const MapExemplar& other, const MapExemplar& map, Index begin,
                               Index n) {
   std::vector<Index> pixels(std::size_t(n), 0);
@@ -122,8 +123,8 @@ std::vector<Index> samePlaces(const MapExemplar& other, const MapExemplar& map, 
   return pixels;
 }
 
-/// B of a map: what a step of z changes in the decoded values, on average over the Gaussian
-/// (Stein's lemma).
+/// B of a map: the change of the decoded values per step of z, averaged over the Gaussian (Stein's
+/// lemma).
 MatrixXd decoderOf(const MapExemplar& map, const exemplar::ColorSpace& space,
                    const MatrixXf& matched) {
   const auto values = [&](Index begin, Index n) {
@@ -135,7 +136,7 @@ MatrixXd decoderOf(const MapExemplar& map, const exemplar::ColorSpace& space,
   return meanProduct(matched.cols(), values, gaussian) / space.deviation();
 }
 
-/// Settled maps, their coordinates stacked, seen from the pixels of another map.
+/// Settled maps with stacked coordinates, sampled at the pixels of another map.
 class SettledMaps {
 public:
   SettledMaps(const MapExemplar& map, std::span<const SettledMap> settled)
@@ -149,10 +150,10 @@ public:
   }
 
   [[nodiscard]] Index coordinates() const { return coordinates_; }
-  /// B of all maps, on the diagonal.
+  /// B of all maps, as diagonal blocks.
   [[nodiscard]] const MatrixXd& decoders() const { return decoders_; }
 
-  /// One of the fields of all maps at `n` pixels.
+  /// One field of all maps at `n` pixels.
   [[nodiscard]] MatrixXd fieldAt(MatrixXf SettledMap::*field, Index begin, Index n) const {
     MatrixXd stacked(coordinates_, n);
     eachMap([&](const SettledMap& other, Index row, Index rows) {
@@ -205,7 +206,7 @@ private:
   MatrixXd decoders_; ///< P x P
 };
 
-/// Covariances of a map with the settled ones: of their values, and of what blends decode to.
+/// Covariances of a map with the settled ones: of their values and of decoded blends.
 class CrossCovariances {
 public:
   CrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
@@ -224,9 +225,9 @@ public:
     response_ = settled_.decoders() * meanProduct(count, gaussian, gaussian);
   }
 
-  /// P x D, in units of the maps' deviations: covariances of the values less those of blends. The
-  /// linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known exactly; only the rest
-  /// is left to random blends.
+  /// P x D, in units of the maps' standard deviations: covariances of the values minus those of
+  /// blends. The linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known exactly;
+  /// only the rest is estimated from random blends.
   [[nodiscard]] MatrixXd lackOf(const Gaussianized& gaussian) const {
     const MatrixXf image = standardized(gaussian.image, gaussian.dimensions);
     const MatrixXd decoder =
@@ -242,7 +243,7 @@ public:
   }
 
   /// P x D: how much of each settled coordinate to add to z so that the linear part grows by
-  /// `lack`, least squares with kDamping. The normal equations are diagonal on the axes of
+  /// `lack`; least squares with kDamping. The normal equations are diagonal on the axes of
   /// response^T response and B^T B, whose eigenvalues are squares of gains.
   [[nodiscard]] MatrixXd slopeFor(const MatrixXd& lack, const Gaussianized& gaussian) const {
     const MatrixXd decoder =
@@ -257,8 +258,8 @@ public:
     return left.eigenvectors() * part * right.eigenvectors().transpose();
   }
 
-  /// z + slope^T z_settled of the pixels, D x pixels; in two and three dimensions with moves of at
-  /// most kLargestMove.
+  /// z + slope^T z_settled of the pixels, D x pixels. In two and three dimensions moves are at most
+  /// kLargestMove.
   [[nodiscard]] MatrixXf moved(const MatrixXf& z, const MatrixXd& slope) const {
     MatrixXf moves(z.rows(), z.cols());
     for (Index begin = 0; begin < z.cols(); begin += kColumnsOfBlock) {
@@ -274,7 +275,7 @@ public:
   }
 
 private:
-  /// Covariances of the decoded values of blends less those of their linear parts.
+  /// Covariances of the decoded values of blends minus those of their linear parts.
   [[nodiscard]] MatrixXd nonlinearPart(const DecodedBlends& blends, const MatrixXd& decoder) const {
     const Index count = blends.values.cols();
     const auto decodedOthers = [&](Index begin, Index n) {
@@ -297,9 +298,9 @@ private:
   const exemplar::ColorSpace& space_;
   SettledMaps settled_;
   double deviation_;
-  InverseTable table_; ///< the map's, on its axes
+  InverseTable table_; ///< the map's table, on its axes
   MatrixXd wanted_;    ///< P x D: covariances of the values
-  MatrixXd response_;  ///< P x P: of `wanted_` to the settled coordinates' shares in z
+  MatrixXd response_;  ///< P x P: response of `wanted_` to the settled coordinates' shares in z
 };
 
 std::vector<Point> pointsOf(const MatrixXf& columns) {
@@ -310,7 +311,7 @@ std::vector<Point> pointsOf(const MatrixXf& columns) {
   return points;
 }
 
-/// The order of a map on a line.
+/// The order of the values of a map with one dimension.
 transport::TieOrder tieOrderOf(const MapExemplar& map, const exemplar::ColorSpace& space) {
   std::vector<float> values(std::size_t(map.width) * std::size_t(map.height));
   const auto count = Index(values.size());

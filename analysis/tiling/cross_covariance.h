@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian images of the maps of a set that belong together as the maps do
+// Gaussian images that reproduce the correlations between the maps of a set
 // (docs/decisions/014-correlations-between-maps.md).
 #pragma once
 
@@ -15,35 +15,36 @@
 
 namespace lichen::tiling {
 
-/// What later maps go with of a map that they are to go with: 2 D floats a pixel, and its blends.
+/// What later maps need from a finished map to correlate with it: 2 D floats per pixel, and blends.
 struct SettledMap {
-  /// Refers to `map` as long as it lives.
+  /// Keeps a pointer to `map`, which must outlive this object.
   SettledMap(const MapExemplar& map, exemplar::ColorSpace space, const Gaussianized& gaussian,
              const InverseTable& table);
 
   const MapExemplar* map;
   exemplar::ColorSpace space;
   Eigen::MatrixXf matched; ///< D rows: the Gaussian points of the map's pixels, standardized
-  Eigen::MatrixXf image;   ///< the same of the Gaussian image
-  DecodedBlends blends;    ///< decoded to values less their mean, on the axes of `space`
+  Eigen::MatrixXf image;   ///< the same for the Gaussian image
+  DecodedBlends blends;    ///< decoded values minus their mean, on the axes of `space`
 };
 
-/// A Gaussian image and the points that it was matched from; none where it is as it was, or where
-/// only ties were exchanged, on a line.
+/// A Gaussian image and the points that it was matched from. `points` is empty if the image did not
+/// change, or if only ties were exchanged in one dimension.
 struct JoinedImage {
   Gaussianized gaussian;
   std::vector<Point> points{};
 };
 
-/// Whether correlations lack so little, in the root mean square, that blends could not tell.
+/// Returns whether the root mean square of the missing correlations is too small to measure.
 [[nodiscard]] bool isNegligible(const Eigen::MatrixXd& lack);
 
-/// `alone`, which `table` decodes, with its values exchanged among alike pixels so that decoding
-/// blends of it and of the settled maps gives the covariances of the maps themselves; `alone`
-/// itself where that brings them no nearer. In one dimension only pixels of equal value are
-/// exchanged; in more, those whose Gaussian values are a tenth of a deviation apart in the root
-/// mean square, at most: `table` decodes the result as well. Maps of other sizes are read at the
-/// same place. O(N log N) time, about 50 bytes a pixel. Throws Interrupted and std::bad_alloc.
+/// Exchanges values of `alone`, which `table` decodes, among similar pixels, so that decoded blends
+/// of it and of the settled maps reproduce the covariances of the maps themselves. Returns `alone`
+/// itself if that does not reduce the error. In one dimension only pixels of equal value are
+/// exchanged. In more, Gaussian values move by at most a tenth of a standard deviation in the root
+/// mean square, so `table` decodes the result as well. Maps of other sizes are read at the same
+/// relative position. O(N log N) time, about 50 bytes per pixel. Throws Interrupted and
+/// std::bad_alloc.
 [[nodiscard]] JoinedImage withCrossCovariances(const MapExemplar& map,
                                                const exemplar::ColorSpace& space,
                                                std::span<const SettledMap> settled,

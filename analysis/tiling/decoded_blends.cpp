@@ -15,12 +15,12 @@
 namespace lichen::tiling {
 namespace {
 
-/// What is measured on blends has about a fifth of the values' deviation on photographs: the
-/// correlations found have standard errors of 4e-4.
+/// The quantity measured on blends has about a fifth of the values' standard deviation on
+/// photographs, so the correlations found have standard errors of 4e-4.
 constexpr std::uint32_t kBlends = 1u << 18u;
 constexpr std::uint32_t kBlendsOfBlock = 1u << 12u;
 
-/// The pixel at a place in [0, 2^32) each way.
+/// The pixel at a position with coordinates in [0, 2^32).
 const Point& pixelAt(const Gaussianized& gaussian, std::uint32_t x, std::uint32_t y) {
   const auto column = std::size_t((std::uint64_t(x) * std::uint64_t(gaussian.width)) >> 32u);
   const auto row = std::size_t((std::uint64_t(y) * std::uint64_t(gaussian.height)) >> 32u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random blends of a Gaussian image and what its table decodes them to.
+// Random blends of a Gaussian image and the values that its table decodes them to.
 #pragma once
 
 #include "gaussianize.h"
@@ -9,14 +9,14 @@
 
 namespace lichen::tiling {
 
-/// A column for each blend.
+/// One column per blend.
 struct DecodedBlends {
   Eigen::MatrixXf gaussian; ///< D rows: G with mean 0 and variance 1
-  Eigen::MatrixXf values;   ///< a row for each channel of the table
+  Eigen::MatrixXf values;   ///< one row per channel of the table
 };
 
-/// 262,144 blends of three taps, uniform in the image and in the lattice's triangles. Places and
-/// weights are those of every other image: the k-th columns of two maps are of one blend.
+/// Draws 262,144 blends of three taps, uniform in the image and in the lattice's triangles. All
+/// images use the same positions and weights: the k-th columns of two maps are the same blend.
 [[nodiscard]] DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& table);
 
 } // namespace lichen::tiling

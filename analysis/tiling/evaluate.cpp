@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
-// the prefiltered table; the steps and names are those of shaders_glsl/noise/tiling.glsl, with a
-// trilinear sampler.
+// the prefiltered table. Steps and names follow shaders_glsl/noise/tiling.glsl with a trilinear
+// sampler.
 #include "fewer_taps.h"
 #include "sampling/footprint_level.h"
 #include "sampling/level_kept.h"
@@ -42,20 +42,20 @@ float uniformFromGaussian(float value) {
   return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
 }
 
-/// lichenTilingLevel, where the sampler is trilinear, not beyond the last mip.
+/// lichenTilingLevel for a trilinear sampler; at most the last mip level.
 float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
   return std::min(footprintLevel(at, map.widthTexels, map.heightTexels), float(map.mipCount - 1));
 }
 
-/// The variance that a bilinear fetch of one mip keeps.
+/// The share of the variance that remains after a bilinear fetch of one mip level.
 float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified,
                 bool shareTexels) {
   const float kept = mipKept(map.mipKept0, mip);
-  // Midway between four texels the fetch is their average, a texel of the next mip.
+  // Midway between four texels the fetch is their average, a texel of the next mip level.
   constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
   const float loss = 4.0f - 4.0f * mipKept(map.mipKept0, mip + 1) / std::max(kept, kLeast);
-  // Where the taps do not share their place between texels, or pixels are smaller than texels and
-  // would show the table's level as a mesh, the average over all places.
+  // The average over all positions between texels applies if the taps differ in position, or if
+  // pixels are smaller than texels, where the table's level would show as a mesh.
   constexpr float kAverage = 1.0f / 6.0f;
   const auto share = [&](float position, float size) {
     const float texel = std::ldexp(position * size, -mip) - 0.5f;
@@ -68,7 +68,7 @@ float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, 
          share(at.position[1], map.heightTexels);
 }
 
-/// The share of the variance that a tap loses: a trilinear blend of a level and its own average.
+/// The share of the variance that a tap loses: it blends a mip level with its own average.
 float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
                    const TileFootprint& at, float level) {
   const bool shareTexels = tiling::turnsKeepTexels(noise);
@@ -81,13 +81,13 @@ float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& nois
   return 1.0f - (above + rest * rest * (below - above));
 }
 
-/// Of the lost variance, the share that the footprint takes: the rest is interpolation's.
+/// The share of the lost variance that is due to the footprint; interpolation loses the rest.
 float footprintShare(const shader::LichenMap& map, float level, float lostVariance) {
   const float lost = 1.0f - levelKept(map, std::max(level, 0.0f));
   return lost < lostVariance ? lost / lostVariance : 1.0f;
 }
 
-/// The level of the table that is prefiltered for this loss: lichenTableLevel.
+/// The level of the table that is prefiltered for this lost variance: lichenTableLevel.
 float tableLevel(const shader::LichenMap& map, float lost, float contrast) {
   const auto last = float(map.tableLevels - 1);
   const float beforeLast = 1.0f / std::max(last * last, 1.0f);
@@ -112,7 +112,7 @@ void turnSlopesBack(Value& value, const std::array<float, 2>& turn) {
   value[1] = y;
 }
 
-/// What is wrong with a quality that is not one.
+/// Describes what is wrong with a quality, if anything.
 std::optional<std::string> problemOf(const TilingQuality& quality) {
   if (quality.taps != 2 && quality.taps != 3)
     return "taps " + std::to_string(quality.taps) + ": 2 and 3 are accepted";
@@ -280,7 +280,7 @@ Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
   return result;
 }
 
-/// The slopes of turned tiles, of each of which `lost` of the variance is missing:
+/// Blends the slopes of rotated tiles, each of which has lost the share `lost` of its variance:
 /// lichenTilingDecodeTiles.
 Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& noise,
                                     const TileFootprint& at, float lod, float lost) const {
@@ -303,7 +303,7 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& n
   return sum;
 }
 
-/// The value that a Gaussian value of one plane stands for.
+/// Decodes a Gaussian value of one plane.
 Value TilingEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
                                const TileFootprint& at, const Value& gaussian) {
   Value result = decode(map, gaussian, gaussian[3], noise.contrast);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three taps and a footprint -> the same taps, of which some have no weight.
+// Three taps and a footprint -> the same taps, some with weight 0.
 #include "fewer_taps.h"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 namespace lichen::tiling {
 namespace {
 
-/// How far a pixel is on the way from all taps to one, [0, 1].
+/// How far the transition from all taps to one has progressed at a pixel, [0, 1].
 float oneTapShare(const TileFootprint& at, float oneTapTiles) {
   if (oneTapTiles <= 0.0f)
     return 0.0f;
-  // The side of the square of the pixel's area. Of more slant than this it counts as of this.
+  // The side of a square with the pixel's area. More slanted pixels count as slanted by this much.
   constexpr float kMostSlant = 16.0f;
   const float squared = std::max(at.dx[0] * at.dx[0] + at.dx[1] * at.dx[1],
                                  at.dy[0] * at.dy[0] + at.dy[1] * at.dy[1]);
@@ -41,8 +41,8 @@ void takeFewerTaps(Taps& taps, const TileFootprint& at, const TilingQuality& qua
   if (quality.taps > 2 && quality.oneTapTiles <= 0.0)
     return;
   sortByWeight(taps);
-  // Less the least weight, two are left, and on an edge of the triangle, where the least is 0,
-  // nothing is taken. Less the second, one is.
+  // Subtracting the smallest weight leaves two taps; on an edge of the triangle it is 0, so nothing
+  // changes. Subtracting the second leaves one.
   const float least = quality.taps < 3 ? taps.weight[2] : 0.0f;
   const float second = taps.weight[1];
   const float share = oneTapShare(at, float(quality.oneTapTiles));
@@ -55,7 +55,7 @@ void takeFewerTaps(Taps& taps, const TileFootprint& at, const TilingQuality& qua
   if (sum > 0.0f)
     for (float& weight : taps.weight)
       weight /= sum;
-  else // the greatest are alike: any of them serves
+  else // the largest weights are equal: either tap will do
     taps.weight[0] = 1.0f;
   taps.norm = std::hypot(taps.weight[0], taps.weight[1], taps.weight[2]);
 }

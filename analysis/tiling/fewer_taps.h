@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling with fewer fetches than three: the CPU twin of shaders_glsl/noise/fewer_taps.glsl.
+// Tiling with fewer than three fetches: the CPU twin of shaders_glsl/noise/fewer_taps.glsl.
 #pragma once
 
 #include "simplex_lattice.h"
@@ -9,9 +9,9 @@
 
 namespace lichen::tiling {
 
-/// Sorts the taps, the one of the most weight first, and takes weight away from all until so many
-/// are 0 as the quality says; the weights sum to 1, before and after. With three taps everywhere,
-/// nothing changes.
+/// Sorts the taps by weight, largest first, and reduces all weights until as many are 0 as the
+/// quality asks for. The weights sum to 1 before and after. With three taps everywhere, nothing
+/// changes.
 void takeFewerTaps(Taps& taps, const TileFootprint& at, const TilingQuality& quality);
 
 } // namespace lichen::tiling

@@ -10,7 +10,7 @@ namespace lichen::tiling {
 
 Gaussianized gaussianImage(const MapExemplar& map, const exemplar::Moments& moments, bool periodic,
                            gaussian::Precision precision, ProgressPart progress) {
-  // Of the progress: the rest is whitening.
+  // Part of the progress; whitening takes the rest.
   constexpr double kPoints = 0.3, kFaded = 0.6;
   const auto n = Eigen::Index(map.channels.size());
   const Eigen::LLT<exemplar::ChannelMatrix> factor(moments.covariance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Gaussian image of an exemplar that is Gaussian already: no transport, and no inverse table.
+// The Gaussian image of an exemplar that is already Gaussian: no transport, no inverse table.
 #pragma once
 
 #include "exemplar/color_space.h"
@@ -8,9 +8,10 @@
 
 namespace lichen::tiling {
 
-/// G = 1/2 + A^-1 (x - mean) / 6, A the lower Cholesky factor of the map's covariance, positive
-/// definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and covariance I/36
-/// are exact, in 8 bits too, where values beyond three deviations are clamped. `matched` is empty.
+/// G = 1/2 + A^-1 (x - mean) / 6, with A the lower Cholesky factor of the map's covariance, which
+/// must be positive definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and
+/// covariance I/36 are exact, even in 8 bits, where values beyond three standard deviations are
+/// clamped. `matched` is empty.
 [[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, const exemplar::Moments& moments,
                                          bool periodic, gaussian::Precision precision,
                                          ProgressPart progress = {});

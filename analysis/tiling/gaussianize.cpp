@@ -16,10 +16,10 @@ using transport::TransportOptions;
 
 namespace {
 
-/// Where a certificate follows: half a second of several.
+/// Part of the progress before a certificate: half a second of several.
 constexpr double kAssignmentOfProgress = 0.1;
 
-/// The targets in the order that matches them to the sources, which are near them already.
+/// Reorders the targets to match the sources, which are already close to them.
 std::vector<Point> rematched(const std::vector<Point>& sources, const std::vector<Point>& targets,
                              int dimensions, const TransportOptions& options) {
   if (dimensions == 1)
@@ -34,7 +34,7 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
   return matched;
 }
 
-/// `near` with other points matched to its pixels, and its image made of those.
+/// `near` with other points matched to its pixels and an image made from them.
 Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, bool periodic,
                        const TransportOptions& options) {
   Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
@@ -68,7 +68,7 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
       result.bounds.push_back(transport::improveByAuction(sources, stratified, assignment,
                                                           (*certificate).*step,
                                                           options.progress.part(middle, end)));
-    else if (certificate) // points on a line are sorted
+    else if (certificate) // points in one dimension are sorted
       result.bounds.push_back(transport::boundOfOptimum(sources, stratified, assignment));
     std::vector<Point> matched(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of Gaussian point and value (one a pixel) -> table of side^D cells.
+// Pairs of Gaussian point and value, one per pixel -> table of side^D cells.
 #include "inverse_table.h"
 
 #include "transport/covariance_map.h"
@@ -22,8 +22,8 @@ std::size_t power(int base, int exponent) {
   return result;
 }
 
-/// Applies side * M along one axis, M_ij the integral of the products of two cells' interpolation
-/// weights: 2/3 on the diagonal (5/6 at the ends, which are constant beyond their middle) and 1/6
+/// Applies side * M along one axis. M_ij is the integral of the product of two cells' interpolation
+/// weights: 2/3 on the diagonal (5/6 at the ends, which are constant beyond their centre) and 1/6
 /// beside it.
 std::vector<double> applyMass(const std::vector<double>& values, int side, std::size_t stride) {
   std::vector<double> result(values.size());
@@ -36,8 +36,8 @@ std::vector<double> applyMass(const std::vector<double>& values, int side, std::
   return result;
 }
 
-/// Moves the table so that lookups have the wanted moments, within the range of the values it was
-/// fitted to; clamping disturbs the moments a little, so it is repeated.
+/// Shifts and scales the table so that lookups have the wanted moments, within the range of the
+/// values that it was fitted to. Clamping disturbs the moments slightly, so the step is repeated.
 void matchMoments(InverseTable& table, std::span<const float> decoded) {
   constexpr int kPasses = 4;
   const auto channels = std::size_t(table.channels);
@@ -66,10 +66,10 @@ void matchMoments(InverseTable& table, std::span<const float> decoded) {
   }
 }
 
-/// Pixel indices in an order in which neighbours have neighbouring Gaussian points: by the Morton
-/// code of U. Taking every k-th of it is a stratified subset of the joint distribution.
+/// Pixel indices ordered by the Morton code of U, so that pixels close in the order have close
+/// Gaussian points. Every k-th index is a stratified subset of the joint distribution.
 std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int dimensions) {
-  constexpr int kBits = 10; // of each coordinate; 2^30 codes
+  constexpr int kBits = 10; // per coordinate; 2^30 codes
   std::vector<std::pair<std::uint32_t, std::uint32_t>> codes(gaussian.size());
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const std::array<float, 3> g{gaussian[i].x, gaussian[i].y, gaussian[i].z};
@@ -88,7 +88,7 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
   return order;
 }
 
-/// The quantile function of the projected values, averaged over each cell exactly: D = 1.
+/// The quantile function of the projected values, averaged exactly over each cell: D = 1.
 InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> decoded,
                           int channels) {
   InverseTable table{1, kTableSide[0], channels, {}};
@@ -114,20 +114,20 @@ InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> d
   return table;
 }
 
-/// Pixels a cell, on average, from which on the cell's value is their mean.
+/// Mean pixels per cell at and above which a cell's value is their mean.
 constexpr std::size_t kLeastToAverage = 4;
 
-/// Shares of a pixel, sum 1, in the cells of an axis from `first` on.
+/// Shares of a pixel in the cells of an axis from `first` on; their sum is 1.
 struct CellShares {
   int first = 0;
   int count = 1;
   std::array<double, 2> shares{1.0, 0.0};
 };
 
-/// A pixel lies anywhere in the step of 8 bits about its Gaussian value, whatever the bits it is
-/// stored with: in the middle of an axis a cell is 1.7 such steps wide, and at least so elsewhere.
+/// A pixel is spread over the 8-bit step around its Gaussian value, whatever its stored precision:
+/// in the middle of an axis a cell is 1.7 such steps wide, and at least as wide elsewhere.
 CellShares cellShares(double gaussian, int side) {
-  static_assert(kTableSide[1] <= 64); // else a step may lie in three cells
+  static_assert(kTableSide[1] <= 64); // otherwise a step may span three cells
   constexpr double kHalfStep = 0.5 / 255.0;
   const double begin = gaussian::gaussianCdf(gaussian - kHalfStep) * side;
   const double end = gaussian::gaussianCdf(gaussian + kHalfStep) * side;
@@ -141,10 +141,9 @@ CellShares cellShares(double gaussian, int side) {
   return result;
 }
 
-/// The mean of each cell's pixels, of two dimensions; nothing where pixels are few. Nothing of
-/// neighbouring cells stands out, as it does where each has the value of one pixel in the tails of
-/// a distribution, whose outermost cells hold values far apart: magnified slopes would show such
-/// cells as contour lines.
+/// The mean of each cell's pixels, in two dimensions; nothing if there are few pixels. With one
+/// pixel per cell, adjacent cells in the tails of a distribution, whose values lie far apart, would
+/// differ visibly: magnified slopes would show such cells as contour lines.
 std::optional<InverseTable> fitMeans(const Gaussianized& gaussian, std::span<const float> decoded,
                                      int channels) {
   if (gaussian.matched.size() < kLeastToAverage * power(kTableSide[1], 2))
@@ -171,8 +170,8 @@ std::optional<InverseTable> fitMeans(const Gaussianized& gaussian, std::span<con
   return table;
 }
 
-/// One pixel's value a cell, by a second transport. Averaging two pixels a cell brings the round
-/// trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-table.md).
+/// One pixel's value per cell, by a second transport. Averaging two pixels per cell brings the
+/// round trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-table.md).
 InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point> points,
                             std::span<const float> decoded, int channels,
                             const TransportOptions& options) {
@@ -180,7 +179,7 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
       gaussian.dimensions, kTableSide[std::size_t(gaussian.dimensions - 1)], channels, {}};
   const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
 
-  // As many pixels as cells, evenly over the joint distribution; repeated when there are fewer.
+  // As many pixels as cells, evenly over the joint distribution; repeated if there are fewer.
   const std::vector<std::uint32_t> order = spatialOrder(gaussian.matched, gaussian.dimensions);
   std::vector<std::uint32_t> chosen(middles.size());
   std::vector<Point> chosenPoints(middles.size());
@@ -193,7 +192,7 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
     chosenGaussian[m] = gaussian.matched[chosen[m]];
   }
 
-  // Gaussian to Gaussian, nearly the identity: a start that the next line improves.
+  // Gaussian to Gaussian is nearly the identity: a start that the next line improves.
   TransportOptions alike = transport::optionsFor(TransportEffort::fast);
   alike.progress = {};
   const std::vector<std::uint32_t> cellOf = transport::improveAssignment(

@@ -11,12 +11,12 @@
 
 namespace lichen::tiling {
 
-/// Cells on each axis of a table of D = 1, 2, 3 dimensions.
+/// Cells per axis of a table of D = 1, 2, 3 dimensions.
 inline constexpr std::array<int, 3> kTableSide{256, 64, 32};
 
-/// Values (channels of them a cell) over side^dimensions cells, first axis fastest. Cell i of an
-/// axis covers U in [i, i + 1) / side and its value stands at the middle: a lookup interpolates
-/// linearly between middles and is constant beyond the outermost.
+/// side^dimensions cells of `channels` values, first axis fastest. Cell i of an axis covers U in
+/// [i, i + 1) / side, and its value applies at its centre. A lookup interpolates linearly between
+/// centres and is constant beyond the outermost.
 struct InverseTable {
   int dimensions = 1;
   int side = kTableSide[0];
@@ -26,25 +26,25 @@ struct InverseTable {
   [[nodiscard]] std::size_t cellCount() const { return values.size() / std::size_t(channels); }
 };
 
-/// The Gaussian values at the middles of an axis's cells.
+/// The Gaussian values at the centres of an axis's cells.
 [[nodiscard]] std::vector<float> axisMiddles(int side);
-/// As above of all cells, first axis fastest; further coordinates are 0.
+/// The same for all cells, first axis fastest; unused coordinates are 0.
 [[nodiscard]] std::vector<Point> cellMiddles(int dimensions, int side);
 
-/// Mean and covariance of a lookup at uniformly distributed U, in closed form from the cells.
+/// Mean and covariance of a lookup at uniformly distributed U, in closed form.
 [[nodiscard]] exemplar::Moments interpolatedMoments(const InverseTable& table);
 
-/// What a cell of a table of two dimensions holds (docs/decisions/002-inverse-table.md).
+/// The content of a cell in a table of two dimensions (docs/decisions/002-inverse-table.md).
 enum class CellValue {
-  onePixel, ///< keeps the histogram
-  mean,     ///< of its pixels, where there are some four for each cell: keeps neighbours alike
+  onePixel, ///< one pixel's value, which preserves the histogram
+  mean,     ///< the mean of its pixels, about four per cell, which keeps neighbours similar
 };
 
-/// Fits a table to the pairs (gaussian.matched[i], decoded[i]): `decoded` holds the exemplar's
-/// values after decoding (light for sRGB), `points` the same in the transport's space. One
-/// dimension: the mean of each quantile interval. More, unless `value` says the mean: a second
-/// transport, from the pixels to the cells' middles, started from the first one. The looked-up
-/// values then have the exemplar's mean and covariance, as far as its range of values allows.
+/// Fits a table to the pairs (gaussian.matched[i], decoded[i]). `decoded` holds the exemplar's
+/// decoded values (light for sRGB), `points` the same in the transport's space. In one dimension a
+/// cell is the mean of its quantile interval. In more, unless `value` is CellValue::mean, a second
+/// transport from the pixels to the cells' centres starts from the first one. The looked-up values
+/// then have the exemplar's mean and covariance, as far as its range of values allows.
 [[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
                                            std::span<const Point> points,
                                            std::span<const float> decoded, int channels,

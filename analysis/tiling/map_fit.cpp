@@ -15,45 +15,45 @@
 namespace lichen::tiling {
 namespace {
 
-/// Pixels. The share for a larger map is chosen on its middle.
+/// In pixels. The share for a larger map is chosen on its middle.
 constexpr int kLargestTrialSide = 512;
 
-/// Twelve exemplars want -0.1 to 0.35.
+/// Twelve exemplars need -0.1 to 0.35.
 constexpr float kLeastShare = -0.25f;
 
 /// A trial costs as much as a bake without a choice. After two, a line through both leaves less
 /// than the tolerance on all twelve exemplars.
 constexpr int kMostTrials = 3;
 
-/// Decibels, of the mean over radii. What differs from radius to radius comes on top and is out of
-/// reach of one number; together they are to be below 0.6.
+/// Decibels, of the mean over radii. Differences between radii add to it and cannot be corrected by
+/// one number; together they should stay below 0.6.
 constexpr double kToleranceDb = 0.25;
 
-/// Decibels for each unit of share: twelve exemplars have -2 to -4.
+/// Decibels per unit of share: twelve exemplars have -2 to -4.
 constexpr double kTypicalSlope = -3.0;
 
-/// Blending's effect on detail falls as the share grows; a measured slope nearer to none is noise.
+/// The detail that blending adds falls as the share grows; a flatter measured slope is noise.
 constexpr double kLeastSlope = 0.5 * kTypicalSlope;
 
-/// Of the progress of trials that is left, what the next takes: 15 of 18 exemplars need one only.
+/// The next trial's part of the remaining progress of trials: 15 of 18 exemplars need only one.
 constexpr double kTrialOfRest = 0.8;
 
-/// Of the progress of a default fit, where other maps are settled.
+/// Part of a default fit's progress before it is correlated with settled maps.
 constexpr double kAloneOfProgress = 1.0 / (1.0 + kJoiningWork);
 
-/// Of the progress, where an exact transport follows one of the default effort.
+/// Part of the progress for the default effort that precedes an exact transport.
 constexpr double kStandardOfExact = 0.1;
 
-/// Of the certificate of an exact transport: the bound ends up about half a step below the optimum,
-/// where the target is to be within 3e-4 of it.
+/// Step of the certificate of an exact transport. The bound ends up about half a step below the
+/// optimum; the target is to be within 3e-4 of it.
 constexpr double kCertificateStep = 1e-4;
 
-/// The same of points that were moved: with the step above a set of 64 x 64 ends at 3.04e-4, with
-/// this at 2.71e-4.
+/// The same for points that were moved: with the step above a set of 64 x 64 ends at 3.04e-4, with
+/// this one at 2.71e-4.
 constexpr double kMovedCertificateStep = 5e-5;
 
-/// Mean squared difference of neighbouring pixels over twice the variance, all channels together:
-/// 1 less their correlation.
+/// Mean squared difference of adjacent pixels over twice the variance, all channels together:
+/// 1 minus their correlation.
 double neighbourDifference(const MapExemplar& map, const exemplar::ColorSpace& space) {
   const std::size_t channels = map.channels.size();
   const auto width = std::size_t(map.width), height = std::size_t(map.height);
@@ -72,9 +72,9 @@ double neighbourDifference(const MapExemplar& map, const exemplar::ColorSpace& s
   return sum / (2.0 * pairs * space.moments.covariance.trace());
 }
 
-/// The finer the detail, the less share it wants: least squares on two windows of each of six
-/// photographs and on the generated materials, with a deviation of 0.057 from the share without
-/// error. With it 3 of the 18 have an error beyond the tolerance, with 0.1 for all 8.
+/// Finer detail needs a smaller share. Least squares on two windows of each of six photographs and
+/// on the generated materials, with a standard deviation of 0.057 from the share without error. It
+/// leaves 3 of the 18 with an error beyond the tolerance; a share of 0.1 for all leaves 8.
 float expectedShare(const MapExemplar& map, const exemplar::ColorSpace& space, float largest) {
   constexpr double kSmooth = 0.32, kSlope = -0.81;
   const double difference = neighbourDifference(map, space);
@@ -105,8 +105,7 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-/// Gaussian image and table from `sources`, one for each pixel; certified where the transport is
-/// exact.
+/// Fits Gaussian image and table to `sources`, one per pixel; certified if the transport is exact.
 MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vector<Point>& sources,
                int dimensions, const CertificateSteps& certificate, const MapFitOptions& options) {
   transport::TransportOptions transport = transport::optionsFor(options.transport);
@@ -135,7 +134,7 @@ MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float 
   return fit;
 }
 
-/// Where a line has no error: through the last two trials, or through one with the usual slope.
+/// The zero of a line through the last two trials, or through one with the typical slope.
 float nextShare(const std::vector<std::array<double, 2>>& tried, float largestShare) {
   const auto [share, error] = tried.back();
   double slope = kTypicalSlope;
@@ -146,7 +145,7 @@ float nextShare(const std::vector<std::array<double, 2>>& tried, float largestSh
   return std::clamp(float(share - error / slope), kLeastShare, largestShare);
 }
 
-/// Tries shares until one is good enough; the best of those tried.
+/// Tries shares until one is good enough; returns the best.
 MapFit bestTrial(const MapExemplar& map, const exemplar::ColorSpace& space,
                  const MapFitOptions& options) {
   MapFit best;
@@ -173,7 +172,7 @@ MapFit bestTrial(const MapExemplar& map, const exemplar::ColorSpace& space,
   return best;
 }
 
-/// The map by itself.
+/// Fits the map without regard to other maps.
 MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
                 const MapFitOptions& options) {
   if (options.share || space.dimensions() == 1)
@@ -199,16 +198,16 @@ MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
   return fitWith(map, space, *whole.share, whole);
 }
 
-/// What it costs to match the points as they are matched, less what every matching costs.
+/// The cost of the given matching, minus what every matching costs.
 double matchingCost(const std::vector<Point>& points, const std::vector<Point>& matched) {
   std::vector<std::uint32_t> itself(points.size());
   std::iota(itself.begin(), itself.end(), 0u);
   return transport::boundOfOptimum(points, matched, itself).centredCost;
 }
 
-/// The exact fit of points that a correction has moved, `joined`. They get the variance of the
-/// map's values; matching those as they are, `points`, costs `costOfUnmoved`, of which the
-/// certificate's step is a share.
+/// The exact fit of points that a correction has moved, `joined`. They are scaled to the variance
+/// of the map's values. Matching the original values, `points`, costs `costOfUnmoved`; the
+/// certificate's step is a share of that.
 MapFit fitMoved(const MapExemplar& map, const exemplar::ColorSpace& space,
                 std::vector<Point> points, double costOfUnmoved, JoinedImage joined,
                 const MapFitOptions& options) {
@@ -224,9 +223,9 @@ MapFit fitMoved(const MapExemplar& map, const exemplar::ColorSpace& space,
   return fit;
 }
 
-/// The map and those before it. An exact transport comes last and is certified: of the points as
-/// they are to go with the settled maps. On a line only ties are exchanged, which leaves it as
-/// exact as it is.
+/// Fits the map so that it correlates with earlier ones. An exact transport comes last and is
+/// certified for the moved points. In one dimension only ties are exchanged, which keeps the
+/// transport exact.
 MapFit fitJoined(const MapExemplar& map, const exemplar::ColorSpace& space,
                  const MapFitOptions& options) {
   const bool exact = options.transport == TransportEffort::exact && space.dimensions() > 1;
@@ -260,9 +259,9 @@ MapFit fitJoined(const MapExemplar& map, const exemplar::ColorSpace& space,
 FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
-  // By the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
+  // From the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
   constexpr double kFast = 0.5;
-  // A photograph's certificate, 4 s, over its default transport, 0.38 s.
+  // A photograph's certificate takes 4 s, its default transport 0.38 s.
   constexpr double kExact = 12.0;
   const double matching = effort == TransportEffort::fast    ? kFast
                           : effort == TransportEffort::exact ? kExact

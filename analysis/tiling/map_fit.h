@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian image and inverse table of one map, fitted to each other.
+// Fits the Gaussian image and the inverse table of one map to each other.
 #pragma once
 
 #include "cross_covariance.h"
@@ -15,22 +15,22 @@
 
 namespace lichen::tiling {
 
-/// Beyond it points are no longer mostly the pixels' own values.
+/// At a larger share, points no longer consist mostly of the pixels' own values.
 inline constexpr float kLargestShare = 0.5f;
-/// Of maps that have others beside them, whose correlations the surroundings would blur
+/// The limit for maps of a set, because surroundings would blur their correlations
 /// (docs/decisions/009-surroundings.md).
 inline constexpr float kLargestShareInSet = 0.05f;
 
-/// What going with the maps before it adds to a map's default fit, as a part of it: 0.15 to 0.25 on
-/// the photographed sets, 512 x 512.
+/// The extra work of correlating a map with earlier ones, relative to its default fit: 0.15 to 0.25
+/// on the photographed sets, 512 x 512.
 inline constexpr double kJoiningWork = 0.25;
 
 struct MapFit {
-  float share = exemplar::kUsualShare; ///< as transportPoints takes it
-  std::vector<Point> points;           ///< of its values; those of a map alone were transported
+  float share = exemplar::kUsualShare; ///< of the surroundings, as transportPoints() takes it
+  std::vector<Point> points;           ///< the transport points of the map's own values
   Gaussianized gaussian;
   InverseTable table;
-  /// As MapTransportBound has it, of the first of the Gaussian image's bounds.
+  /// As in MapTransportBound, for the first of the Gaussian image's bounds.
   std::optional<double> costOfUnmoved;
 };
 
@@ -38,26 +38,26 @@ struct MapFitOptions {
   bool periodic = true;
   gaussian::Precision precision = gaussian::Precision::bits8;
   TransportEffort transport = TransportEffort::standard;
-  std::optional<float> share; ///< chosen where absent, [-0.25, largestShare]
+  std::optional<float> share; ///< chosen if absent, in [-0.25, largestShare]
   float largestShare = kLargestShare;
-  /// Whose Gaussian images this one is to go with; a fast transport leaves them alone.
+  /// Earlier maps that this one must correlate with; a fast transport ignores them.
   std::span<const SettledMap> settled{};
   ProgressPart progress{};
 };
 
-/// What fitting a map of two or three dimensions takes that goes by itself, in units of matching a
-/// pixel by the default effort.
+/// The work of fitting a map of two or three dimensions on its own, in units of matching one pixel
+/// with the default effort.
 struct FitWork {
-  double trial = 0.0; ///< of one share, where it is no fit itself; most exemplars need no second
+  double trial = 0.0; ///< one trial share, unless it is the fit; most exemplars need only one
   double fit = 0.0;
 };
 [[nodiscard]] FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort);
 
-/// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. A share that is
-/// not given is chosen so that the noise has as much detail as the exemplar
-/// (docs/decisions/009-surroundings.md): by at most three fits, on the middle of large maps. A fast
-/// fit takes the one expected, maps too small for a spectrum the usual one.
-/// Colours on a line have none to choose.
+/// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. An absent share is
+/// chosen so that the noise has as much detail as the exemplar
+/// (docs/decisions/009-surroundings.md), by at most three fits, on the middle of large maps. A fast
+/// fit uses the expected share, and maps too small for a spectrum use the usual one. Colours in one
+/// dimension have no share.
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
                             const MapFitOptions& options);
 

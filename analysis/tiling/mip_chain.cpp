@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian image (width * height points) -> mip chain -> lost covariance of each level.
+// Gaussian image (width * height points) -> mip chain -> lost covariance of each mip level.
 #include "mip_chain.h"
 
 #include <tbb/parallel_for.h>
@@ -17,8 +17,8 @@ struct Plane {
   std::vector<float> values;
 };
 
-/// Share of each source texel in the average over destination texel i: area overlap on a side of
-/// `source` texels reduced to `destination`.
+/// The share of each source texel in the average for destination texel i: the overlap when a side
+/// of `source` texels is reduced to `destination`.
 struct Footprint {
   int first = 0;
   std::array<double, 4> weight{}; ///< sums to 1; a ratio of at most 3 touches at most 4 texels
@@ -79,8 +79,8 @@ exemplar::ChannelMatrix covarianceOf(const std::vector<float>& values, int strid
   return sum / double(count);
 }
 
-/// A Gaussian image with less than this variance, of 1/36, is constant up to the rounding of the
-/// sums.
+/// A Gaussian image whose variance, normally 1/36, is below this is constant up to the rounding of
+/// the sums.
 constexpr double kNoVariance = 1e-12;
 
 TexelFormat formatOf(int dimensions, int bits) {

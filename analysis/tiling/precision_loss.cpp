@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundle and exemplar (width * height * channels) -> how far the one is from the other.
+// Bundle and exemplar (width * height * channels) -> how far the noise is from the exemplar.
 #include "exemplar/color_space.h"
 #include "exemplar/value_encoding.h"
 

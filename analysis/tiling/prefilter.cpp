@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One inverse table -> kTableLevels tables, each averaged over what a fetch has lost.
+// One inverse table -> kTableLevels tables, each averaged over the lost variance of its fetches.
 #include "prefilter.h"
 
 #include "table_lookup.h"
@@ -14,21 +14,21 @@
 namespace lichen::tiling {
 namespace {
 
-/// Along an axis, for the means over what all directions lose alike.
+/// Samples along an axis for the part of the loss that all directions share.
 constexpr int kPlacesOnAxis = 256;
 
-/// Gaussian samples for each cell's average over the rest. The stratified set is whitened, so a
-/// linear table is averaged exactly whatever its size. Against 4096 samples of the whole loss, on
+/// Gaussian samples per cell for the rest of the loss. The stratified set is whitened, so a linear
+/// table is averaged exactly for any number of samples. Against 4096 samples of the whole loss, on
 /// the generated rust, terrazzo and a photograph of dirt, of 256 x 256, a cell is off by 0.1 to 0.7
 /// codes of 8 bits (root mean square, by slab; at worst 6); 64 samples of the whole loss are off by
 /// 0.5 to 1.2 and take twice as long.
 constexpr std::size_t kSamplesPerCell = 32;
 
-/// Directions whose losses differ by less, as a share of the largest, lose alike.
+/// Losses of two directions that differ by less, as a share of the largest, count as equal.
 constexpr double kAlike = 1e-3;
 
-/// Element [i * side + j]: the weight of cell j in the mean of a lookup along one axis at the
-/// middle of cell i, displaced by N(0, variance / 36).
+/// Element [i * side + j] is the weight of cell j in the mean of a lookup along one axis at the
+/// centre of cell i, displaced by N(0, variance / 36).
 std::vector<float> axisWeights(int side, double variance) {
   std::vector<double> displacements;
   for (int k = 0; k < kPlacesOnAxis; ++k)
@@ -50,7 +50,7 @@ std::vector<float> axisWeights(int side, double variance) {
   return weights;
 }
 
-/// The mean over independent displacements of variance / 36 along every axis.
+/// Averages over independent displacements of variance / 36 along every axis.
 InverseTable blurredAlongAxes(const InverseTable& table, double variance) {
   const auto side = std::size_t(table.side);
   const auto channels = std::size_t(table.channels);
@@ -75,7 +75,7 @@ InverseTable blurredAlongAxes(const InverseTable& table, double variance) {
   return from;
 }
 
-/// The mean over displacements of covariance `loss` / 36, by samples.
+/// Averages over displacements of covariance `loss` / 36, by samples.
 template <std::size_t kDimensions>
 InverseTable sampled(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
@@ -83,7 +83,8 @@ InverseTable sampled(const InverseTable& table, const exemplar::ChannelMatrix& l
   const Lookup lookup(table);
   const std::size_t samples = offsets.size();
   const auto side = std::size_t(table.side);
-  // Cells have few coordinates: element [i * samples + s] of an axis is cell i's middle, displaced.
+  // Cells share few coordinates: element [i * samples + s] of an axis is the displaced centre of
+  // cell i.
   const std::vector<float> middles = axisMiddles(table.side);
   std::array<std::vector<typename Lookup::Place>, kDimensions> places;
   for (std::size_t axis = 0; axis < kDimensions; ++axis)
@@ -106,8 +107,8 @@ InverseTable sampled(const InverseTable& table, const exemplar::ChannelMatrix& l
   return result;
 }
 
-/// The mean over displacements of covariance `loss` / 36: what all directions lose alike is blurred
-/// axis by axis, exactly, and the rest sampled on what that leaves.
+/// Averages over displacements of covariance `loss` / 36. The part that all directions share is
+/// blurred axis by axis, exactly; the rest is sampled on the blurred table.
 template <std::size_t kDimensions>
 InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const auto solver = transport::principalAxes(loss);

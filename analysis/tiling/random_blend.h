@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights of the three taps of a blend, as a place on the lattice has them.
+// Weights of the three taps of a blend at a random point of the lattice.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace lichen::tiling {
 
-/// [HN18] eq. 8 at a place uniform in the triangle, from two words of a hash: weights whose squares
-/// sum to 1.
+/// [HN18] eq. 8 at a point uniform in the triangle, from two words of a hash. The squares of the
+/// weights sum to 1.
 [[nodiscard]] inline std::array<float, 3> randomBlendWeights(std::uint32_t first,
                                                              std::uint32_t second) {
   const auto random = [](std::uint32_t hash) { return float(hash >> 8u) * 0x1.0p-24f; };

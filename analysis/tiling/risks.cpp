@@ -27,30 +27,30 @@ namespace {
 
 using namespace suitability;
 
-// Of the progress, by what the steps take of 1024 x 1024 pixels.
+// Parts of the progress, from the time of each step on 1024 x 1024 pixels.
 constexpr double kSlopesOfProgress = 0.4;
 constexpr double kPlaneOfProgress = 0.5;
 constexpr double kTransformOfProgress = 0.55;
-constexpr double kLatticeOfProgress = 0.4; // of structureRisk
+constexpr double kLatticeOfProgress = 0.4; // part of structureRisk
 
-/// Whether flattening helps against what varies slowly in a map.
+/// Whether flattening helps against slow variation in a map.
 enum class SlowCause {
-  light,  ///< or clouds: it does
-  object, ///< it leaves the outline
+  light,  ///< uneven light or cloudiness: flattening helps
+  object, ///< flattening leaves the outline
 };
 
-/// Periods that are advised, of the longer side. The longest leaves 1 - 2^(-1/9), a fourteenth, of
-/// a wave as long as that (highPassGain).
+/// Advised periods, as a share of the longer side. The longest leaves 1 - 2^(-1/9), a fourteenth,
+/// of a wave as long as that side (highPassGain).
 constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
 
-/// What varies slowly in a map, and what --flatten needs to be told of it.
+/// The slow variation in a map, and the option that --flatten needs for it.
 struct SlowPart {
   SlowCause cause = SlowCause::light;
-  double firstPixels = 1.0; ///< as assessSuitability() has it
+  double firstPixels = 1.0; ///< as in assessSuitability()
 };
 
-/// The option that helps and "or ", if one does. --flatten auto goes by the base colour; for the
-/// other maps it is told a period, here a share of the longer side. Opacity is never flattened.
+/// The option that helps, followed by "or ", if there is one. --flatten auto follows the base
+/// colour; other maps need a period, here a share of the longer side. Opacity is never flattened.
 std::string flattenOr(const MapExemplar& map, const SlowPart& slow, double share) {
   if (slow.cause == SlowCause::object || map.target == MapTarget::opacity)
     return {};
@@ -61,7 +61,7 @@ std::string flattenOr(const MapExemplar& map, const SlowPart& slow, double share
   return "--flatten " + std::to_string(std::lround(pixels)) + ", or ";
 }
 
-/// The transform of the Gaussian plane; of one value where there is none.
+/// The transform of the Gaussian plane; a single value if there is no plane.
 HalfSpectrum spectrumOf(const std::optional<GaussianPlane>& plane) {
   return plane ? forwardFft(plane->values, plane->width, plane->height)
                : HalfSpectrum{1, 1, {0.0f}};
@@ -69,7 +69,7 @@ HalfSpectrum spectrumOf(const std::optional<GaussianPlane>& plane) {
 
 Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const SlowPart& slow) {
   const double measured = cloudiness(spectrum);
-  // Whether it is slow variation that clouds, which can be removed, or a lattice, which cannot.
+  // Slow variation can be removed, a lattice cannot: find out which one causes the clouds.
   const int side = std::max(spectrum.width, spectrum.height);
   const auto flattensBy = [&](double share) {
     return cloudinessAbove(spectrum, share * side) < kCloudiness.mild;
@@ -113,10 +113,10 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
                 consequence, remedy);
 }
 
-/// `seen` is the map, or the slopes that show of it.
+/// `seen` is the map, or its slopes if those are what shows.
 Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const SlowPart& slow) {
   const double measured = slowVariationShare(seen);
-  // Peak to peak of a wave of that deviation.
+  // Peak to peak of a wave with that standard deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
   return riskOf("low-frequency", scoreOf(measured, kSlowVariation),
                 "one side or part of the image differs from the rest by " + percent(difference) +
@@ -128,7 +128,7 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const Slo
 }
 
 Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
-  if (few.spacing >= kColorSpacing.mild) // black and white among them are no fault of exposure
+  if (few.spacing >= kColorSpacing.mild) // then black and white are not a fault of the exposure
     return riskOf("clipping", 0.0, "the image has few colours", {}, {});
   const ClippedShare clipped = clippedShare(map);
   return riskOf("clipping", scoreOf(clipped.white + clipped.black, kClippedShare),
@@ -139,7 +139,7 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
                                               : "a photograph with more exposure");
 }
 
-/// Cloudiness and low frequency; `seen` is the map, or the slopes that show of it.
+/// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
   const bool calm = isCalm(seen, [&] { return cloudiness(spectrum); });
@@ -150,7 +150,7 @@ std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
   return {cloudinessRisk(map, spectrum, slow), lowFrequencyRisk(map, seen, slow)};
 }
 
-/// The same of a height map, as the light on its slopes shows them.
+/// The same for a height map, measured on its slopes, which lighting shows.
 std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, double firstPixels,
                              ProgressPart progress) {
   const MapExemplar slopes = slopesOfHeight(height, periodic);
@@ -176,7 +176,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
   const FewColors few = fewColors(map);
   risks.insert(risks.begin() + 1,
                structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
-  // One colour may well be white.
+  // A material of one colour may well be white.
   risks.push_back(plane ? clippingRisk(map, few)
                         : riskOf("clipping", 0.0, "the image has one colour", {}, {}));
   return risks;

@@ -13,7 +13,7 @@
 namespace lichen::tiling {
 namespace {
 
-/// The map's decoded values, its quantum the root mean square of the stored one's, decoded.
+/// The map's decoded values. Its quantum is the root mean square of the decoded stored quantum.
 MapExemplar decodedMap(const MapExemplar& map) {
   MapExemplar result = map;
   result.encoding = ValueEncoding::linear;
@@ -33,7 +33,7 @@ float coordinate(const Point& point, std::size_t axis) {
   return std::array<float, 3>{point.x, point.y, point.z}[axis];
 }
 
-/// Values along one axis, exactly, as fitInverseTable takes them.
+/// The exact values along one axis, in the form that fitInverseTable() takes.
 std::vector<float> valuesAlong(const MapExemplar& map, const exemplar::ColorSpace& space,
                                Eigen::Index axis) {
   const std::size_t channels = map.channels.size();
@@ -61,7 +61,7 @@ SeparableFit fitSeparable(const MapExemplar& map, bool periodic, gaussian::Preci
   SeparableFit fit{space.basis.transpose(), space.moments.mean, {}, {}};
   std::vector<Point> along(points.size());
   for (std::size_t axis = 0; axis < std::size_t(space.dimensions()); ++axis) {
-    // A third of it for what the axes share.
+    // The steps common to all axes take a third.
     const auto ended = [&](double parts) {
       options.progress.reach((1.0 + (2.0 * double(axis) + parts) / double(space.dimensions())) /
                              3.0);

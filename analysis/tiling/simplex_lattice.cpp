@@ -17,9 +17,9 @@ std::int32_t wrappingSum(std::int32_t a, std::int32_t b) {
 
 std::int32_t floorDivide(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// Sets where the vertex (i, j) has its tile fetched for a point: whole texels away from it, less
-/// the whole periods that separate the vertex from its representative in a periodic lattice, and
-/// turned. `way` [tiles]: to the point from the vertex.
+/// Sets the position at which vertex (i, j) fetches its tile for a point: a whole number of texels
+/// away from the point, minus the whole periods that separate the vertex from its representative in
+/// a periodic lattice, and rotated. `way` is the offset from the vertex to the point [tiles].
 void setTap(Taps& taps, std::size_t k, const shader::LichenNoise& noise,
             const std::array<float, 2>& position, const std::array<float, 2>& way, std::int32_t i,
             std::int32_t j) {

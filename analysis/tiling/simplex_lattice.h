@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangle around a point and the tiles of its vertices: the CPU twin of
+// Finds the triangle around a point and the tiles of its vertices: the CPU twin of
 // shaders_glsl/noise/simplex_lattice.glsl.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace lichen::tiling {
 
-/// The three vertices around a point: where their tiles are fetched, in tile space, and their
-/// blend weights, which sum to 1.
+/// The three vertices around a point: the position at which each tile is fetched, in tile space,
+/// and the blend weights, which sum to 1.
 struct Taps {
   std::array<std::array<float, 2>, 3> position{};
   std::array<std::array<float, 2>, 3> turn{}; ///< cosine and sine of each tile's angle
   std::array<float, 3> weight{};
-  float norm = 1.0f; ///< sqrt of the sum of the squared weights, [HN18] eq. 6
+  float norm = 1.0f; ///< square root of the sum of the squared weights, [HN18] eq. 6
 };
 
 [[nodiscard]] Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slabs, Gaussian image -> slabs whose means over what the shader fetches are the exemplar's.
+// Slabs, Gaussian image -> slabs whose means over the shader's fetches equal the exemplar's.
 #include "slab_means.h"
 
 #include "prefilter.h"
@@ -16,18 +16,18 @@
 namespace lichen::tiling {
 namespace {
 
-/// Blended fetches for a slab's mean. Independent values of deviation 0.3 would give it a standard
-/// error of 0.0012; one tap of each is stratified over the image, which lowers that.
+/// Blended fetches per slab mean. Independent values of standard deviation 0.3 would give it a
+/// standard error of 0.0012; one tap of each is stratified over the image, which lowers that.
 constexpr std::uint32_t kSamples = 1u << 16u;
 
-/// A level between two mips: the trilinear fetch `rest` mip + (1 - rest) (mip + 1).
+/// A level of detail between two mip levels: the fetch is `rest` mip + (1 - rest) (mip + 1).
 struct Between {
   std::size_t mip = 0;
   float rest = 1.0f;
 };
 
-/// Where fetches lose `level` of the variance: 1 - level = above + rest^2 (below - above), since a
-/// mip's average is the mip above.
+/// The level of detail at which fetches lose `level` of the variance: 1 - level = above +
+/// rest^2 (below - above), since a mip level's average is the next one.
 Between betweenMips(double level, const std::vector<exemplar::ChannelMatrix>& lost) {
   std::size_t mip = 0;
   while (mip + 2 < lost.size() && scalarLoss(lost[mip + 1]) < level)
@@ -39,7 +39,7 @@ Between betweenMips(double level, const std::vector<exemplar::ChannelMatrix>& lo
   return {mip, float(std::sqrt(std::clamp((1.0 - level - above) / (below - above), 0.0, 1.0)))};
 }
 
-/// The stored image's mips as the shader reads them.
+/// The mip levels of the stored image as the shader reads them.
 class Mips {
 public:
   explicit Mips(const Table& gaussian)
@@ -53,7 +53,8 @@ public:
     return std::uint32_t(levels_[mip].size() / stride_);
   }
 
-  /// A texel of the mip, and with it the texel of the next one that averages it; about 1/2.
+  /// Blends a texel of the mip level with the texel of the next level that averages it; relative to
+  /// mean 1/2.
   [[nodiscard]] std::array<float, 3> fetch(const Between& between, std::uint32_t texel) const {
     const std::size_t mip = between.mip;
     const std::size_t next = std::min(mip + 1, levels_.size() - 1);
@@ -79,7 +80,7 @@ private:
   std::vector<std::vector<float>> levels_;
 };
 
-/// Three texels at random, blended.
+/// A blend of three random texels.
 std::array<float, 3> blendedFetch(const Mips& mips, const Between& between, std::uint32_t sample) {
   const std::uint32_t count = mips.texelCount(between.mip);
   const std::array<std::uint32_t, 3> tap = pcg3d({sample, 0u, 0u});

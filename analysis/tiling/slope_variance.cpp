@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Slabs of slopes (n channels) -> slabs with the variance of the slopes beside them (n + 1).
-// The law of total variance, conditional on the Gaussian value that a fetch gives; LEAN's moments
-// [OB10] without its assumption that slopes are Gaussian.
+// Slabs of slopes (n channels) -> slabs with the variance of the slopes added (n + 1).
+// Uses the law of total variance, conditional on the fetched Gaussian value: LEAN's moments [OB10]
+// without its assumption that slopes are Gaussian.
 #include "slope_variance.h"
 
 #include "prefilter.h"
@@ -15,10 +15,10 @@
 namespace lichen::tiling {
 namespace {
 
-/// Stratified samples for a cell's variance. Of a linear table they give it exactly.
+/// Stratified samples for a cell's variance; exact for a linear table.
 constexpr std::size_t kSamplesPerCell = 256;
 
-/// The variance of each cell's slopes over what is lost, the mean of the channels.
+/// The variance of each cell's slopes over the lost displacements, as the mean of the channels.
 template <std::size_t kDimensions>
 std::vector<float> sampledVariance(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);

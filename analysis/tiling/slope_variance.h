@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a slope map's table says about the slopes that a footprint hides.
+// Adds the variance of slopes lost to filtering to the table of a slope map.
 #pragma once
 
 #include "inverse_table.h"
@@ -10,11 +10,12 @@
 namespace lichen::tiling {
 
 /// Appends a channel to each slab: the variance of a slope, (Var sx + Var sy) / 2 of T^-1(g + e),
-/// e ~ N(0, S / 36) as for the slabs' means; 0 in slab 0, the whole decoded variance in the last.
-/// `slabs` are `table` prefiltered, their means restored; `gaussian` is the stored image and `lost`
-/// its. What e takes for Gaussian is not quite, so each slab's channel is scaled by one number:
-/// over blended fetches of the stored mips, its mean and the variance of the slab's slopes then add
-/// up to the whole. Throws std::bad_alloc.
+/// with e ~ N(0, S / 36) as for the slabs' means. It is 0 in slab 0 and the whole decoded variance
+/// in the last slab. `slabs` are the prefiltered slabs of `table` with restored means; `gaussian`
+/// is the stored image and `lost` holds the losses of its mip levels. The true e is not quite
+/// Gaussian, so one number scales each slab's channel: over blended fetches of the stored mip
+/// levels, its mean and the variance of the slab's slopes then add up to the whole. Throws
+/// std::bad_alloc.
 void appendSlopeVariance(std::vector<InverseTable>& slabs, const InverseTable& table,
                          const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost);
 

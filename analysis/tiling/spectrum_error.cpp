@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kSmallestWindow = 16;
 
-/// Of noise, in all windows: as many as 1024 x 1024 pixels have.
+/// Texels of noise in all windows: as many as 1024 x 1024 pixels.
 constexpr int kSampledTexels = 1 << 20;
 
 int windowSide(const MapExemplar& map) { return comparedCropSide(std::min(map.width, map.height)); }
@@ -39,7 +39,7 @@ Spectrum powerOf(const Planes& planes, int width, int height, int window) {
   return sum;
 }
 
-/// Colour as an eye sees its detail, by luminance; of other maps each channel.
+/// Colour becomes luminance, as the eye perceives its detail; other maps keep every channel.
 Planes planesOf(const MapExemplar& map, std::vector<float> values, int width, int height) {
   const std::size_t channels = map.channels.size();
   if (map.target == MapTarget::baseColor || map.target == MapTarget::emissive) {
@@ -56,7 +56,7 @@ Planes planesOf(const MapExemplar& map, std::vector<float> values, int width, in
   return planes;
 }
 
-/// Three windows of the image, anywhere and wrapping, and the weights that blend them.
+/// Three windows anywhere in the image, with wrapping, and the weights that blend them.
 struct Blend {
   std::array<std::array<int, 2>, 3> corners;
   std::array<float, 3> weights;
@@ -143,7 +143,7 @@ double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
   const Spectrum exemplar =
       powerOf(planesOf(map, map.values, map.width, map.height), map.width, map.height, window);
   const Spectrum noise = noisePower(map, gaussian, table, window);
-  // Less than the power of rounding the stored values is none.
+  // Power below that of rounding the stored values counts as none.
   const double roundingPower = map.quantum * map.quantum / 12.0;
   const auto decibels = [&](double power) {
     return 10.0 * std::log10(std::max(power, roundingPower));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian values -> the inverse table's value, interpolated linearly between cells.
+// Looks up Gaussian values in the inverse table, with linear interpolation between cells.
 #pragma once
 
 #include "gaussian/gaussian_distribution.h"
@@ -11,7 +11,8 @@
 
 namespace lichen::tiling {
 
-/// Cell coordinate of a Gaussian value, side * U - 1/2, tabulated: evaluated some 10^7 times.
+/// Cell coordinate of a Gaussian value, side * U - 1/2. Tabulated, as it is evaluated about 10^7
+/// times.
 class CellCoordinate {
 public:
   explicit CellCoordinate(int side) {
@@ -28,13 +29,13 @@ public:
 
 private:
   static constexpr int kSteps = 4096;
-  static constexpr double kLow = -0.5; // six deviations each way
+  static constexpr double kLow = -0.5; // six standard deviations either side of the mean
   static constexpr double kHigh = 1.5;
   std::array<float, kSteps + 2> values_{};
 };
 
-/// A cell's channels, padded to four: loaded and added at once whatever the optimization is, which
-/// sanitizers then check once, not four times.
+/// A cell's channels, padded to four. The vector type loads and adds all four at once at any
+/// optimization level, so sanitizers check once instead of four times.
 using TableValue = float __attribute__((vector_size(4 * sizeof(float))));
 
 /// The table with its cells padded to four channels, for lookups at Gaussian values.
@@ -48,8 +49,8 @@ public:
         cells_[i][c] = table.values[i * std::size_t(table.channels) + c];
   }
 
-  /// Where a value lies along one axis: between a cell, counted in the table's cells, and the one
-  /// `step` farther.
+  /// Position of a value along one axis: between cell `cell`, an index into the table's cells, and
+  /// the cell `step` after it.
   struct Place {
     std::size_t cell;
     std::size_t step;
@@ -65,7 +66,7 @@ public:
     return {cell * stride, cell + 1 < side_ ? stride : 0, place - float(cell)};
   }
 
-  /// At one place along each axis.
+  /// Looks up at one position along each axis.
   template <class... Places>
   [[nodiscard]] TableValue at(const Places&... places) const {
     static_assert(sizeof...(places) == kDimensions);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of a turn -> cosine and sine -> ways and slopes turned by it.
+// Rotation steps -> cosine and sine -> rotated offsets and slopes.
 #include "tile_rotation.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ bool turnsKeepTexels(const shader::LichenNoise& noise) {
 }
 
 std::array<float, 2> tileTurn(std::uint32_t step, std::uint32_t steps) {
-  const std::uint32_t quarter = (8 * step + steps) / (2 * steps); // the nearest
+  const std::uint32_t quarter = (8 * step + steps) / (2 * steps); // the nearest one
   const double rest = 4.0 * double(step) - double(quarter) * double(steps);
   const double angle = 0.5 * std::numbers::pi * rest / double(steps);
   const auto cosine = float(std::cos(angle));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling behind the interfaces of all methods.
+// Implements for tiling the interface that all methods share.
 #include "tiling_analysis.h"
 
 #include <lichen/tiling_evaluate.h>

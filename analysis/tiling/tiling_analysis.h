@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling and blending [HN18] among the methods of the analysis.
+// Tiling and blending [HN18] as a method of the analysis.
 #pragma once
 
 #include "methods/method_analysis.h"

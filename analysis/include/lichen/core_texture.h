@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A map's values -> the pixels that a glTF core texture has for them.
+// Converts the values of a map to the pixels of the glTF core texture that holds it.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -11,15 +11,15 @@
 
 namespace lichen {
 
-/// `values` are decoded ones, as synthesize() gives them, of all the map's channels in their order.
-/// Slopes become unit normals, stored as (n + 1) / 2 in RGB with green up; occlusion, roughness and
-/// metallic take red, green and blue, with 1 for those that are absent; others stay. Throws
-/// std::bad_alloc, as building blocks do.
+/// `values` holds decoded values, as synthesize() returns them: all channels of the map, in order.
+/// Slopes become unit normals, stored as (n + 1) / 2 in RGB with green up. Occlusion, roughness and
+/// metallic go to red, green and blue; absent ones are 1. Other maps are returned unchanged. Throws
+/// std::bad_alloc, as all building blocks do.
 [[nodiscard]] LinearImage coreTexture(const NoiseMap& map, LinearImage values);
 
-/// The PNG of a core texture: light in sRGB code, and data, which alpha is too, as it is. Of 8
-/// bits; of 16 for a height, which no core material has but synth shows.
-/// Errors as encodePng().
+/// Encodes a core texture as PNG. Light is stored in sRGB; data and alpha are stored unchanged. The
+/// file has 8 bits per channel, or 16 for a height, which no core material uses but `synth` writes.
+/// Errors: as encodePng().
 [[nodiscard]] Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target,
                                                                LinearImage texture);
 

@@ -10,9 +10,9 @@
 
 namespace lichen {
 
-/// The non-redundant half of the transform of a real image: the coefficient of frequency (u, v) in
-/// cycles per image, u in [0, width / 2], v in [0, height), is values[v * columns() + u]; v above
-/// height / 2 stands for v - height, and (-u, -v) is the complex conjugate of (u, v).
+/// The non-redundant half of the transform of a real image. The coefficient of frequency (u, v) in
+/// cycles per image, u in [0, width / 2], v in [0, height), is values[v * columns() + u]. A v above
+/// height / 2 stands for v - height; (-u, -v) is the complex conjugate of (u, v).
 struct HalfSpectrum {
   int width = 0;  ///< of the image
   int height = 0; ///< of the image
@@ -25,44 +25,45 @@ struct HalfSpectrum {
   [[nodiscard]] const std::complex<float>& at(int u, int v) const {
     return values[std::size_t(v) * std::size_t(columns()) + std::size_t(u)];
   }
-  /// The frequency of row v in cycles per image, in (-height / 2, height / 2].
+  /// Returns the frequency of row v in cycles per image, in (-height / 2, height / 2].
   [[nodiscard]] int signedRow(int v) const { return v <= height / 2 ? v : v - height; }
-  /// How many frequencies of the full plane column u stands for: 1 where it is its own mirror.
+  /// Returns how many columns of the full plane column u stands for: 1 if it is its own mirror.
   [[nodiscard]] int multiplicity(int u) const { return u == 0 || 2 * u == width ? 1 : 2; }
 };
 
-/// sum over (x, y) of plane[y * width + x] exp(-2 pi i (u x / width + v y / height)), not
-/// normalised. Width and height at least 1, primes included; the plane holds width * height values.
-/// Error about 1e-7 of the root of the plane's energy times log2 of its size.
-/// Same input, same bytes. Thread-safe. Throws std::bad_alloc, as every building block of the
-/// analysis does; functions that return a Result turn it into one.
-/// The backend is FFTW [FJ05] or KissFFT, by the build option LICHEN_FFT.
+/// Computes sum over (x, y) of plane[y * width + x] exp(-2 pi i (u x / width + v y / height)), not
+/// normalised. Width and height are at least 1 and may be prime; the plane holds width * height
+/// values. The error is about 1e-7 times the square root of the plane's energy times log2 of its
+/// size. Deterministic and thread-safe. Throws std::bad_alloc, as all building blocks of the
+/// analysis do; functions that return a Result convert it to an Error.
+/// The build option LICHEN_FFT selects the backend: FFTW [FJ05] or KissFFT.
 [[nodiscard]] HalfSpectrum forwardFft(std::span<const float> plane, int width, int height);
 
-/// The inverse, divided by width * height: inverseFft(forwardFft(p)) is p up to rounding. Imaginary
-/// parts of coefficients that are their own mirror are ignored.
+/// Computes the inverse, divided by width * height: inverseFft(forwardFft(p)) is p up to rounding.
+/// Ignores the imaginary parts of coefficients that are their own mirror.
 [[nodiscard]] std::vector<float> inverseFft(const HalfSpectrum& spectrum);
 
-/// The least size, at least `size` >= 1, without a prime factor above 5: those transform fast.
+/// Returns the smallest number >= `size` without a prime factor above 5: such transforms are fast.
+/// `size` must be at least 1.
 [[nodiscard]] int fastTransformSize(int size);
 
-/// Many transforms between half spectra of width x height and the same patch of the plane, of which
-/// all the rest is zero (forward) or not asked for (inverse): plans and buffers are made once, and
-/// the rows outside the patch cost nothing. Not thread-safe: one object a thread.
+/// Computes many transforms between half spectra of width x height and the same patch of the plane.
+/// The rest of the plane is zero (forward) or discarded (inverse). Plans and buffers are created
+/// once, and rows outside the patch cost nothing. Not thread-safe: use one object per thread.
 class PatchFft {
 public:
-  /// The patch is the plane's first patchWidth x patchHeight pixels, at least 1 x 1 and at most
-  /// width x height. Throws std::bad_alloc; the transforms do not, and allocate nothing but what
-  /// KissFFT takes for sizes with a prime factor above 5.
+  /// The patch is the plane's first patchWidth x patchHeight pixels, from 1 x 1 to width x height.
+  /// The constructor throws std::bad_alloc. The transforms do not throw; they allocate only what
+  /// KissFFT needs for sizes with a prime factor above 5.
   PatchFft(int width, int height, int patchWidth, int patchHeight);
   PatchFft(PatchFft&&) noexcept;
   PatchFft& operator=(PatchFft&&) noexcept;
   ~PatchFft();
 
-  /// forwardFft of the plane, to rounding. `patch` holds patchWidth * patchHeight values row by
-  /// row; `spectrum` has the constructor's width and height.
+  /// Computes forwardFft() of the plane, up to rounding. `patch` holds patchWidth * patchHeight
+  /// values row by row; `spectrum` has the constructor's width and height.
   void forward(std::span<const float> patch, HalfSpectrum& spectrum);
-  /// The patch of inverseFft(spectrum), to rounding.
+  /// Computes the patch of inverseFft(spectrum), up to rounding.
   void inverse(const HalfSpectrum& spectrum, std::span<float> patch);
 
 private:

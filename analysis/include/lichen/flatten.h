@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Removes what varies too slowly to fit in an exemplar and clouds its noise.
+// Removes variation that is too slow to fit in an exemplar and makes its noise cloudy.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -13,44 +13,45 @@
 
 namespace lichen {
 
-/// Of variation that can be removed, in pixels.
+/// Periods of the variation that can be removed, in pixels.
 inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
 
-/// Removes from every map what varies more slowly than `periodPixels` of the first one, in
-/// kFlattenPeriodRange; the others, by their size, have the same share of theirs. The filter halves
-/// waves of that period and takes 1/16 of those half as long; at the borders the image is continued
-/// by itself if `periodic`, else by its mirror image. Base colours and emissive light are divided
-/// by their low-passed light, as uneven light is a factor, and clipped at white; from other maps
-/// the low-passed values are subtracted, and those but slopes stay within their range. Means are
-/// kept up to what is clipped. Opacity stays as it is: its coverage is the material's shape. At
-/// least one map, each within the ranges of MapExemplar; unspecified after an Error. Errors: usage
-/// for maps or a period out of range, resources for memory. Thread-safe, and the same values for
-/// any number of threads. O(N log N); 64 bytes a pixel. Stopped by `progress` it is an Error,
-/// environment.
+/// Removes from every map the variation slower than `periodPixels`, a period in pixels of the first
+/// map, in kFlattenPeriodRange. In maps of other sizes the period is the same share of their size.
+/// The filter halves waves of this period and reduces waves of half the period by 1/16. Beyond the
+/// borders the image repeats if `periodic`, else it is mirrored. Base colour and emissive light are
+/// divided by their low-passed light, since uneven light is a factor, and clipped at white. From
+/// other maps the low-passed values are subtracted; the result stays within their range, except
+/// for slopes, which have none. Means do not change, apart from clipping. Opacity is not changed,
+/// because its coverage is the material's shape.
+/// Needs at least one map, each within the ranges of MapExemplar. After an Error the maps are
+/// unspecified. Errors: usage for maps or a period out of range, resources if memory runs out,
+/// environment if `progress` stops it. Thread-safe; same values for any number of threads.
+/// O(N log N) time; 64 bytes per pixel.
 [[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
                                    const Progress& progress = {});
 
-/// What flattenAutomatically() did, and why.
+/// What flattenAutomatically() did and why.
 struct FlatteningChoice {
   enum class Reason {
-    mended,   ///< the first map has lost its risks
-    calm,     ///< it had neither
-    object,   ///< what varies slowly is an object with an outline, which is no light
-    stubborn, ///< not even the shortest period would rid it of them
+    mended,   ///< flattening removed the risks of the first map
+    calm,     ///< the first map had neither risk
+    object,   ///< the slow variation is an object with an outline, not light
+    stubborn, ///< not even the shortest period removed the risks
   };
 
   Reason reason = Reason::calm;
-  std::optional<double> periodPixels; ///< of the first map; where it was mended
-  std::vector<MapTarget> flattened;   ///< the maps that are changed, in their order
+  std::optional<double> periodPixels; ///< of the first map; set only for Reason::mended
+  std::vector<MapTarget> flattened;   ///< the maps that were changed, in order
 };
 
-/// Flattens by the longest period, in steps of half an octave from twice the longer side of the
-/// first map to an eighth of it, whose removal leaves that map neither cloudy nor of low frequency
-/// (no mild risk of either name). The others are flattened by the same share of their sides where
-/// they have one of the two risks themselves; those that are calm stay as they are, for a
-/// photograph's light falls on its colours, and normals, heights and other data have none. Nothing
-/// is changed for any other reason than Reason::mended. Maps, errors and threads as above; as long
-/// as about five times flatten() and assessSuitability() of the first map, and once of the others.
+/// Flattens with the longest period that leaves the first map without a mild or severe cloudiness
+/// or low-frequency risk. Periods are tried in steps of half an octave, from twice the longer side
+/// of the first map to an eighth of it. The other maps are flattened with the same share of their
+/// sides, but only if they have one of the two risks themselves: uneven light in a photograph
+/// affects its colours, while normals, heights and other data have none. Nothing changes unless the
+/// reason is Reason::mended. Maps, errors and threads: as flatten(). Takes about five times as long
+/// as flatten() and assessSuitability() of the first map, and once as long for the others.
 /// Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<FlatteningChoice>
 flattenAutomatically(std::span<MapExemplar> maps, bool periodic, const Progress& progress = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a noise and its exemplar are judged by, as the command line and the report write it.
+// The quality of a noise and its exemplar as JSON, for the command line and the report.
 #pragma once
 
 #include <lichen/json_tree.h>
@@ -9,12 +9,12 @@
 
 namespace lichen {
 
-/// `name`, `meaning`, `unit`, `value`, `target`, `met` and `remark`; null where there is no value
-/// or no target, and `met` where there is not both.
+/// `name`, `meaning`, `unit`, `value`, `target`, `met` and `remark`. A missing value or target is
+/// null; `met` is null if either is missing.
 [[nodiscard]] JsonTree jsonOf(const Measure& measure);
 
-/// A list of the texton, the luminance texton and the random-phase kernel: `name`, `modelError`,
-/// `flatness` and `impactsNeeded`.
+/// A list with the texton, the luminance texton and the random-phase kernel. Each has `name`,
+/// `modelError`, `flatness` and `impactsNeeded`.
 [[nodiscard]] JsonTree jsonOf(const KernelComparison& kernels);
 
 /// `name`, `score`, `level`, `sentence` and `remedy`.

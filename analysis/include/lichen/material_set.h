@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the image files of a material to exemplars that can be baked.
+// Reads the image files of a material into exemplars for a bake.
 #pragma once
 
 #include <lichen/result.h>
@@ -15,18 +15,18 @@
 
 namespace lichen {
 
-/// Which way the green channel of a normal map points.
+/// Direction of the green channel of a normal map.
 enum class NormalConvention {
   openGl,  ///< up the image, as in glTF
   directX, ///< down
 };
 
-/// What the alpha channel of the base colour is taken for.
+/// What the alpha channel of the base colour means.
 enum class AlphaUse {
-  ignore, ///< nothing, with a note when it is not all opaque
-  /// The opacity map. The colours of transparent pixels, which nobody has seen, are replaced by
-  /// those of covered pixels around them, weighted by coverage: a noise mixes colours from all over
-  /// the exemplar, and would bring invisible ones to light. A file of opacity does the same.
+  ignore, ///< unused, with a note if it is not fully opaque
+  /// Alpha becomes the opacity map. A noise mixes colours from all over the exemplar and would show
+  /// the arbitrary colours of transparent pixels, so the nearby covered pixels replace them,
+  /// weighted by coverage. A separate opacity file has the same effect.
   opacity,
 };
 
@@ -39,38 +39,38 @@ struct PixelRectangle {
 };
 
 struct MaterialSetOptions {
-  NormalConvention normal = NormalConvention::openGl; ///< of files whose names do not say
+  NormalConvention normal = NormalConvention::openGl; ///< for files whose names do not say
   AlphaUse alpha = AlphaUse::ignore;
-  /// Cut out first. Pixels of the largest map; the others are cut at the same places.
+  /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match.
   std::optional<PixelRectangle> crop;
-  /// Width and height to which every map is resampled, [1, kMaxImageSide]: light is averaged, of
-  /// normals the slopes, of other maps the values.
+  /// Width and height to which every map is resampled, [1, kMaxImageSide]. Resampling averages
+  /// light for colours, slopes for normals and values for other maps.
   std::optional<std::array<int, 2>> size;
-  /// Whether resampling continues over opposite borders, as the bake's own option says.
+  /// Whether resampling wraps around opposite borders; use the bake's own option.
   Periodic periodic = Periodic::detect;
-  /// Called with each file and its width and height before its pixels are decoded, so that one can
-  /// be refused for the memory that it would take. Empty: all are accepted.
+  /// Called with each file and its width and height before its pixels are decoded, so that the
+  /// caller can reject images that need too much memory. Empty: no check.
   std::function<Result<void>(const std::filesystem::path&, int width, int height)> sizeCheck;
 };
 
-/// What the files hold, ready for bakeTiling().
+/// The content of the files, ready for bakeTiling().
 struct MaterialSet {
-  std::string name;              ///< the folder's, or what the files' names begin with
-  std::vector<MapExemplar> maps; ///< each with another target, in the order of MapTarget
-  /// Whether the maps' borders fit together, where that was decided: before they were resampled,
-  /// which smooths the differences that a seam is measured against.
+  std::string name;              ///< the folder's name, or the common start of the file names
+  std::vector<MapExemplar> maps; ///< one per target, in the order of MapTarget
+  /// Whether the maps' borders match, if that was measured. It is measured before resampling, which
+  /// smooths the differences that a seam is compared with.
   Periodic periodic = Periodic::detect;
-  std::vector<std::string> notes; ///< what the user should know, one sentence each
+  std::vector<std::string> notes; ///< notes for the user, one sentence each
 };
 
-/// Reads one image; or several, or those of one folder. Their names say what they are (docs/cli.md
-/// has the words); of a single one, if its colours agree, else it is the base colour. Occlusion,
-/// roughness and metallic become one map, as large as the largest of them. Grey becomes RGB where a
-/// colour is wanted, EXR light is encoded as sRGB, or as log2(1 + light) where it exceeds 1, and
-/// clamped to kHalfMax. Errors: badInput for images that cannot be read, a folder without a map,
-/// two files for one map, and a map with too few channels; usage for options out of range;
-/// resources for memory; those of `sizeCheck`. Thread-safe; the same result for any number of
-/// threads.
+/// Reads one image, several images or the images of one folder. File names determine the maps
+/// (docs/cli.md lists the words). The name of a single image counts only if its colours agree;
+/// otherwise it is the base colour. Occlusion, roughness and metallic become one map, as large as
+/// the largest of them. Grey becomes RGB where the map needs a colour. EXR light is encoded as
+/// sRGB, or as log2(1 + light) if it exceeds 1, and clamped to kHalfMax.
+/// Errors: badInput for images that cannot be read, a folder without a map, two files for one map,
+/// or a map with too few channels; usage for options out of range; resources if memory runs out;
+/// and the errors of `sizeCheck`. Thread-safe; same result for any number of threads.
 [[nodiscard]] Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> inputs,
                                                   const MaterialSetOptions& options);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where a point lies in a mix.
+// The position of a point between the steps of a mix.
 #pragma once
 
 #include <array>
 
 namespace lichen {
 
-/// Between which steps of a mix a point lies; ignored by noises that are no mix.
+/// The position of a point between the steps of a mix. Noises without a mix ignore it.
 struct MixPlace {
   float weight = 0.0f;             ///< 0 is the first step, 1 the last; clamped
   std::array<float, 2> gradient{}; ///< its derivative, per tile

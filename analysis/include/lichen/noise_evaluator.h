@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a noise at points, as the shaders compute them: any method, from the bundle alone.
+// Evaluates a noise at points, for every method, as the shaders do. Needs only the bundle.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -18,66 +18,68 @@
 
 namespace lichen {
 
-/// A point on texture coordinates and the footprint of one pixel there. All finite.
+/// A point in texture coordinates and the footprint of one pixel there. All values are finite.
 struct UvFootprint {
   std::array<float, 2> uv{};
   std::array<float, 2> dx{}; ///< derivative along the result's x, texture coordinates per pixel
-  std::array<float, 2> dy{}; ///< likewise along y; both 0 for a point
+  std::array<float, 2> dy{}; ///< the same along y; dx = dy = 0 is a point
 };
 
-/// What evaluation leaves open to a host, by method.
+/// Choices that the bundle leaves to the host, by method.
 struct EvaluationOptions {
   TilingEvaluation tiling;
 };
 
-/// A noise as one material uses it. Immutable: any number of threads may evaluate it.
+/// A noise as one material uses it. Immutable: several threads may evaluate it at once.
 class NoiseEvaluator {
 public:
-  /// Light for sRGB, the stored quantity otherwise, undoing log2. Channels that the map does not
-  /// have are 0, the fourth is 1. For slopes see evaluate().
+  /// Light for sRGB; otherwise the stored quantity, with log2 undone. Channels that the map does
+  /// not have are 0, the fourth is 1. For slopes see evaluate().
   using Value = std::array<float, 4>;
 
-  /// Decodes the tables of the noise of `material`. The bundle parsed or was baked without error:
-  /// indices and sizes of tables are not checked again; it is not referred to afterwards.
-  /// Errors: usage for a noise out of range, a mapping that its method does not fit, or an option
-  /// out of range; resources for memory. Time and memory: 16 bytes a texel of its tables.
+  /// Decodes the tables of the noise of `material`. The bundle must have been parsed or baked
+  /// without error: indices and table sizes are not checked again. The evaluator does not refer to
+  /// the bundle afterwards.
+  /// Errors: usage for a noise out of range, a mapping that the method does not support, or an
+  /// option out of range; resources if memory runs out. Time and memory: 16 bytes per texel.
   [[nodiscard]] static Result<std::unique_ptr<const NoiseEvaluator>>
   create(const Bundle& bundle, const MaterialNoise& material, const Placement& placement = {},
          const EvaluationOptions& options = {});
 
   virtual ~NoiseEvaluator() = default;
 
-  /// The value of map `map` of the noise (findMap()) on the plane of its tiles; for slopes the third
-  /// value is the variance of a slope that filtering loses. `mix` counts for mixes only. For a
-  /// material of the mapping uv. Constant time or, for textons, that of the impacts in reach.
+  /// Evaluates map `map` of the noise (see findMap()) on the plane of its tiles. For slopes the
+  /// third value is the variance of a slope lost to filtering. Only mixes use `mix`. The material's
+  /// mapping must be uv. Takes constant time, or for textons time proportional to the impacts that
+  /// reach the footprint.
   [[nodiscard]] virtual Value evaluate(std::size_t map, const TileFootprint& at,
                                        const MixPlace& mix = {}) const = 0;
-  /// As above for the mapping triplanar. Slopes become a gradient in space, and the fourth value the
-  /// lost variance.
+  /// As above for the mapping triplanar. Slopes become a gradient in space; the fourth value is
+  /// their lost variance.
   [[nodiscard]] virtual Value evaluate(std::size_t map, const TriplanarFootprint& at,
                                        const MixPlace& mix = {}) const = 0;
-  /// As above for the mapping surface. Slopes are in the tangent space of normal and tangent, but
-  /// for the material's rotation.
+  /// As above for the mapping surface. Slopes are in the tangent space of the normal and tangent,
+  /// rotated by the material's rotation.
   [[nodiscard]] virtual Value evaluate(std::size_t map, const SurfaceFootprint& at,
                                        const MixPlace& mix = {}) const = 0;
 
-  /// The value at texture coordinates, for a material of the mapping uv. Slopes are those of the
-  /// tangent space that a mesh has for these coordinates; a mix takes its weight from the material
-  /// where that is constant or a direction, and is at its first step otherwise.
+  /// Evaluates at texture coordinates, for a material with the mapping uv. Slopes are in the
+  /// tangent space that a mesh has for these coordinates. A mix uses the material's weight if that
+  /// is constant or a direction, and its first step otherwise.
   [[nodiscard]] Value evaluateUv(std::size_t map, const UvFootprint& at) const;
 
 protected:
-  /// Of a noise with the constants that shaderNoise() makes of `material`.
+  /// The constants are those that shaderNoise() makes from `material`.
   NoiseEvaluator(const Noise& noise, const shader::LichenNoise& constants);
 
   [[nodiscard]] const shader::LichenNoise& constants() const { return constants_; }
 
 private:
-  /// Where texture coordinates lie in a mix.
+  /// Converts texture coordinates to a position in the mix.
   [[nodiscard]] virtual MixPlace mixAt(const std::array<float, 2>&) const { return {}; }
 
   shader::LichenNoise constants_;
-  std::vector<bool> holdsSlopes_; ///< by map
+  std::vector<bool> holdsSlopes_; ///< per map
 };
 
 } // namespace lichen

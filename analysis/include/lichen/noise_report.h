@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of a bake: one HTML page with pictures, measures and charts, for a person to judge by.
+// The report of a bake: one HTML page with pictures, measures and charts, for people to judge it.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -15,32 +15,32 @@
 
 namespace lichen {
 
-/// What was done to a photograph's map until it was baked.
+/// The steps from a photograph's map to the exemplar that was baked.
 struct ExemplarOrigin {
-  std::vector<std::string> steps;      ///< such as "cropped", in their order
-  std::optional<MapExemplar> original; ///< before it was flattened; nothing where it was not
+  std::vector<std::string> steps;      ///< for example "cropped", in order
+  std::optional<MapExemplar> original; ///< before flattening; empty if it was not flattened
 };
 
-/// A bake that is done, as the caller knows it. Texts may hold anything; what is not UTF-8 is
-/// replaced. What is referred to outlives the call.
+/// A finished bake, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is replaced.
+/// The objects referred to must outlive the call.
 struct BakeRecord {
-  const Bundle& bundle;                   ///< of one noise and one material
-  std::span<const MapExemplar> exemplars; ///< of every map that is to be shown
-  /// What assessSuitability() says of each exemplar, in their order.
+  const Bundle& bundle;                   ///< has one noise and one material
+  std::span<const MapExemplar> exemplars; ///< every map to show
+  /// The result of assessSuitability() for each exemplar, in the same order.
   std::span<const std::vector<Risk>> risks;
-  std::span<const ExemplarOrigin> origins; ///< of each exemplar
-  std::string command;                     ///< the line that made it
-  /// Name and value, such as {"Version", "0.1.0"}, shown in order.
+  std::span<const ExemplarOrigin> origins; ///< one per exemplar
+  std::string command;                     ///< the command line of the bake
+  /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
-  /// What took how many seconds; the report adds its own making and the sum.
+  /// Steps and their seconds; the report adds its own time and the sum.
   std::vector<std::pair<std::string, double>> timings;
   std::vector<std::string> notes;
 };
 
-/// The bytes of a page that needs no other file and no network. Pictures are at most 512 pixels an
-/// exemplar and smaller where there are many maps, so that the page of one map stays below 8 MiB
-/// and that of six below 16. Synthesizes and measures as compareNoise() does, so that it takes
-/// seconds. Errors: as compareNoise().
+/// Returns the bytes of a page that needs no other file and no network. Pictures are at most 512
+/// pixels per exemplar, smaller if there are many maps: a page of one map stays below 8 MiB, one of
+/// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds. Errors:
+/// as compareNoise().
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                                                                const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole images of a noise, without Vulkan.
+// Synthesizes whole images of a noise without Vulkan.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -13,47 +13,48 @@
 
 namespace lichen {
 
-/// Pixels across one exemplar. At the least, a pixel spans 1,024 tiles, far beyond the last mip.
+/// Pixels across one exemplar. At the minimum a pixel spans 1,024 tiles, far beyond the last mip
+/// level.
 inline constexpr NumberRange kTexelsPerTileRange{0x1p-10, 0x1p24};
-/// Either coordinate of an image's corner, in tiles.
+/// Each coordinate of an image's corner, in tiles.
 inline constexpr NumberRange kOriginRange{-0x1p40, 0x1p40};
 
 struct SynthesisOptions {
-  /// Its noise, seed, blending, contrast and impacts. Where the noise lies on a mesh, and where it
-  /// has the weight of its mix from, is not looked at.
+  /// Supplies the noise, seed, blending, contrast and impacts. Its mapping onto a mesh and the
+  /// source of its mix weight are ignored.
   MaterialNoise material;
   MapTarget map = MapTarget::baseColor;
   int width = 0;  ///< pixels, [1, 16384]
   int height = 0; ///< pixels, [1, 16384]
-  /// Pixels across one exemplar's width, in kTexelsPerTileRange; 0 for the exemplar's own, one
-  /// texel a pixel.
+  /// Pixels across one exemplar's width, in kTexelsPerTileRange; 0 for the exemplar's own size, one
+  /// texel per pixel.
   double texelsPerTile = 0.0;
-  /// Of the image's top left corner, in tiles, in kOriginRange. Shifts a tileable image in itself:
-  /// what leaves at one border enters at the opposite one.
+  /// Top left corner of the image, in tiles, in kOriginRange. A tileable image wraps: what leaves
+  /// at one border enters at the opposite one.
   std::array<double, 2> origin{0.0, 0.0};
-  /// Of a larger image every `stride`-th pixel along each axis, beginning with the first: the
-  /// footprint stays that of one of its pixels. >= 1; 1 for a tileable image.
+  /// Takes every `stride`-th pixel of a larger image along each axis, starting with the first. The
+  /// footprint is still that of one pixel of the larger image. >= 1; 1 for a tileable image.
   int stride = 1;
-  bool tileable = false; ///< opposite borders continue each other; at least half a tile
+  bool tileable = false; ///< opposite borders continue each other; needs at least half a tile
   EvaluationOptions evaluation;
-  /// Of a mix, the weight at the left and the right border, linear between; in kMixWeightRange,
-  /// the same where the image is tileable.
+  /// For a mix: the weights at the left and the right border, linear between them, in
+  /// kMixWeightRange. Must be equal if the image is tileable.
   std::array<double, 2> mix{0.0, 0.0};
-  Progress progress; ///< empty: nobody watches
+  Progress progress; ///< empty: no reports
 };
 
-/// Evaluates the noise at the pixels' centres, (x + 1/2, y + 1/2) pixels from the origin, with the
-/// footprint of one pixel. The result holds decoded values: light for colour; as many channels as
-/// the map has. Errors: usage for options out of range or a map that the noise has not; resources
-/// for memory; environment when `options.progress` stops it. Multi-threaded, the same result for
-/// any number of threads.
+/// Evaluates the noise at the pixel centres, (x + 1/2, y + 1/2) pixels from the origin, with the
+/// footprint of one pixel. Returns decoded values (light for colour) in as many channels as the map
+/// has. Errors: usage for options out of range or a map that the noise does not have; resources if
+/// memory runs out; environment if `options.progress` stops it. Multi-threaded; same result for any
+/// number of threads.
 [[nodiscard]] Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options);
 
-/// A power-of-two image of the material's pattern, `tiles` exemplars a side and repeating, for the
-/// core slots of a glTF material. It has the texels of the noise's widest and highest map, so that
-/// the images of all maps have one size; at most 1024 pixels a side. A mix is shown in its middle.
-/// Errors: usage for an index or
-/// a parameter out of range, a map that the noise has not, or tiles outside [1, 1024].
+/// Synthesizes a power-of-two image of the material's pattern, `tiles` exemplars per side and
+/// repeating, for the core slots of a glTF material. The size follows the noise's widest and
+/// highest maps, so the images of all maps have the same size, at most 1024 pixels per side. A mix
+/// is evaluated at its middle. Errors: usage for an index or parameter out of range, a map that the
+/// noise does not have, or tiles outside [1, 1024].
 [[nodiscard]] Result<LinearImage>
 synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget map, int tiles);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bakes mixes of exemplars for texton noise: from one to the next, or one texture between all
-// [GLM17] section 7.
+// Bakes mixes of exemplars for texton noise, [GLM17] section 7: a path from each exemplar to the
+// next, or one barycentre of all.
 #pragma once
 
 #include <lichen/texton.h>
@@ -11,53 +11,53 @@
 
 namespace lichen {
 
-/// One of the exemplars that are mixed.
+/// One exemplar of a mix.
 struct MixedExemplar {
   std::string name; ///< for messages
-  /// At least one, each within the ranges of MapExemplar, of other targets, in the order of these;
-  /// the same targets, channels and encodings in all exemplars.
+  /// At least one map, each within the ranges of MapExemplar, with different targets in the order
+  /// of MapTarget. All exemplars have the same targets, channels and encodings.
   std::vector<MapExemplar> maps;
 };
 
-/// As many are mixed.
+/// The maximum number of exemplars in a mix.
 inline constexpr std::size_t kMaxMixedExemplars = 16;
-/// Textons from an exemplar to the next, both counted. All steps together are kMaxTextonSteps.
+/// Textons from an exemplar to the next, including both. kMaxTextonSteps also limits all steps
+/// together.
 inline constexpr NumberRange kMixStepsRange{2.0, double(kMaxTextonSteps)};
 
 struct TextonMixOptions {
-  TextonOptions texton; ///< its fit is TextonFit::transport
-  int steps = 21;       ///< from an exemplar to the next, in kMixStepsRange
-  /// Where not empty, one texton is made, of the barycentre with these weights: one an exemplar,
-  /// none negative, of a positive sum. `steps` is then not used.
+  TextonOptions texton; ///< its fit must be TextonFit::transport
+  int steps = 21;       ///< textons from an exemplar to the next, in kMixStepsRange
+  /// If not empty, the bake makes one texton, the barycentre with these weights: one per exemplar,
+  /// none negative, with a positive sum. `steps` is then ignored.
   std::vector<double> weights;
 };
 
-/// How near the textons are to the textures that they stand for, and to one another.
+/// How close the textons are to the textures that they approximate, and to one another.
 struct TextonMixQuality {
-  std::vector<double> modelErrors; ///< relative model error [GLM17 section 4.4] of each step
-  /// Of the steps: the greatest distance of two neighbours' coefficients, over the root of their
-  /// mean square. 0 of one texton; 1.4 of two of nothing in common.
+  std::vector<double> modelErrors; ///< relative model error [GLM14] eq. 5 of each step
+  /// The largest distance between the coefficients of two adjacent steps, relative to the root of
+  /// their mean square. 0 for one texton; 1.4 for two that have nothing in common.
   double largestStep = 0.0;
   double rankError = 0.0; ///< with weights: what one texton cannot express, over the deviation
 };
 
-/// What a bake made: tables numbered from 0 in the maps of `noise`.
+/// The result of a bake. The maps of `noise` number its tables from 0.
 struct TextonMixBake {
-  Noise noise; ///< its maps in the order given
+  Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   TextonMixQuality quality;
 };
 
-/// Fits textons along the path through the exemplars in their order, or one between all of them.
-/// All maps of all exemplars are fitted together, and the same impacts show one exemplar or
-/// another. Every exemplar spans the tile's width: one of fewer pixels is refined, without loss;
-/// the tile is as high as the highest, whose other texture is endless
-/// (docs/decisions/016-mixing.md). Errors: usage for options and numbers of exemplars outside their
-/// ranges, or an image of all steps above kMaxTableSide; badInput for exemplars of different maps,
-/// for one that no texton can be made of, and where their shapes make a tile of more than
-/// kMaxTableSide texels; resources when memory does not suffice, environment when
-/// `options.progress` stops it. Thread-safe; runs on all cores, and the same bytes for any number
-/// of threads. Time: about one bake for each exemplar.
+/// Fits textons along the path through the exemplars in order, or one barycentre of all. All maps
+/// of all exemplars are fitted together, so the same impacts can show any exemplar. Every exemplar
+/// spans the tile's width; one with fewer pixels is refined without loss. The tile is as high as
+/// the highest exemplar; the textures of the others are endless (docs/decisions/016-mixing.md).
+/// Errors: usage for options or numbers of exemplars out of range, or an image of all steps above
+/// kMaxTableSide; badInput for exemplars with different maps, for one that no texton can represent,
+/// or if their shapes need a tile of more than kMaxTableSide texels; resources if memory runs out;
+/// environment if `options.progress` stops it. Thread-safe; runs on all cores; same bytes for any
+/// number of threads. Takes about as long as one bake per exemplar.
 [[nodiscard]] Result<TextonMixBake> bakeTextonMix(std::string name,
                                                   std::span<const MixedExemplar> exemplars,
                                                   const TextonMixOptions& options);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Where a noise is evaluated on the CPU.
+// The footprint at which a noise is evaluated on the CPU.
 #pragma once
 
 #include <array>
 
 namespace lichen {
 
-/// A place in tile space and the footprint of one pixel there. All finite.
+/// A position in tile space and the footprint of one pixel there. All values are finite.
 struct TileFootprint {
-  /// Tiles from the tile origin in LichenNoise, below 2^28 in magnitude; floats resolve it to 2^-24
-  /// of its magnitude, so exact texels of a 256-texel tile ask for less than 2^15.
+  /// Tiles from the tile origin in LichenNoise, below 2^28 in magnitude. Floats resolve it to 2^-24
+  /// of its magnitude, so exact texels of a 256-texel tile need a magnitude below 2^15.
   std::array<float, 2> position{};
   std::array<float, 2> dx{}; ///< derivative along the result's x, tiles per pixel; 0 is a point
-  std::array<float, 2> dy{}; ///< likewise along y
+  std::array<float, 2> dy{}; ///< the same along y
 };
 
 } // namespace lichen

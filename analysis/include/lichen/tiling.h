@@ -15,18 +15,18 @@
 
 namespace lichen {
 
-/// Whether maps whose stored values are Gaussian do without an inverse table.
+/// Whether maps with Gaussian stored values omit the inverse table.
 enum class GaussianOnly {
-  detect, ///< by a test of each map (docs/decisions/011-gaussian-only.md)
-  yes,    ///< all maps: other values than Gaussian ones get another histogram
+  detect, ///< test each map (docs/decisions/011-gaussian-only.md)
+  yes,    ///< all maps omit it; values that are not Gaussian get another histogram
   no
 };
 
-/// How a map's Gaussian values become its own.
+/// How Gaussian values decode to a map's own values.
 enum class LookupTable {
-  joint,     ///< one table over all dimensions: the exemplar's histogram
-  separable, ///< a table for each principal axis of colour, small; slopes and maps of one dimension
-             ///< have a joint one
+  joint,     ///< one table over all dimensions: preserves the exemplar's histogram
+  separable, ///< a small table per principal axis of colour; slopes and one-dimensional maps still
+             ///< get a joint one
 };
 
 struct TilingOptions {
@@ -35,44 +35,45 @@ struct TilingOptions {
   TransportEffort transport = TransportEffort::standard;
   GaussianOnly gaussian = GaussianOnly::detect;
   LookupTable lut = LookupTable::joint;
-  Progress progress; ///< empty: nobody watches
+  Progress progress; ///< empty: no reports
 };
 
-/// How near the optimum a transport of one map is.
+/// How close the optimal transport of one map is to the optimum.
 struct MapTransportBound {
   MapTarget map{};
   TransportBound bound;
-  /// Values of one dimension, whose sorted matching is the optimum: nothing is left to prove.
+  /// The values have one dimension. Sorting gives the optimal matching, so nothing is left to
+  /// prove.
   bool isSorted = false;
-  /// Where the values were moved to go with those of other maps before they were matched
-  /// (docs/decisions/014-correlations-between-maps.md): what matching them as they are costs, in
-  /// the units of `bound`. Those moved are nearly Gaussian, and a share of their own cost would say
+  /// Set if the values were moved before matching, to correlate with those of other maps
+  /// (docs/decisions/014-correlations-between-maps.md): the cost of matching the original values,
+  /// in the units of `bound`. Moved values are nearly Gaussian, so a share of their own cost says
   /// nothing.
   std::optional<double> costOfUnmoved;
 
-  /// What a better matching might save at most, as a share of what matching the values costs.
+  /// The most that a better matching could save, as a share of the cost of matching the values.
   [[nodiscard]] double excess() const {
     return costOfUnmoved ? (bound.cost - bound.lowerBound) / *costOfUnmoved : bound.excess();
   }
 };
 
-/// What a bake made: tables numbered from 0 in the maps of `noise`.
+/// The result of a bake. The maps of `noise` number its tables from 0.
 struct TilingBake {
-  Noise noise; ///< its maps in the order given
+  Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, how near the optimum each transport is: one of each map that has
-  /// a joint table and varies, and one more of each of those whose borders are blended.
+  /// With TransportEffort::exact, how close each transport is to the optimum: one for each map that
+  /// varies and has a joint table, and a second one if its borders are blended.
   std::vector<MapTransportBound> transportBounds;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
-/// prefiltered slabs. At least one map, each within the ranges above; maps may differ in size.
-/// `name` names the noise and, with the target, its tables.
-/// Errors: usage for options or maps outside their ranges, or a map that cannot do without a table,
-/// resources when memory does not suffice, environment when `options.progress` stops it.
-/// Thread-safe; runs on all cores, and the same bytes for any number of threads. O(N log N) in the
-/// number of pixels. Source: [HN18] section 4.
+/// prefiltered slabs. Needs at least one map, each within the ranges of MapExemplar; maps may
+/// differ in size. `name` names the noise and, with the target, its tables.
+/// Errors: usage for options or maps outside their ranges, or for a map that needs an inverse table
+/// when none is allowed; resources if memory runs out; environment if `options.progress` stops it.
+/// Thread-safe; runs on all cores; same bytes for any number of threads. O(N log N) in the number
+/// of pixels. Source: [HN18] section 4.
 [[nodiscard]] Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                                             const TilingOptions& options);
 

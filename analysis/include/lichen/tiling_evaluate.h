@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The CPU twin of shaders_glsl/noise/tiling.glsl, and of triplanar.glsl for it: the noise from the
-// bundle alone.
+// The CPU twin of shaders_glsl/noise/tiling.glsl, and of triplanar.glsl for tiling. Needs only the
+// bundle.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -17,42 +17,42 @@
 
 namespace lichen {
 
-/// Decoded tables of one noise of a bundle. Immutable: any number of threads may evaluate it.
+/// The decoded tables of one noise. Immutable: several threads may evaluate it at once.
 class TilingEvaluator {
 public:
   using Value = std::array<float, 4>;
 
-  /// Decodes the tables of noise `noise` of a bundle that parsed or was baked without error:
-  /// indices and sizes of tables are not checked again. The bundle is not referred to afterwards.
-  /// Errors: usage for an index out of range, another method, a quality out of range;
-  /// resources for memory. Time and memory: 16 bytes a texel of its tables.
+  /// Decodes the tables of noise `noise`. The bundle must have been parsed or baked without error:
+  /// indices and table sizes are not checked again. The evaluator does not refer to the bundle
+  /// afterwards. Errors: usage for an index out of range, another method or a quality out of range;
+  /// resources if memory runs out. Time and memory: 16 bytes per texel of its tables.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise,
                                                       const TilingQuality& quality = {});
 
   [[nodiscard]] std::size_t mapCount() const;
 
-  /// The decoded value of map `map`, below mapCount(), with the parameters that shaderNoise() makes
-  /// of the same bundle's noise: light for sRGB, the stored quantity otherwise, undoing log2;
-  /// channels that the map has not are 0, the fourth is 1. Of slopes, the third is the variance of
-  /// a slope that the footprint hides. Constant time, no allocation.
+  /// Evaluates map `map`, below mapCount(), with the parameters that shaderNoise() makes from the
+  /// same bundle's noise. Returns light for sRGB, otherwise the stored quantity with log2 undone;
+  /// channels that the map does not have are 0, the fourth is 1. For slopes the third is the
+  /// variance of a slope lost to filtering. Constant time, no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
 
-  /// The same in three planes, with the parameters of a material of the mapping triplanar. Of
-  /// slopes, the value is their gradient in space, and the fourth the variance.
+  /// The same in three planes, with the parameters of a material with the mapping triplanar. For
+  /// slopes the value is their gradient in space, and the fourth is the lost variance.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
                                const TriplanarFootprint& at) const;
 
-  /// Before decoding: Gaussian values of mean 1/2 and, where nothing is lost, deviation 1/6; the
-  /// fourth is the share of their variance that filtering loses.
+  /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
+  /// deviation 1/6. The fourth is the share of the variance lost to filtering.
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const TileFootprint& at) const;
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
                                const TriplanarFootprint& at) const;
 
-  /// What the texels of the Gaussian image's level 0 decode to, row by row, as many interleaved
-  /// channels as map `map`, below mapCount(), has. Throws std::bad_alloc.
+  /// Decodes the texels of level 0 of the Gaussian image of map `map`, below mapCount(), row by
+  /// row, with as many interleaved channels as the map has. Throws std::bad_alloc.
   [[nodiscard]] std::vector<float> decodedTexels(std::size_t map) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the evaluation of a tiling noise leaves open: how tiles are blended, and how many are
-// fetched, which a host of the shaders chooses by LICHEN_TILING_TAPS and LICHEN_ONE_TAP_TILES
+// Evaluation options of a tiling noise: how tiles are blended and how many are fetched. In the
+// shaders a host sets them by LICHEN_TILING_TAPS and LICHEN_ONE_TAP_TILES
 // (shaders_glsl/noise/fewer_taps.glsl).
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace lichen {
 
-/// How the three taps are blended. The first is the method; the others serve comparison.
+/// How the three taps are blended. The first is the method; the others are for comparison.
 enum class BlendOperator {
   histogramPreserving, ///< [HN18] eq. 18
   variancePreserving,  ///< eq. 8 on the decoded values: no inverse table after the blend
@@ -18,9 +18,9 @@ enum class BlendOperator {
 inline constexpr NumberRange kOneTapTilesRange{0.0, 1e6};
 
 struct TilingQuality {
-  int taps = 3; ///< 3 or 2: tiles fetched at most
-  /// Pixels of this side and larger [tiles] take one, which begins at half of it; in
-  /// kOneTapTilesRange, 0: none do.
+  int taps = 3; ///< maximum number of tiles fetched: 3 or 2
+  /// Pixels with at least this side [tiles] fetch one tile; the transition begins at half of it. In
+  /// kOneTapTilesRange; 0: no pixel does.
   double oneTapTiles = 0.0;
 };
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Where a noise is evaluated in three planes in space.
+// The footprint at which a noise is evaluated in three planes in space.
 #pragma once
 
 #include <array>
 
 namespace lichen {
 
-/// A point of a surface and the footprint of one pixel there. All finite.
+/// A point on a surface and the footprint of one pixel there. All values are finite.
 struct TriplanarFootprint {
   /// Metres from the tile origin in LichenNoise, below 2^28 tiles in magnitude.
   std::array<float, 3> position{};
   std::array<float, 3> dx{};     ///< derivative along the result's x, metres per pixel
-  std::array<float, 3> dy{};     ///< likewise along y
-  std::array<float, 3> normal{}; ///< not 0, of any length and either side
+  std::array<float, 3> dy{};     ///< the same along y
+  std::array<float, 3> normal{}; ///< not 0, any length; may point to either side
 };
 
 } // namespace lichen
