@@ -150,7 +150,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   progress.reach(kHeldOutOfProgress);
   const gaussian::GaussianModel model =
       gaussian::gaussianModel(joint.values, joint.width, joint.height, joint.channels());
-  joint.values = {}; // as large as the model
+  joint.values = {}; // frees as much memory as the model takes
   const MatrixXd modelled = gaussian::modelCovariance(model);
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;

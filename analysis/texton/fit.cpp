@@ -322,7 +322,7 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
     fit.reflect(x, kFirstRelaxation + (kLastRelaxation - kFirstRelaxation) * done);
   }
   fit.project(x);
-  x = {}; // as large as the model
+  x = {}; // frees as much memory as the model takes
   descendWithMomentum(fit, options.goOn);
   return fit.coefficients();
 }

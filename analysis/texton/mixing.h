@@ -29,7 +29,7 @@ struct MixExemplar {
 
 struct MixOptions {
   int width = 0;  ///< coefficients, at least 1; limited to the tile's texels
-  int height = 0; ///< likewise
+  int height = 0; ///< as width
   int order = 1;  ///< order of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
   /// Steps from one exemplar to the next, at least 1; 20 for the 21 textons of [GLM17].

@@ -22,7 +22,7 @@ using Vec3 = std::array<float, 3>;
 struct SurfaceImpacts {
   Impacts impacts;                     ///< of a plane with this footprint
   Vec3 place{};                        ///< offset of the point from its cube's corner
-  std::array<Vec3, 3> axes{};          ///< `place` changes by minus their dot products
+  std::array<Vec3, 3> axes{};          ///< map an offset in cubes to texels and height
   Vec3 radius{};                       ///< limits of offsets at which impacts count
   std::array<std::uint32_t, 3> cell{}; ///< the cube that holds the point
   std::array<int, 3> first{}, last{};  ///< offsets of the cubes that may reach it

@@ -20,7 +20,7 @@ float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2
 
 /// Returns the weights of the planes; the sum of their squares is 1.
 Vec3 weightsOf(const Vec3& normal, float sharpness) {
-  constexpr float kLeastWeight = 1.0f / 64.0f; // as LICHEN_LEAST_PLANE_WEIGHT
+  constexpr float kLeastWeight = 1.0f / 64.0f; // LICHEN_LEAST_PLANE_WEIGHT
   const float most = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
   Vec3 weights{};
   for (std::size_t k = 0; k < 3; ++k)
