@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exemplar (width * height values a channel) -> the strength of the seams between its borders.
+// Exemplar (width * height values per channel) -> the strength of the seams between its borders.
 #include "borders.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ constexpr double kSeamThreshold = 1.25;
 constexpr double kPercentile = 0.9;
 constexpr int kRunPixels = 4;
 
-/// How much line k and line k + 1 (wrapping) differ, for every k: differences averaged over runs of
-/// kRunPixels along the line, then their absolute values. Grain averages out of a run; a step that
-/// the eye follows along the seam does not. A line is a column when `alongX`.
+/// Returns, for every k, how much lines k and k + 1 (wrapping) differ: differences averaged over
+/// runs of kRunPixels along the line, then their absolute values. Grain averages out in a run; a
+/// step along the seam that the eye follows does not. A line is a column if `alongX`.
 std::vector<double> lineDifferences(const MapExemplar& map, bool alongX) {
   const int lines = alongX ? map.width : map.height;
   const int length = alongX ? map.height : map.width;

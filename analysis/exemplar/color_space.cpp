@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From an exemplar's values (width * height * channels) to points for the transport.
+// An exemplar's values (width * height * channels) -> points for the transport.
 #include "color_space.h"
 
 #include <tbb/parallel_for.h>
@@ -11,10 +11,10 @@
 namespace lichen::exemplar {
 namespace {
 
-/// Colours on a line or in a plane leave exactly the rounding's variance across it, up to sampling.
+/// Colours on a line or in a plane have exactly the variance of rounding across it, up to sampling.
 constexpr double kLeastOverRounding = 2.0;
 
-/// One a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
+/// Applies one a-trous pass [1 2 1] / 4 with the given step along one axis, wrapping.
 void blur(std::vector<float>& values, std::vector<float>& scratch, int width, int height,
           int channels, int stepX, int stepY) {
   const auto at = [&](int x, int y) {
@@ -37,8 +37,8 @@ void blur(std::vector<float>& values, std::vector<float>& scratch, int width, in
   values.swap(scratch);
 }
 
-/// Average over scales s, with weights 4^-s, of the image blurred by 2^s texels: small scales
-/// decide first. A side too short for a scale is not blurred along it.
+/// Returns the average over scales s, with weights 4^-s, of the image blurred by 2^s texels, so
+/// small scales have the most weight. A side too short for a scale is not blurred along it.
 std::vector<float> surroundings(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   std::vector<float> blurred = map.values;
@@ -46,7 +46,7 @@ std::vector<float> surroundings(const MapExemplar& map) {
   std::vector<float> sum(blurred.size(), 0.0f);
   float weight = 0.5f;
   float total = 0.0f;
-  // Up to a quarter of a side: beyond it the wrapped kernel averages the whole of it.
+  // Stop at a quarter of a side. Beyond that, the wrapped kernel averages the whole side.
   for (int step = 1; 4 * step <= std::max(map.width, map.height); step *= 2, weight *= 0.25f) {
     if (4 * step <= map.width)
       blur(blurred, scratch, map.width, map.height, channels, step, 0);
@@ -96,7 +96,7 @@ ColorSpace principalSpaceOf(const MapExemplar& map) {
   space.basis.resize(Eigen::Index(kept.size()), channels);
   for (std::size_t row = 0; row < kept.size(); ++row) {
     ChannelVector direction = solver.eigenvectors().col(kept[row]);
-    // The sign of an eigenvector is arbitrary: brighter is more.
+    // The sign of an eigenvector is arbitrary; make brighter mean larger.
     if (direction.sum() < 0.0)
       direction = -direction;
     space.basis.row(Eigen::Index(row)) = direction.transpose();
@@ -119,7 +119,7 @@ std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& spa
   const auto [low, high] = std::minmax_element(map.values.begin(), map.values.end());
   const float range = std::max(*high - *low, std::numeric_limits<float>::min());
   // Half a quantum of the surroundings orders pixels of equal value. On a line the order by value
-  // is exact, and stays.
+  // is exact and does not change.
   const float tieBreak = float(0.5 * map.quantum) / range;
   const bool byValue = space.dimensions() == 1 || std::abs(wantedShare) < tieBreak;
   const float share = byValue ? tieBreak : wantedShare;

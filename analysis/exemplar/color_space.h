@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The affine space that an exemplar's values span.
+// The affine space spanned by an exemplar's values.
 #pragma once
 
 #include "transport/covariance_map.h"
@@ -14,7 +14,7 @@
 
 namespace lichen::exemplar {
 
-/// Vectors and matrices over the channels of one map, on the stack.
+/// Vectors and matrices over the channels of one map, stored on the stack.
 inline constexpr int kMaxChannels = 3;
 using ChannelVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxChannels, 1>;
 using ChannelMatrix = transport::SmallMatrix;
@@ -27,30 +27,31 @@ struct Moments {
 [[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
 
 /// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the
-/// rows of `basis`: the directions whose variance is more than twice that of rounding the stored
-/// values (quantum^2 / 12). A grey photograph stored as RGB has 1, a constant image 0. With all
-/// channels varying the basis is the identity, so that each Gaussian channel goes with its colour.
+/// rows of `basis`. These are the directions whose variance is more than twice that of rounding the
+/// stored values (quantum^2 / 12). A grey photograph stored as RGB has 1, a constant image 0. If
+/// all channels vary, the basis is the identity, so that each Gaussian channel belongs to one
+/// colour.
 struct ColorSpace {
   Moments moments;
   ChannelMatrix basis;
   [[nodiscard]] int dimensions() const { return int(basis.rows()); }
-  /// Root of the variance of all directions together.
+  /// Square root of the total variance over all directions.
   [[nodiscard]] double deviation() const {
     return std::sqrt((basis * moments.covariance * basis.transpose()).trace());
   }
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
-/// As colorSpaceOf(), but the directions are always the principal ones, the largest variance first:
-/// coordinates are uncorrelated.
+/// As colorSpaceOf(), but the directions are always the principal ones, with the largest variance
+/// first: coordinates are uncorrelated.
 [[nodiscard]] ColorSpace principalSpaceOf(const MapExemplar& map);
 
-/// In the middle of photographs' choices: docs/decisions/009-surroundings.md.
+/// The middle of the best values for photographs: docs/decisions/009-surroundings.md.
 inline constexpr float kUsualShare = 0.1f;
 
-/// (value - mean) projected on the basis, as points for the transport, with ties broken: pixels of
-/// equal value are ordered by the average of their surroundings, at most half a quantum, so that
-/// flat regions stay smooth once Gaussianized. In two and three dimensions a point has `share` of
-/// its surroundings, which makes G smoother, or of the opposite sign, which makes it rougher
+/// Projects (value - mean) on the basis, as points for the transport. Ties are broken: the average
+/// of their surroundings, at most half a quantum, orders pixels of equal value, so that flat
+/// regions stay smooth after Gaussianization. In two and three dimensions each point includes
+/// `share` of its surroundings: a positive share makes G smoother, a negative one rougher
 /// (docs/decisions/009-surroundings.md). The image wraps at its borders.
 [[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
                                                  float share = kUsualShare);

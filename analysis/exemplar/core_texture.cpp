@@ -46,7 +46,7 @@ LinearImage coreTexture(const NoiseMap& map, LinearImage values) {
 }
 
 Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target, LinearImage texture) {
-  // What displaces a surface shows steps of 1 / 255.
+  // 16 bits, because displacement makes steps of 1 / 255 visible.
   const int bits = target == MapTarget::height ? 16 : 8;
   const bool isLight = target == MapTarget::baseColor || target == MapTarget::emissive;
   return isLight ? encodePng(toSrgb(std::move(texture)), bits) : encodePng(texture, bits);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// File name -> words -> role. The words are those of Poly Haven, ambientCG, FreePBR, 3dtextures.me
-// and textures.com, of glTF exporters, and plain ones.
+// File name -> words -> role. The words are those of Poly Haven, ambientCG, FreePBR, 3dtextures.me,
+// textures.com and glTF exporters, and plain ones.
 #include "file_roles.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace lichen::exemplar {
 namespace {
 
 struct Phrase {
-  std::string_view words; ///< run together, lower case
+  std::string_view words; ///< joined, lower case
   FileRole role;
 };
 
@@ -60,10 +60,11 @@ constexpr Phrase kPhrases[] = {
     {"opacity", FileRole::opacity},
     {"alpha", FileRole::opacity},
 };
-constexpr std::size_t kMostWords = 3; // of "occlusion roughness metallic"
+constexpr std::size_t kMostWords = 3; // as in "occlusion roughness metallic"
 
-/// Words of resolution, format, version and number behind that of the map: "2k", "2048px", "16bit",
-/// "PNG", "v2", "LOD0", "01", and the "map" of "normal map".
+/// Returns whether a word says nothing about the role. These are words for resolution, format,
+/// version and number after the role, such as "2k", "2048px", "16bit", "PNG", "v2", "LOD0" and
+/// "01", and the "map" of "normal map".
 bool isSkipped(const std::string& word) {
   constexpr std::string_view kFormats[] = {"png", "jpg", "jpeg", "exr", "tif", "tiff", "tga"};
   constexpr std::string_view kNumbered[] = {"v", "lod"};
@@ -80,7 +81,8 @@ bool isUpper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; 
 bool isLower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether a word begins with the capital at `i`: in "normalGL" at G, in "AORoughness" at R.
+/// Returns whether a word begins with the capital at `i`, such as the G of "normalGL" or the R of
+/// "AORoughness".
 bool beginsAtCapital(std::string_view text, std::size_t i) {
   return i > 0 && isUpper(text[i]) &&
          (isLower(text[i - 1]) ||
@@ -101,9 +103,9 @@ std::vector<std::string> lowerCaseWords(std::string_view text) {
   return words;
 }
 
-/// A name taken apart.
+/// The parts of a file name.
 struct NameParts {
-  std::vector<std::string> before; ///< the words of the role
+  std::vector<std::string> before; ///< the words before the role
   std::optional<FileRole> role;
 };
 
@@ -125,7 +127,7 @@ NameParts taken(std::string_view stem) {
   return {};
 }
 
-/// Whether a skipped word belongs to the material: the number of "rock_02".
+/// Returns whether a skipped word belongs to the material's name, such as the number of "rock_02".
 bool isNumber(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an image of a material set is, by its file's name.
+// Derives the role of an image in a material set from its file name.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@ namespace lichen::exemplar {
 
 enum class FileRole {
   baseColor,
-  normal, ///< of the convention that the user names
+  normal, ///< in the convention that the user names
   normalGl,
   normalDx,
   occlusion,
   roughness,
   metallic,
   occlusionRoughnessMetallic, ///< in red, green and blue
-  roughnessMetallic,          ///< in green and blue, as a glTF texture has them
+  roughnessMetallic,          ///< in green and blue, as in a glTF texture
   emissive,
   height,
   opacity,
 };
 
-/// What a file is whose name without extension is `stem`, by its last words; those of resolution,
-/// format, version and number behind them are skipped. Words end at punctuation and before
-/// capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" is none:
-/// what a material is called comes first.
+/// Returns the role of a file whose name without extension is `stem`, from its last words. Words
+/// for resolution, format, version and number after them are skipped. Words end at punctuation and
+/// before capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" has
+/// no role, because the role must come last.
 [[nodiscard]] std::optional<FileRole> fileRole(std::string_view stem);
 
-/// The words before those that say the role, run together, lower case: "rock" of "Rock_2K_Albedo",
-/// nothing of "normal". Those of resolution and format do not count. `stem` has a role.
+/// Returns the words before those of the role, joined, in lower case: "rock" for "Rock_2K_Albedo",
+/// nothing for "normal". Words for resolution and format are skipped. `stem` must have a role.
 [[nodiscard]] std::string wordsBeforeRole(std::string_view stem);
 
 } // namespace lichen::exemplar

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours and opacity -> colours, over a pyramid that halves both sides down to one pixel.
+// Colours and opacity -> colours, through a pyramid that halves both sides down to one pixel.
 #include "invisible_color.h"
 
 #include "resample.h"
@@ -15,18 +15,18 @@ namespace {
 struct Level {
   int width = 0;
   int height = 0;
-  std::vector<float> light;    ///< 3 a pixel, of what is covered
-  std::vector<float> coverage; ///< 1 a pixel, [0, 1]: how far the light is to be trusted
+  std::vector<float> light;    ///< 3 per pixel, of the covered part
+  std::vector<float> coverage; ///< 1 per pixel, [0, 1]: weight of the light
 
-  /// Goes on at the opposite border: an exemplar that tiles must do so afterwards, and one that
-  /// does not gets colours of its own too.
+  /// Wraps at the borders: an exemplar that tiles must still do so afterwards, and one that does
+  /// not gets plausible colours too.
   [[nodiscard]] std::size_t at(int x, int y) const {
     return std::size_t((y + height) % height) * std::size_t(width) +
            std::size_t((x + width) % width);
   }
 };
 
-/// Pull: mean light by coverage; coverage adds up until a pixel is certain.
+/// Pull: averages light weighted by coverage, and adds coverage up to at most 1.
 Level halved(const Level& fine) {
   Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}};
   for (int y = 0; y < coarse.height; ++y)
@@ -49,7 +49,7 @@ Level halved(const Level& fine) {
   return coarse;
 }
 
-/// Push: what a pixel's own light does not cover comes from the coarser level, bilinearly.
+/// Push: interpolates the uncovered share of a pixel bilinearly from the coarser level.
 void fillFrom(const Level& coarse, Level& fine) {
   for (int y = 0; y < fine.height; ++y)
     for (int x = 0; x < fine.width; ++x) {
@@ -57,7 +57,7 @@ void fillFrom(const Level& coarse, Level& fine) {
       const float own = fine.coverage[i];
       if (own >= 1.0f)
         continue;
-      // The centre of a fine pixel lies a quarter of a coarse one from the nearest centre.
+      // The centre of a fine pixel is a quarter of a coarse pixel from the nearest coarse centre.
       const int nearX = x / 2, nearY = y / 2;
       const int farX = nearX + (x % 2 == 0 ? -1 : 1), farY = nearY + (y % 2 == 0 ? -1 : 1);
       for (std::size_t c = 0; c < 3; ++c) {
@@ -79,7 +79,7 @@ void fillInvisible(MapExemplar& color, const MapExemplar& opacity) {
               resampled(opacity, color.width, color.height, false).values};
   const float most = *std::max_element(whole.coverage.begin(), whole.coverage.end());
   if (most <= 0.0f)
-    return; // nothing is visible: no colour is better than another
+    return; // nothing is visible, so no colour is better than another
   for (float& value : whole.coverage)
     value /= most;
   for (float& value : whole.light)
@@ -90,7 +90,7 @@ void fillInvisible(MapExemplar& color, const MapExemplar& opacity) {
   for (std::size_t l = pyramid.size() - 1; l-- > 0;)
     fillFrom(pyramid[l + 1], pyramid[l]);
   for (std::size_t i = 0; i < color.values.size(); ++i)
-    if (pyramid[0].coverage[i / 3] < 1.0f) // the others keep their code
+    if (pyramid[0].coverage[i / 3] < 1.0f) // the others do not change
       color.values[i] = encoded(pyramid[0].light[i], color.encoding);
 }
 

@@ -17,7 +17,7 @@ MapExemplar joined(std::span<const MapExemplar> parts, bool wraps) {
   struct Source {
     MapChannel channel;
     std::size_t part;
-    std::size_t place; ///< among the part's channels
+    std::size_t place; ///< index among the part's channels
   };
   std::vector<Source> sources;
   std::vector<MapExemplar> sized;

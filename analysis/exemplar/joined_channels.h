@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Occlusion, roughness and metallic from files of their own -> one map.
+// Occlusion, roughness and metallic from separate files -> one map.
 #pragma once
 
 #include <lichen/exemplar.h>
@@ -9,9 +9,9 @@
 
 namespace lichen::exemplar {
 
-/// One map with the channels of all, in the order of MapChannel, as large as the largest: a bake
-/// keeps what channels of one map have to do with one another exactly, and what maps have only in
-/// the mean. The quantum is the finest. `wraps` as for resampled().
+/// Returns one map with the channels of all parts, in the order of MapChannel, at the size of the
+/// largest part. A bake preserves the relation between channels of one map exactly, but between
+/// maps only on average. The quantum is the finest of the parts. `wraps` as for resampled().
 [[nodiscard]] MapExemplar joined(std::span<const MapExemplar> parts, bool wraps);
 
 } // namespace lichen::exemplar

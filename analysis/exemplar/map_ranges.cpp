@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map -> whether it can be baked.
+// One map -> whether a bake accepts it.
 #include "map_ranges.h"
 
 #include "color_space.h"
@@ -17,13 +17,13 @@ namespace lichen::exemplar {
 namespace {
 
 std::string shortest(float value) {
-  std::array<char, 16> digits{}; // enough for the shortest text that gives any float back
+  std::array<char, 16> digits{}; // fits the shortest text that parses back to any float
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// A value that is beyond what tables hold, or that stands for such a one.
+/// Returns a value that tables cannot hold, or whose decoded value they cannot hold.
 std::optional<float> valueOutOfRange(const MapExemplar& map) {
-  // From here on, rounding to half gives infinity: half a step, 2^4, above the largest.
+  // From here on, rounding to half gives infinity: half a step, 2^4, above the largest half.
   constexpr float kBeyondHalf = kHalfMax + 16.0f;
   const auto fits = [](float v) { return v > -kBeyondHalf && v < kBeyondHalf; };
   for (const float value : map.values)

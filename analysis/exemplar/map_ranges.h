@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map must be for anything to be made of it.
+// The conditions that a map must meet before a bake.
 #pragma once
 
 #include <lichen/exemplar.h>
@@ -7,8 +7,8 @@
 
 namespace lichen::exemplar {
 
-/// Whether the map keeps within the ranges that MapExemplar states; the Error, usage, names the
-/// value that does not. Throws std::bad_alloc where memory does not suffice for the message.
+/// Checks the ranges that MapExemplar states. On failure returns a usage error that names the
+/// offending value. Throws std::bad_alloc if there is no memory for the message.
 [[nodiscard]] Result<void> checkRanges(const MapExemplar& map);
 
 } // namespace lichen::exemplar

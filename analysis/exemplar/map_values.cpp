@@ -11,10 +11,10 @@
 namespace lichen::exemplar {
 namespace {
 
-/// Of the steepest slope, 20 (docs/gltf_extension/README.md).
+/// Limits the steepest slope to 20 (docs/gltf_extension/README.md).
 constexpr float kLeastNormalZ = 0.05f;
 
-/// Pixels whatever their encoding: codes of PNG and JPEG, values of EXR.
+/// Pixels in any encoding: codes of PNG and JPEG, values of EXR.
 struct Pixels {
   int width = 0;
   int height = 0;
@@ -39,7 +39,7 @@ Pixels pixelsOf(const ImageFile& file) {
 
 bool holdsLight(const ImageFile& file) { return std::holds_alternative<LinearImage>(file.pixels); }
 
-/// The step between stored values. A half float has 11 significant bits.
+/// Returns the step between stored values. A half float has 11 significant bits.
 double codeStep(const ImageFile& file) {
   constexpr int kHalfBits = 11;
   const int bits = file.bitsPerChannel == 32 ? kHalfBits : file.bitsPerChannel;
@@ -60,7 +60,7 @@ MapExemplar emptyMap(const NamedImage& image, MapTarget target, ValueEncoding en
   return map;
 }
 
-/// Sets what is above `most` to it; `what` names the quantity in the note.
+/// Clamps values to `most`. `what` names the quantity in the note.
 void clampAbove(MapExemplar& map, float most, const std::string& name, const char* what,
                 std::vector<std::string>& notes) {
   float largest = most;
@@ -92,7 +92,8 @@ void encodeLog2(MapExemplar& map) {
     value = std::log2(1.0f + value);
 }
 
-/// Grey that is stored as colour differs by nothing, or by a rounding.
+/// Returns whether the channels are equal up to `step`. Rounding may separate grey stored as
+/// colour.
 bool isGrey(const Pixels& pixels, double step) {
   for (std::size_t i = 0; i < pixels.count(); ++i) {
     const auto [least, most] = std::minmax({pixels[i][0], pixels[i][1], pixels[i][2]});
@@ -102,7 +103,7 @@ bool isGrey(const Pixels& pixels, double step) {
   return true;
 }
 
-/// Whether an alpha, of those that are stored, is below 1.
+/// Returns whether the image has an alpha below 1 anywhere.
 bool isTransparent(const Pixels& pixels) {
   if (!pixels.hasAlpha())
     return false;
@@ -185,8 +186,8 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   if (pixels.colors() != 3)
     return tooFewColors(image, "normals");
   MapExemplar map = emptyMap(image, MapTarget::normal, ValueEncoding::slope, kChannels);
-  // A step of the code is one of 2 in a normal's component, and so in the slope where the surface
-  // is flat, as most of it is. A 1-bit image has a step of 2, beyond what a quantum may be.
+  // A step of the code is two steps of a normal's component, and so of the slope where the surface
+  // is flat, as most of it is. A 1-bit image has a step of 2, which exceeds the range of a quantum.
   map.quantum = std::min(1.0, 2.0 * map.quantum);
   std::size_t inward = 0;
   for (std::size_t i = 0; i < pixels.count(); ++i) {

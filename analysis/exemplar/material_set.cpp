@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Image files -> maps: read, cut out, rid of invisible colours, resampled and joined, in this
-// order.
+// Image files -> maps. The steps, in order: read, crop, fill invisible colours, resample, join.
 #include "borders.h"
 #include "invisible_color.h"
 #include "joined_channels.h"
@@ -20,11 +19,11 @@ namespace {
 
 using namespace exemplar;
 
-// docs/baking.md recommends them.
+// The range that docs/baking.md recommends.
 constexpr int kGoodPixels = 256;
 constexpr int kPlentyOfPixels = 1024;
 
-/// A map with what messages call its file.
+/// A map and its file's name in messages.
 struct NamedMap {
   MapExemplar map;
   std::string name;
@@ -40,7 +39,7 @@ const NamedMap& largestOf(const std::vector<NamedMap>& maps) {
   });
 }
 
-/// Where a packed file has the data of a role.
+/// The colour channel of a packed file that holds a role.
 struct PackedChannel {
   FileRole role{};
   MapChannel channel{};
@@ -50,7 +49,7 @@ constexpr PackedChannel kPacked[] = {{FileRole::occlusion, MapChannel::occlusion
                                      {FileRole::roughness, MapChannel::roughness, 1},
                                      {FileRole::metallic, MapChannel::metallic, 2}};
 
-/// What a packed file has and is not left out.
+/// Returns the channels of a packed file that no other file provides.
 Result<MapExemplar> packedDataOf(const NamedImage& image, const SetFile& file,
                                  std::vector<std::string>& notes) {
   std::vector<MapChannel> channels;
@@ -67,7 +66,7 @@ Result<MapExemplar> packedDataOf(const NamedImage& image, const SetFile& file,
   return dataMap(image, MapTarget::occlusionRoughnessMetallic, channels, sources, true, notes);
 }
 
-/// The data that a file has in its red, green and blue.
+/// Returns the data in a file's red, green and blue.
 Result<MapExemplar> dataOf(const NamedImage& image, const SetFile& file,
                            std::vector<std::string>& notes) {
   using enum MapChannel;
@@ -111,8 +110,8 @@ Result<MapExemplar> mapOf(const NamedImage& image, const SetFile& file,
   }
 }
 
-/// What an image without others beside it is: what its name says, unless its colours gainsay that,
-/// since a photograph may be called "rusty metal".
+/// Returns the role of an image that is alone. Its name decides, unless its colours contradict it:
+/// a photograph may be called "rusty metal".
 FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::string>& notes) {
   if (named == FileRole::baseColor)
     return named;
@@ -131,7 +130,7 @@ FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::stri
   return fits ? named : FileRole::baseColor;
 }
 
-/// Appends the map of one file, and its alpha as a map where that is wanted.
+/// Appends the map of one file, and, if wanted, its alpha as a map.
 Result<void> appendMaps(SetFile source, const SetFiles& files, const MaterialSetOptions& options,
                         std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
   SizeCheck check;
@@ -164,7 +163,7 @@ Result<void> appendMaps(SetFile source, const SetFiles& files, const MaterialSet
   return {};
 }
 
-/// Files were told apart by name; the alpha of one may be a second opacity.
+/// Refuses a second opacity map. File names cannot reveal one that comes from an alpha channel.
 Result<void> checkOneOpacity(const std::vector<NamedMap>& maps) {
   const NamedMap* first = nullptr;
   for (const NamedMap& named : maps) {
@@ -178,7 +177,7 @@ Result<void> checkOneOpacity(const std::vector<NamedMap>& maps) {
   return {};
 }
 
-/// Cuts the same part out of all maps.
+/// Crops the same part from all maps.
 Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
   const NamedMap& largest = largestOf(maps);
   const int width = largest.map.width, height = largest.map.height;
@@ -233,7 +232,7 @@ Result<void> resize(std::vector<NamedMap>& maps, const std::array<int, 2>& size,
   return {};
 }
 
-/// Joins the maps of occlusion, roughness and metallic, and sorts all by target.
+/// Joins the maps of occlusion, roughness and metallic, and sorts all maps by target.
 void joinChannels(std::vector<NamedMap>& maps, bool wraps, std::vector<std::string>& notes) {
   const MapTarget orm = MapTarget::occlusionRoughnessMetallic;
   std::vector<MapExemplar> parts;
@@ -257,7 +256,7 @@ void joinChannels(std::vector<NamedMap>& maps, bool wraps, std::vector<std::stri
             [](const NamedMap& a, const NamedMap& b) { return a.map.target < b.map.target; });
 }
 
-/// Whether no channel varies by more than a rounding.
+/// Returns whether no channel varies by more than a rounding step.
 bool isConstant(const MapExemplar& map) {
   const std::size_t channels = map.channels.size();
   for (std::size_t c = 0; c < channels; ++c) {

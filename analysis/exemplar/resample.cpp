@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// values (width * height * channels) -> values of another width and height, first along x, then
-// along y. Source of the filter: [MN88], eq. 8 with B = C = 1/3.
+// Values (width * height * channels) -> values of another width and height, first along x, then
+// along y. Source of the filter: [MN88] eq. 8 with B = C = 1/3.
 #include "resample.h"
 
 #include "value_encoding.h"
@@ -13,7 +13,7 @@
 namespace lichen::exemplar {
 namespace {
 
-/// Pixels to either side that the cubic reaches.
+/// Radius of the cubic in pixels.
 constexpr double kReach = 2.0;
 
 /// [MN88] eq. 8 with B = C = 1/3: their compromise between blur, ringing and moire.
@@ -26,11 +26,11 @@ double mitchell(double x) {
   return (7.0 / 6.0 * a - 2.0) * a * a + 8.0 / 9.0;
 }
 
-/// What one pixel of the result takes of the source's: weights of the pixels from `first` on, which
-/// may lie outside.
+/// The weights of one pixel of the result for the source pixels starting at `first`, which may lie
+/// outside.
 struct Window {
   int first = 0;
-  std::vector<double> weights; ///< of sum 1
+  std::vector<double> weights; ///< their sum is 1
 };
 
 std::vector<Window> windows(int from, int to) {
@@ -56,7 +56,7 @@ std::size_t inside(int k, int size, bool wraps) {
   return std::size_t(wraps ? ((k % size) + size) % size : std::clamp(k, 0, size - 1));
 }
 
-/// Replaces an axis of `from` values by one of `to`: value (outer, k, inner) is
+/// Replaces an axis of `from` values by one of `to` values: value (outer, k, inner) is
 /// values[(outer * from + k) * inner + i].
 std::vector<float> resampledAxis(const std::vector<float>& values, std::size_t outer, int from,
                                  int to, std::size_t inner, bool wraps) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders and files -> one file for each map, or why that cannot be told.
+// Folders and files -> one file for each map, or an error that says why the names do not decide.
 #include "set_files.h"
 
 #include <lichen/files.h>
@@ -54,7 +54,7 @@ bool hasImageExtension(const fs::path& path) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-/// The images of a folder whose names do not begin with a dot, as hidden files' do.
+/// Returns the images of a folder, without hidden files, whose names begin with a dot.
 Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
   Result<std::vector<fs::path>> images = listFolder(folder);
   if (images)
@@ -64,7 +64,7 @@ Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
   return images;
 }
 
-/// Drops DirectX normals where there are OpenGL ones: downloads often have both.
+/// Drops DirectX normals if there are OpenGL ones, because downloads often have both.
 void dropSecondConvention(SetFiles& set) {
   const auto gl = std::find_if(set.files.begin(), set.files.end(),
                                [](const SetFile& file) { return file.role == FileRole::normalGl; });
@@ -80,7 +80,7 @@ void dropSecondConvention(SetFiles& set) {
   });
 }
 
-/// The slots that a file fills in the end.
+/// Returns the slots that a file fills in the end.
 std::vector<std::string_view> slotsOf(const SetFile& file) {
   std::vector<std::string_view> slots = slotsOf(file.role);
   for (const FileRole other : file.leftOut)
@@ -88,7 +88,7 @@ std::vector<std::string_view> slotsOf(const SetFile& file) {
   return slots;
 }
 
-/// Leaves out of packed files what others have of their own: downloads often have both.
+/// Drops channels of packed files that separate files provide, because downloads often have both.
 void preferOwnFiles(SetFiles& set) {
   for (SetFile& packed : set.files) {
     const std::vector<std::string_view> slots = slotsOf(packed.role);
@@ -97,7 +97,7 @@ void preferOwnFiles(SetFiles& set) {
     for (const SetFile& own : set.files) {
       const std::vector<std::string_view> one = slotsOf(own.role);
       const bool isLeftOut = std::find(packed.leftOut.begin(), packed.leftOut.end(), own.role) !=
-                             packed.leftOut.end(); // by a second file, which will be refused
+                             packed.leftOut.end(); // by a second file; checkSlots() fails
       if (one.size() > 1 || isLeftOut ||
           std::find(slots.begin(), slots.end(), one.front()) == slots.end())
         continue;
@@ -110,7 +110,7 @@ void preferOwnFiles(SetFiles& set) {
   std::erase_if(set.files, [](const SetFile& file) { return slotsOf(file).empty(); });
 }
 
-/// Says so where the names of two files begin as those of two materials do.
+/// Adds a note if the names of two files begin like those of two different materials.
 void noteOtherMaterials(SetFiles& set) {
   const SetFile* first = nullptr;
   std::string words;
@@ -142,7 +142,7 @@ Result<void> checkSlots(const std::vector<SetFile>& files) {
   return {};
 }
 
-/// The folder's name, "." and "folder/" too.
+/// Returns the folder's name, also for "." and "folder/".
 std::string folderName(const fs::path& folder) {
   std::error_code ignored;
   fs::path whole = (fs::current_path(ignored) / folder).lexically_normal();
@@ -151,8 +151,8 @@ std::string folderName(const fs::path& folder) {
   return whole.filename().string();
 }
 
-/// Whether a place in a name has letters or digits of one word on both sides: a capital after a
-/// small letter begins a new one. Bytes of UTF-8 beyond ASCII are letters.
+/// Returns whether position `place` splits a word: letters or digits of one word are on both sides.
+/// A capital after a small letter begins a new word. UTF-8 bytes beyond ASCII count as letters.
 bool isInsideWord(const std::string& stem, std::size_t place) {
   if (place == 0 || place >= stem.size())
     return false;
@@ -163,8 +163,8 @@ bool isInsideWord(const std::string& stem, std::size_t place) {
          !(std::islower(before) != 0 && std::isupper(after) != 0);
 }
 
-/// The words that the stems of several files begin with, without the punctuation at its end; the
-/// first file's stem where there are none.
+/// Returns the words that the stems of all files begin with, without punctuation at the end. If
+/// there are none, returns the first file's stem.
 std::string commonName(const std::vector<fs::path>& files) {
   const std::string first = files.front().stem().string();
   std::size_t length = first.size();
@@ -190,7 +190,7 @@ bool hasMap(const std::vector<fs::path>& images) {
   });
 }
 
-/// The images of a folder; where none is a map, those of the only folder inside that has maps.
+/// Returns the images of a folder. If none is a map, returns those of its only subfolder with maps.
 Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std::string>& notes) {
   Result<std::vector<fs::path>> images = imagesIn(folder);
   if (!images || hasMap(images.value()))
@@ -205,7 +205,7 @@ Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std
     if (entry.filename().string().starts_with('.') || !fs::is_directory(entry, ignored))
       continue;
     Result<std::vector<fs::path>> found = imagesIn(entry);
-    if (!found || !hasMap(found.value())) // a folder that is no business of ours
+    if (!found || !hasMap(found.value())) // unreadable or unrelated folders are ignored
       continue;
     names.push_back(entry.filename().string());
     inner = std::move(found).value();
@@ -224,7 +224,7 @@ Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std
   return inner;
 }
 
-/// The images of folders, and files; which of them came out of a folder.
+/// The images of folders and the files named directly, with a flag for those from a folder.
 struct Listed {
   std::vector<fs::path> files;
   std::vector<bool> fromFolder;

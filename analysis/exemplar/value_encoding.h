@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A map's stored values -> the quantity that averages, and back.
+// A map's stored values -> the quantity that averages correctly, and back.
 #pragma once
 
 #include <lichen/bundle.h>
 
 namespace lichen::exemplar {
 
-/// Light for srgb and log2 values, the value itself for linear ones and slopes.
+/// Returns linear light for srgb and log2 values, the value itself for linear ones and slopes.
 [[nodiscard]] float decoded(float value, ValueEncoding encoding);
 [[nodiscard]] float encoded(float value, ValueEncoding encoding);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian image (width * height points) -> the same with borders that fit together.
+// Gaussian image (width * height points) -> the same with matching borders.
 #include "cross_fade.h"
 
 #include "gaussian_distribution.h"
@@ -10,7 +10,8 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Width of the cross-faded band on each side of a seam, as a share of the side: an eighth in all.
+/// Width of the cross-faded band on each side of a seam, as a share of the side: an eighth in
+/// total.
 constexpr double kBandPerSide = 1.0 / 16.0;
 
 Point blended(const Point& a, const Point& b, double weightB) {
@@ -23,8 +24,8 @@ Point blended(const Point& a, const Point& b, double weightB) {
   return {channel(a.x, b.x), channel(a.y, b.y), channel(a.z, b.z)};
 }
 
-/// Weight of the displaced image at pixel k of a side: 1 on the seam, 0 beyond the band, with a
-/// smooth step between, so that no edge of the band shows.
+/// Returns the weight of the displaced image at pixel k of a side: 1 on the seam and 0 outside the
+/// band, with a smooth step between, so that the band has no visible edge.
 double seamWeight(int k, int side) {
   const int fromSeam = std::min(k, side - 1 - k);
   const double t = 1.0 - std::min(1.0, fromSeam / std::max(1.0, kBandPerSide * side));

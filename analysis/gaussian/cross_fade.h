@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a Gaussian image periodic whose borders do not fit together.
+// Makes a Gaussian image periodic when its borders do not match.
 #pragma once
 
 #include "transport/point.h"
@@ -8,10 +8,9 @@
 
 namespace lichen::gaussian {
 
-/// A band of an eighth of the side along each border pair is
-/// cross-faded with the image displaced by half its size, which is continuous there. The blend
-/// preserves the variance of independent values: mean + (a (g - mean) + b (h - mean)) /
-/// sqrt(a^2 + b^2), [HN18] eq. 8.
+/// Cross-fades a band of an eighth of the side along each border pair with the image displaced by
+/// half its size, which is continuous there. The blend preserves the variance of independent
+/// values: mean + (a (g - mean) + b (h - mean)) / sqrt(a^2 + b^2), [HN18] eq. 8.
 [[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
                                                   int height);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stratified samples of the method's Gaussian; count -> count points.
+// count -> count stratified samples of the Gaussian of [HN18].
 #include "gaussian_distribution.h"
 
 #include "transport/covariance_map.h"
@@ -15,8 +15,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Digits of i in `base` mirrored behind the point, plus half a unit of the last place that `count`
-/// points fill, so that no sample is 0.
+/// Mirrors the digits of i in `base` behind the point and adds half a unit of the last digit that
+/// `count` points fill, so that no sample is 0.
 double shiftedRadicalInverse(std::size_t i, std::size_t base, std::size_t count) {
   double inverse = 0.0;
   double place = 1.0;
@@ -28,20 +28,20 @@ double shiftedRadicalInverse(std::size_t i, std::size_t base, std::size_t count)
   return inverse + 0.5 * place;
 }
 
-/// Clamping loses variance and the whitening that restores it clamps a little more. Of 65,536
-/// points the covariance is off by 5e-3 of the variance when clamped, and by 1.2e-4, 3e-6, 8e-8,
-/// 2e-9 after 1 to 4 passes; rounding to 8 bits leaves 4e-5, so two would do.
+/// Clamping loses variance, and the whitening that restores it causes a little more clamping. For
+/// 65,536 points the covariance error is 5e-3 of the variance when clamped, and 1.2e-4, 3e-6, 8e-8,
+/// 2e-9 after 1 to 4 passes. Rounding to 8 bits leaves 4e-5, so two passes would do.
 constexpr int kWhiteningPasses = 4;
 
-/// Columns are points: mean becomes 1/2 and covariance I / 36, by the inverse square root of the
-/// covariance found (the least change, in the mean square).
+/// Columns are points. Sets the mean to 1/2 and the covariance to I / 36 with the inverse square
+/// root of the measured covariance, which is the least change in the mean square.
 void whiten(MatrixXd& points) {
   const VectorXd mean = points.rowwise().mean();
   points.colwise() -= mean;
   const MatrixXd covariance = points * points.transpose() / double(points.cols());
   const auto solver = transport::principalAxes(covariance);
   const double variance = kGaussianDeviation * kGaussianDeviation;
-  // Where there are no more points than dimensions, directions without variance stay without. Such
+  // If there are no more points than dimensions, directions without variance get none. Their
   // eigenvalues are below 1e-15 of the variance; the least of any larger set is 0.08 (4 points).
   constexpr double kNoVariance = 1e-9;
   VectorXd scale(covariance.rows());
@@ -53,7 +53,7 @@ void whiten(MatrixXd& points) {
   points.array() += kGaussianMean;
 }
 
-/// Whitened, and clamped and rounded for 8 bits; rows that are not there are 0.
+/// Whitens the points, and for 8 bits clamps and rounds them. Missing rows become 0.
 std::vector<Point> storedPoints(MatrixXd& points, Precision precision) {
   whiten(points);
   if (precision == Precision::bits8) {
@@ -82,7 +82,7 @@ double gaussianCdf(double value) {
 }
 
 double gaussianQuantile(double u) {
-  // AS 241, PPND7: a rational function around the middle, and two of sqrt(-log tail) outside it.
+  // AS 241, PPND7: a rational function near the median, and two of sqrt(-log tail) outside.
   const double q = u - 0.5;
   double deviate = 0.0;
   if (std::abs(q) <= 0.425) {

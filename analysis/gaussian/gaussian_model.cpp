@@ -23,7 +23,7 @@ GaussianModel gaussianModel(std::span<const float> values, int width, int height
     for (std::size_t i = 0; i < pixels; ++i)
       plane[i] = values[i * channels + c] * scale;
     model.channels.push_back(forwardFft(periodicComponent(plane, width, height), width, height));
-    model.channels.back().values[0] = 0.0f; // the mean
+    model.channels.back().values[0] = 0.0f; // removes the mean
   }
   return model;
 }

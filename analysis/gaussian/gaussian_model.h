@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Gaussian texture of an exemplar: the one with its spectrum and random phases.
+// The Gaussian texture of an exemplar: its spectrum with random phases.
 #pragma once
 
 #include <lichen/fft.h>
@@ -9,9 +9,9 @@
 
 namespace lichen::gaussian {
 
-/// A Gaussian texture of `channels` channels on a periodic domain: white noise convolved with one
-/// kernel a channel. channels[c] is the kernel's transform, t_u^ of [GLM17] section 3.1 for an
-/// exemplar: all of one size, at least 1, and zero at frequency 0.
+/// A Gaussian texture on a periodic domain: white noise convolved with one kernel per channel.
+/// channels[c] is the kernel's transform, for an exemplar t_u^ of [GLM17] section 3.1. All have one
+/// size, at least 1, and are zero at frequency 0.
 struct GaussianModel {
   std::vector<HalfSpectrum> channels;
 
@@ -19,8 +19,8 @@ struct GaussianModel {
   [[nodiscard]] int height() const { return channels[0].height; }
 };
 
-/// The model of an image, `channelCount` interleaved values a pixel: the periodic component less
-/// its mean over sqrt(width height) [GLM17] section 3.1, [M11].
+/// Returns the model of an image with `channelCount` interleaved values per pixel: the transform of
+/// (the periodic component minus its mean) / sqrt(width height) [GLM17] section 3.1, [M11].
 [[nodiscard]] GaussianModel gaussianModel(std::span<const float> values, int width, int height,
                                           int channelCount);
 

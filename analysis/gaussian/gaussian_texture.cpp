@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Gaussian model (spectra of height x width) and domain -> a realization (channels, height, width).
 //
-// Any kernel with the model's spectra has its noise on the model's torus; the luminance texton is
-// the one with the least far from its middle, so that the least is lost where it does not wrap.
+// Any kernel with the model's spectra gives the right noise on the model's torus. The luminance
+// texton has the least energy far from its centre, so it loses least where the domain does not
+// wrap.
 // Sources: [GLM14] section 2.4, [GGM11].
 #include "gaussian_texture.h"
 
@@ -13,7 +14,7 @@
 namespace lichen::gaussian {
 namespace {
 
-/// The first pixels of each row and column.
+/// Returns the first `width` columns and `height` rows.
 NoisePlanes cropped(const NoisePlanes& noise, int width, int height) {
   NoisePlanes crop{width, height, noise.channels, {}};
   for (int c = 0; c < noise.channels; ++c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian textures of a model, at any size.
+// Gaussian textures of a model at any size.
 #pragma once
 
 #include "gaussian_model.h"
@@ -9,11 +9,12 @@
 
 namespace lichen::gaussian {
 
-/// A realization of the model on any domain, by transforms. Exact on the model's own torus and on
-/// planes no larger than it, which are parts of the torus. On other domains it is the noise of the
-/// model's whole luminance texton with nothing around it: the covariance of a pixel's channels is
-/// exact, that at lags is off by what wraps on the model's torus: at lags up to 16 pixels by about
-/// 1 % for photographs of 512 x 512, 3 to 5 % for exemplars of 128 x 128.
+/// Returns a realization of the model on any domain, computed by transforms. It is exact on the
+/// model's own torus and on planes no larger than it, which are parts of the torus.
+/// On other domains it is the noise of the model's whole luminance texton, surrounded by zeros. The
+/// covariance between the channels of a pixel is exact. The covariance at lags differs by what
+/// wraps on the model's torus: at lags up to 16 pixels by about 1 % for photographs of 512 x 512,
+/// and by 3 to 5 % for exemplars of 128 x 128.
 [[nodiscard]] NoisePlanes gaussianTexture(const GaussianModel& model, const PixelDomain& domain,
                                           std::uint64_t seed);
 

@@ -12,7 +12,8 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Appends `scale` times the window of a periodic plane of the model's size from (left, top) on.
+/// Appends `scale` times a window, starting at (left, top), of a periodic plane of the model's
+/// size.
 void appendWindow(const std::vector<float>& plane, const GaussianModel& model, int left, int top,
                   float scale, Spot& kernel) {
   assert(kernel.width >= 1 && kernel.width <= model.width());
@@ -31,7 +32,8 @@ Spot emptyKernel(const GaussianModel& model, int width, int height) {
   return {width, height, int(model.channels.size()), {}};
 }
 
-/// Makes the variance of a part's noise, on average over the parts, that of the whole's.
+/// Returns the scale that makes the variance of a part's noise, averaged over all parts, equal to
+/// that of the whole.
 float partScale(const GaussianModel& model, int width, int height) {
   return std::sqrt(float(model.width()) / float(width) * float(model.height()) / float(height));
 }

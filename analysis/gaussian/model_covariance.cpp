@@ -26,8 +26,8 @@ Eigen::MatrixXd modelCovariance(const GaussianModel& model) {
 }
 
 bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted) {
-  constexpr double kNegligible = 1e-3;    // of the most variance along a direction
-  constexpr double kLeastModelled = 0.01; // of the variance wanted: a gain of ten
+  constexpr double kNegligible = 1e-3;    // of the largest variance
+  constexpr double kLeastModelled = 0.01; // of the wanted variance: a gain of ten
   const auto axes = transport::principalAxes(wanted);
   for (Eigen::Index k = 0; k < axes.eigenvalues().size(); ++k) {
     const double variance = axes.eigenvalues()[k];

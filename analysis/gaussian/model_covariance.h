@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The covariance between the channels of a Gaussian texture, and whether its noise can have
-// another.
+// The covariance between the channels of a Gaussian texture, and whether its noise can have a
+// different one.
 #pragma once
 
 #include "gaussian_model.h"
@@ -9,11 +9,13 @@
 
 namespace lichen::gaussian {
 
-/// At one point, channels x channels: the mean over all frequencies of the cross-spectra.
+/// Returns the covariance at one point, channels x channels: the mean of the cross-spectra over all
+/// frequencies.
 [[nodiscard]] Eigen::MatrixXd modelCovariance(const GaussianModel& model);
 
-/// Whether a model of this covariance varies along every direction in which the noise is to vary.
-/// What is left of a slope of light is rounding, which no gain makes a texture of.
+/// Returns whether a model of covariance `model` varies along every direction in which the noise
+/// must vary. A pure brightness gradient leaves only rounding in the model, and no gain turns that
+/// into a texture.
 [[nodiscard]] bool isModelled(const Eigen::MatrixXd& model, const Eigen::MatrixXd& wanted);
 
 } // namespace lichen::gaussian

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Map (width * height * channels) -> its distance to a Gaussian, and whether that means anything.
-// Surrogates with the exemplar's spectrum and random phases [GGM11] are Gaussian but for their
-// finite number of pixels, and as correlated as the exemplar: a Monte Carlo test [B63].
+// Map (width * height * channels) -> its distance to a Gaussian, and whether the distance is
+// significant. Surrogates with the exemplar's spectrum and random phases [GGM11] are Gaussian
+// except for their finite number of pixels, and as correlated as the exemplar: a Monte Carlo test
+// [B63].
 #include "normality.h"
 
 #include "exemplar/color_space.h"
@@ -19,24 +20,24 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Rounding to 8 bits moves a value by at most half a step: what is nearer to a Gaussian than that
-/// is one in the file. Beyond a whole step a value has another code, which may be seen, so that no
-/// finite size of the exemplar excuses it (docs/decisions/011-gaussian-only.md).
+/// Rounding to 8 bits moves a value by at most half a step. Data closer to a Gaussian than that is
+/// Gaussian in the file. Beyond a whole step a value has another code, which may be visible, so the
+/// exemplar's finite size does not excuse it (docs/decisions/011-gaussian-only.md).
 constexpr double kInvisible = 0.5 / 255.0;
 constexpr double kTolerated = 1.0 / 255.0;
-/// Of the progress of a surrogate, a transform for each channel against a histogram for each
-/// direction.
+/// Share of a surrogate's progress: a transform per channel against a histogram per direction.
 constexpr double kPhasesOfProgress = 0.3;
 /// 8-bit normals have components in [-1, 1].
 constexpr double kSlopeSpan = 2.0;
 
-/// The exemplar's distance is the largest of 20 by chance in 5 % of Gaussian exemplars.
+/// In 5 % of Gaussian exemplars, the exemplar's distance is by chance the largest of 20.
 constexpr std::uint32_t kSurrogates = 19;
 
 std::vector<exemplar::ChannelVector> directionsFor(int channels) {
-  // Even angles average what goes through up to seven periods in half a turn exactly. Sixteen
-  // random directions are within 8 to 13 % (one deviation) of the distance over all, on six
-  // photographs: little of the factor of two between the limits above. Any seed does.
+  // Evenly spaced angles average exactly whatever has up to seven periods in half a circle. For
+  // sixteen random directions, the distance is within 8 to 13 % (one standard deviation) of that
+  // over all directions, on six photographs. This is little compared with the factor of two between
+  // the limits above. Any seed works.
   constexpr int kInPlane = 8;
   constexpr int kInSpace = 16;
   constexpr std::uint64_t kSeed = 11;
@@ -54,9 +55,9 @@ std::vector<exemplar::ChannelVector> directionsFor(int channels) {
   return directions;
 }
 
-/// Bins between a projection's least and largest value. A bin's values count as their mean, which
-/// is off by the covariance of values and deviates inside it: below 1e-6 of the variance when the
-/// projection spans 16 deviations, 0.001 of a deviation.
+/// Number of bins between a projection's smallest and largest value. A bin's values count as their
+/// mean. The error is the covariance of values and deviates inside the bin: below 1e-6 of the
+/// variance if the projection spans 16 standard deviations, or 0.001 of a standard deviation.
 constexpr std::size_t kBins = 4096;
 
 struct Bin {
@@ -64,14 +65,14 @@ struct Bin {
   double sum = 0.0;
 };
 
-/// The normal density at the quantile of `rank`, in (0, 1).
+/// Returns the normal density at the quantile of `rank`, which is in (0, 1).
 double densityAtRank(double rank) {
   const double deviate = (gaussianQuantile(rank) - kGaussianMean) / kGaussianDeviation;
   return std::exp(-0.5 * deviate * deviate) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-/// The mean product of the values, in order, and of normal deviates. Those between the ranks of two
-/// bin borders have the integral density(first) - density(last).
+/// Returns the mean product of the values, in order, and of normal deviates. The integral of the
+/// deviates between the ranks of two bin borders is density(first) - density(last).
 double productWithDeviates(const std::vector<Bin>& bins, double mean, std::size_t count) {
   double product = 0.0;
   double densityBelow = 0.0;
@@ -87,8 +88,8 @@ double productWithDeviates(const std::vector<Bin>& bins, double mean, std::size_
   return product;
 }
 
-/// The squared distance of one projection: E[(x - mean - deviation z)^2] for x and the normal
-/// deviates z in the same order is 2 variance - 2 deviation E[(x - mean) z].
+/// Returns the squared distance of one projection. For x and normal deviates z in the same order,
+/// E[(x - mean - deviation z)^2] = 2 variance - 2 deviation E[(x - mean) z].
 double squaredDistance(const std::vector<float>& values, const exemplar::Moments& moments,
                        const exemplar::ChannelVector& direction) {
   const auto channels = std::size_t(direction.size());
@@ -127,7 +128,7 @@ double distanceToGaussian(const std::vector<float>& values, int channels) {
   return std::sqrt(sum / double(squares.size()));
 }
 
-/// Whether one of the Gaussian images with the map's size, spectra and cross-spectra is at least as
+/// Returns whether any Gaussian image with the map's size, spectra and cross-spectra is at least as
 /// far from Gaussian.
 bool chanceReaches(double distance, const MapExemplar& map, ProgressPart progress) {
   const std::size_t channels = map.channels.size();

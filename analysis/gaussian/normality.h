@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether an exemplar's stored values are Gaussian already.
+// Tests whether an exemplar's stored values already are Gaussian.
 #pragma once
 
 #include "progress_part.h"
@@ -8,15 +8,15 @@
 
 namespace lichen::gaussian {
 
-/// Sliced Wasserstein-2 distance, in stored units, between a map's values and the Gaussian of the
-/// same mean and covariance: the root mean square over fixed directions (1, 8, 16 for 1, 2, 3
-/// channels). Of one direction, the mean of (x - mean - deviation z)^2, z the normal deviates in
-/// the order of x.
+/// Returns the sliced Wasserstein-2 distance, in stored units, between a map's values and the
+/// Gaussian with the same mean and covariance: the root mean square over fixed directions (1, 8, 16
+/// for 1, 2, 3 channels). For one direction the square is the mean of (x - mean - deviation z)^2,
+/// where z are the normal deviates in the order of x.
 [[nodiscard]] double distanceToGaussian(const MapExemplar& map);
 
-/// Whether the map may do without an inverse table (docs/decisions/011-gaussian-only.md): the
+/// Returns whether the map needs no inverse table (docs/decisions/011-gaussian-only.md): either the
 /// distance is below half a step of 8 bits, or it is below one step and no larger than chance
-/// makes it in Gaussian images of the same spectrum and size, at a level of 5 %.
+/// produces in Gaussian images of the same spectrum and size, at a level of 5 %.
 [[nodiscard]] bool isGaussian(const MapExemplar& map, ProgressPart progress = {});
 
 } // namespace lichen::gaussian

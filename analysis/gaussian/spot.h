@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A kernel that a noise repeats at random places.
+// A kernel that a noise repeats at random positions.
 #pragma once
 
 #include <vector>
 
 namespace lichen::gaussian {
 
-/// `width` x `height` values of each channel: (x, y, c) at (c * height + y) * width + x.
+/// `width` x `height` values per channel: (x, y, c) is at (c * height + y) * width + x.
 struct Spot {
   int width = 0;
   int height = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Spot (channels, height, width) and domain -> noise on the domain (channels, height, width).
 //
-// [GLM14] algorithm 1 draws the number of points on the domain, and then their places. Here the
-// number on each pixel is drawn: the same law, as counts of a Poisson process on disjoint sets are
-// independent, and the noise is then one process on Z^2 of which any part can be had, "on demand"
-// as its section 2.4 asks.
+// [GLM14] algorithm 1 draws the number of points on the domain and then their positions. This code
+// draws the number on each pixel instead. The law is the same, because counts of a Poisson process
+// on disjoint sets are independent. The noise is then one process on Z^2, and any part of it is
+// available "on demand", as section 2.4 asks.
 #include "spot_noise.h"
 
 #include <lichen/fft.h>
@@ -19,8 +19,8 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Where the points lie whose spots reach the domain, [GLM14] algorithm 1: the domain less the
-/// spot's pixels; on a torus that is the torus.
+/// Returns the domain of points whose spots reach `domain`, [GLM14] algorithm 1: `domain` minus the
+/// spot's pixels. On a torus this is the torus.
 PixelDomain pointDomain(const PixelDomain& domain, const Spot& spot) {
   if (domain.periodic)
     return domain;
@@ -45,7 +45,7 @@ NoisePlanes zeros(const PixelDomain& domain, int channels) {
   return noise;
 }
 
-/// The points on one row of the point domain: column, and how many.
+/// The points on one row of the point domain: column and count.
 using PointRow = std::vector<std::pair<int, float>>;
 
 std::vector<PointRow> pointRows(const PixelDomain& points, const std::vector<float>& counts) {
@@ -60,7 +60,7 @@ std::vector<PointRow> pointRows(const PixelDomain& points, const std::vector<flo
   return rows;
 }
 
-/// Adds to a row of noise what row `j` of the spot gives from a row of points.
+/// Adds the contribution of row `j` of the spot, from one row of points, to a row of noise.
 void addSpotRow(std::span<const float> spotRow, const PointRow& points, bool periodic,
                 std::span<float> row) {
   const int width = int(row.size());
@@ -79,7 +79,7 @@ void addSpotRow(std::span<const float> spotRow, const PointRow& points, bool per
   }
 }
 
-/// The sum over all points, row by row of the noise: each is written by one thread.
+/// Sums over all points. One thread writes each row of the noise.
 NoisePlanes summedDirectly(const Spot& spot, const std::vector<PointRow>& points,
                            const PixelDomain& domain) {
   NoisePlanes noise = zeros(domain, spot.channels);
@@ -102,8 +102,8 @@ NoisePlanes summedDirectly(const Spot& spot, const std::vector<PointRow>& points
   return noise;
 }
 
-/// The convolution of the spot with a field on its point domain. The transforms are periodic: on a
-/// plane of the field's size what wraps falls on pixels outside the domain.
+/// Convolves the spot with a field on its point domain. The transforms are periodic. On a plane of
+/// the field's size, the part that wraps falls on pixels outside the domain.
 NoisePlanes convolvedBySpectra(const Spot& spot, const std::vector<float>& field,
                                const PixelDomain& points, const PixelDomain& domain) {
   const int width = domain.periodic ? domain.width : fastTransformSize(points.width);
@@ -148,7 +148,7 @@ NoisePlanes discreteSpotNoise(const Spot& spot, double intensity, const PixelDom
   std::vector<float> counts = poissonCounts(points, intensity, seed);
   const double scale = 1.0 / std::sqrt(intensity);
   if (summation == Summation::spectral) {
-    // The mean goes first: the transforms' rounding then is relative to what varies.
+    // Subtract the mean first, so that the transforms' rounding is relative to the variation.
     for (float& count : counts)
       count = float((double(count) - intensity) * scale);
     return convolvedBySpectra(spot, counts, points, domain);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seed and place -> random value.
+// Seed and pixel -> random value.
 //
 // Sources: [GLM14] section 2.1 (counts), [W88] (deviates), [SLF14] (the bits of both).
 #include "white_noise.h"
@@ -15,11 +15,11 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Means above are made of parts, as sums of Poisson variates are Poisson. exp(-32) is a hundred
-/// times the resolution of the uniform number that is compared with it.
+/// Larger means are split into parts, because a sum of Poisson variates is Poisson. exp(-32) is a
+/// hundred times the resolution of the uniform number that is compared with it.
 constexpr double kLargestPart = 32.0;
 
-/// The least count whose distribution function exceeds `u`.
+/// Returns the smallest count whose distribution function exceeds `u`.
 int poissonQuantile(double mean, double u) {
   int count = 0;
   double probability = std::exp(-mean);
@@ -35,12 +35,12 @@ int poissonQuantile(double mean, double u) {
   return count;
 }
 
-/// A number of its own for each pixel of Z^2.
+/// Returns a unique number for each pixel of Z^2.
 std::uint64_t pixelCounter(int x, int y) {
   return (std::uint64_t(std::uint32_t(y)) << 32u) | std::uint32_t(x);
 }
 
-/// value(counter) for each pixel; rows in parallel.
+/// Returns value(counter) for each pixel; rows run in parallel.
 template <class Value>
 std::vector<float> filled(const PixelDomain& domain, const Value& value) {
   assert(domain.width >= 1 && domain.height >= 1);
@@ -75,7 +75,7 @@ std::vector<float> poissonCounts(const PixelDomain& domain, double intensity, st
 
 std::vector<float> gaussianWhiteNoise(const PixelDomain& domain, std::uint64_t seed) {
   return filled(domain, [&](std::uint64_t counter) {
-    // Middles of 2^52 strata: never 0 or 1.
+    // Centres of 2^52 strata: never 0 or 1.
     const double u = (double(transport::randomBits(seed, counter) >> 12u) + 0.5) * 0x1.0p-52;
     return float((gaussianQuantile(u) - kGaussianMean) / kGaussianDeviation);
   });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Random fields on Z^2 whose pixels are independent: what noises are convolutions of.
+// Random fields on Z^2 with independent pixels, the input of spot noises.
 //
-// A pixel's value depends on the seed and on where it lies alone, so that fields on overlapping
-// domains agree where they overlap: any crop of the infinite field can be had. Every domain is
-// width * height floats, row by row. Same bytes for any number of threads.
+// A pixel's value depends only on the seed and its position, so fields on overlapping domains agree
+// where they overlap, and any crop of the infinite field is available. Every field is width *
+// height floats, row by row. The bytes do not depend on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,20 @@ struct PixelDomain {
   int y = 0;
   int width = 0;
   int height = 0;
-  /// Opposite borders meet: the domain is the torus that the papers call circular.
+  /// Opposite borders meet: the domain is a torus, which the papers call circular.
   bool periodic = false;
 };
 
-/// A Poisson variate: exact to the resolution of a uniform number, 2^-53, in O(mean). The same for
-/// the same seed and counter. mean >= 0.
+/// Returns a Poisson variate, exact to the resolution of a uniform number, 2^-53, in O(mean). It
+/// depends only on mean, seed and counter. mean >= 0.
 [[nodiscard]] int poissonVariate(double mean, std::uint64_t seed, std::uint64_t counter);
 
-/// How many points of a Poisson process of `intensity` points a pixel fall on each pixel.
+/// Returns the number of points on each pixel, for a Poisson process of `intensity` points per
+/// pixel.
 [[nodiscard]] std::vector<float> poissonCounts(const PixelDomain& domain, double intensity,
                                                std::uint64_t seed);
 
-/// Normal deviates of mean 0 and variance 1.
+/// Returns normal deviates of mean 0 and variance 1.
 [[nodiscard]] std::vector<float> gaussianWhiteNoise(const PixelDomain& domain, std::uint64_t seed);
 
 } // namespace lichen::gaussian

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the analysis asks of a method. Each method implements it in its own folder; methods.cpp
-// lists them.
+// The interface of a method in the analysis. Each method implements it in its own folder;
+// methods.cpp lists the implementations.
 #pragma once
 
 #include <lichen/noise_evaluator.h>
@@ -13,7 +13,7 @@ class MethodAnalysis {
 public:
   virtual ~MethodAnalysis() = default;
 
-  /// As NoiseEvaluator::create(), which has checked the noise and the mapping.
+  /// As NoiseEvaluator::create(), which checks the noise and the mapping first.
   [[nodiscard]] virtual Result<std::unique_ptr<const NoiseEvaluator>>
   evaluator(const Bundle& bundle, const MaterialNoise& material, const Placement& placement,
             const EvaluationOptions& options) const = 0;

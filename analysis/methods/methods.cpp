@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The methods that the analysis knows, in the order of Method.
+// The methods of the analysis, in the order of Method.
 #include "method_analysis.h"
 #include "texton/texton_analysis.h"
 #include "tiling/tiling_analysis.h"

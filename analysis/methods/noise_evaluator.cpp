@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundle, material and point -> value, by the noise's method. The twin of
+// Bundle, material and point -> value, by the noise's method. The CPU twin of
 // shaders_glsl/mapping/uv.glsl and noise/tile_frame.glsl.
 #include "method_analysis.h"
 

@@ -11,7 +11,7 @@ float footprintLevel(const TileFootprint& at, float texelsPerTileX, float texels
   using Vec2 = std::array<float, 2>;
   const Vec2 x{at.dx[0] * texelsPerTileX, at.dx[1] * texelsPerTileY};
   const Vec2 y{at.dy[0] * texelsPerTileX, at.dy[1] * texelsPerTileY};
-  constexpr float kLeast = 1e-20f; // texels^2; keeps log2 defined at a point
+  constexpr float kLeast = 1e-20f; // texels^2; keeps log2 defined for a zero footprint
   const float squared = std::max({kLeast, x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]});
   const float longer = 0.5f * std::log2(squared);
   if (longer <= 0.0f)

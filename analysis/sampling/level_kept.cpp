@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LichenMap::mipKept0, read as the shader reads it.
+// Decodes LichenMap::mipKept0 as the shader does.
 #include "level_kept.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace {
 
 using Value = RepeatingImage::Value;
 
-/// A texture repeats: any integer maps into [0, side).
+/// Wraps any integer into [0, side), because a texture repeats.
 std::size_t wrapped(int k, int side) {
   const int remainder = k % side;
   return std::size_t(remainder < 0 ? remainder + side : remainder);
@@ -50,7 +50,7 @@ Value RepeatingImage::bilinear(const Mip& mip, float u, float v) {
 }
 
 Value RepeatingImage::at(float u, float v, float lod) const {
-  // Keeps the integer part small, so that its product with the side loses no fraction.
+  // Keep the integer part small, so that its product with the side loses no fraction.
   u -= std::floor(u);
   v -= std::floor(v);
   const float level = std::clamp(lod, 0.0f, float(mips_.size() - 1));

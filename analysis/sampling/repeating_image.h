@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A 2-D table with its mips, as a trilinear sampler that repeats sees it.
+// A 2-D table with its mips, as a repeating trilinear sampler reads it.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -9,11 +9,12 @@
 
 namespace lichen {
 
-/// Texels of a table, red, green and blue with 0 where it has fewer channels, and 1.
+/// Returns the texels of a table: red, green and blue, which are 0 where the table has fewer
+/// channels, and 1.
 [[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level);
 
-/// a + t (b - a). Inline: it is called ten times and more for every fetch of a synthesis, of which
-/// a call would be a fifth of the time.
+/// a + t (b - a). Inline: a synthesis calls it ten or more times per fetch, and a real call would
+/// take a fifth of the time.
 [[nodiscard]] inline std::array<float, 4> mix(const std::array<float, 4>& a,
                                               const std::array<float, 4>& b, float t) {
   std::array<float, 4> result{};
@@ -30,8 +31,8 @@ public:
   /// Throws std::bad_alloc.
   explicit RepeatingImage(const Table& table);
 
-  /// The value at (u, v), one unit being the whole image; `lod` in mip levels, clamped to those
-  /// that there are.
+  /// Returns the value at (u, v), where the whole image is one unit. `lod` is in mip levels and is
+  /// clamped to those that exist.
   [[nodiscard]] Value at(float u, float v, float lod) const;
   [[nodiscard]] const std::vector<Value>& texels(std::size_t level) const {
     return mips_[level].texels;

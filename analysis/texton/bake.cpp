@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Maps of an exemplar -> a texton noise: one joint fit, its colours corrected, stored with mips.
+// Maps of an exemplar -> a texton noise: one joint fit, colour correction, and tables with mips.
 //
-// Sources: [GLM17] section 4, [GLM14]. What contrast the noise has: docs/decisions/015-texton.md.
+// Sources: [GLM17] section 4, [GLM14]. The contrast of the noise: docs/decisions/015-texton.md.
 #include "color_correction.h"
 #include "comparison.h"
 #include "exemplar/map_ranges.h"
@@ -28,11 +28,11 @@ namespace {
 using namespace texton;
 using Eigen::MatrixXd;
 
-// Of the progress, by processor time of 512 x 512 pixels with their held-out half.
+// Shares of the progress, from the processor time for 512 x 512 pixels with their held-out half.
 constexpr double kHeldOutOfProgress = 0.37;
 constexpr double kFitOfProgress = 0.97;
 
-/// Of all channels: those of the first map as an eye sees them.
+/// Returns weights for all channels: those of the first map as the eye sees them, 0 for the others.
 std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
   std::vector<float> weights = seenWeights(first.channels);
   weights.resize(channels, 0.0f);
@@ -44,7 +44,8 @@ FitMethod methodOf(TextonFit fit) {
                                        : FitMethod::transportDistance;
 }
 
-/// The coefficients of a part of the exemplar, corrected to the covariance of its own model.
+/// Fits coefficients to a part of the exemplar and corrects them to the covariance of its own
+/// model.
 TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOptions& options,
                           ProgressPart progress) {
   FitOptions fit;
@@ -59,12 +60,12 @@ TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOpti
     return true;
   };
   TextonCoefficients coefficients = fitCoefficients(model, fit, methodOf(options.fit));
-  // Where the model's range is not the texton's, its covariance is as near as it is.
+  // If the model's range is not that of the texton, the covariance stays uncorrected.
   (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
   return coefficients;
 }
 
-/// A half of the exemplar along its longer side, the first or the other.
+/// Returns the model of the first or second half of the exemplar along its longer side.
 gaussian::GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
   const auto channels = std::size_t(joint.channels());
   const bool isWide = joint.width >= joint.height;
@@ -91,7 +92,7 @@ std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptio
   return relativeModelError(halfModel(joint, false), coefficients, options.order);
 }
 
-/// One channel's part of a model or of coefficients.
+/// Returns the model error of one channel.
 double channelError(const gaussian::GaussianModel& model, const TextonCoefficients& coefficients,
                     int order, std::size_t channel) {
   const std::size_t texels = coefficients.values.size() / std::size_t(coefficients.channels);
@@ -115,7 +116,8 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
   return checkTextonOptions(options);
 }
 
-/// The largest error of a covariance over the deviations of its two channels, as stored.
+/// Returns the largest error of a stored covariance, relative to the standard deviations of its two
+/// channels.
 double covarianceError(const TextonBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
   const MatrixXd stored =
       noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.as<TextonShape>().order);
@@ -148,7 +150,7 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   progress.reach(kHeldOutOfProgress);
   const gaussian::GaussianModel model =
       gaussian::gaussianModel(joint.values, joint.width, joint.height, joint.channels());
-  joint.values = {}; // as large as the model
+  joint.values = {}; // frees as much memory as the model takes
   const MatrixXd modelled = gaussian::modelCovariance(model);
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;

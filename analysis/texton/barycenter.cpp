@@ -2,16 +2,17 @@
 // Spectra of n Gaussian textures (n, channels, height, width / 2 + 1) and weights (n) -> the
 // spectrum of their barycentre (channels, height, width / 2 + 1).
 //
-// At a frequency, texture k is t_k z_k with t_k a vector over the channels and z_k a complex normal
-// variable. A barycentre is the law of sum_k w_k t_k z_k, for the joint law of the z_k that makes
-// its variance greatest [AC11]. Write z_k = v_k^* z with unit vectors v_k and independent z: its
-// covariance is M M^*, M = sum_k w_k t_k v_k^*, and |M| is to be greatest over the v_k.
-// - v_k <- M^* t_k / |M^* t_k| never lowers |M|: its square is convex, and this maximises what is
-//   linear in it [JNRS10].
-// - With numbers e^(-i phi_k) for v_k, which is one kernel, there are local maxima from three
-//   textures on. With vectors of n elements there are none [BVB20]. So vectors are found first, and
-//   the numbers start from M's principal axis; where they lose power, from pairs as well.
-// - Up to three textures numbers are as good as vectors: n unit vectors need not span more than
+// At a frequency, texture k is t_k z_k, where t_k is a vector over the channels and z_k a complex
+// normal variable. A barycentre is the law of sum_k w_k t_k z_k under the joint law of the z_k that
+// maximizes its variance [AC11]. Write z_k = v_k^* z with unit vectors v_k and independent z. The
+// covariance is then M M^* with M = sum_k w_k t_k v_k^*, and the v_k must maximize |M|.
+// - v_k <- M^* t_k / |M^* t_k| never lowers |M|: its square is convex, and the step maximizes its
+//   linearization [JNRS10].
+// - With numbers e^(-i phi_k) for v_k, which means one kernel, there are local maxima from three
+//   textures on. With vectors of n elements there are none [BVB20]. So the code finds vectors first
+//   and starts the numbers from M's principal axis. If they lose power, it also starts them from
+//   pairs.
+// - Up to three textures, numbers are as good as vectors: n unit vectors need not span more than
 //   sqrt(n) dimensions [HZ07].
 // Two textures have a closed form. Source: [GLM17] section 7; [XFPA14].
 #include "barycenter.h"
@@ -30,10 +31,11 @@ using Complex = std::complex<double>;
 /// Column k is w_k t_k.
 using Weighted = Eigen::MatrixXcd;
 
-/// A step that raises |M|^2 by less is the last; spectra are float.
+/// The iteration ends when a step raises |M|^2 by less; spectra are float.
 constexpr double kNoGain = 1e-7;
 constexpr int kMostSteps = 200;
-/// One kernel that lacks less of |M|^2, which the last steps may have left, is a barycentre.
+/// One kernel counts as a barycentre if it misses less of |M|^2. The last steps may leave that
+/// much.
 constexpr double kAsGood = 1e-5;
 
 template <class Real>
@@ -42,7 +44,7 @@ std::complex<Real> phaseOf(std::complex<Real> value) {
   return modulus > Real(0) ? value / modulus : std::complex<Real>(1);
 }
 
-/// Raises |weighted v| from the rows of `v`, v_k^*, to a fixed point.
+/// Raises |weighted v| to a fixed point, starting from the rows v_k^* of `v`.
 void raiseNorm(const Weighted& weighted, Eigen::MatrixXcd& v) {
   Eigen::MatrixXcd sum = weighted * v;
   double norm = sum.squaredNorm();
@@ -53,7 +55,7 @@ void raiseNorm(const Weighted& weighted, Eigen::MatrixXcd& v) {
       if (length > 0.0)
         v.row(k) /= length;
       else
-        v(k, 0) = 1.0; // t_k is zero, and any direction does
+        v(k, 0) = 1.0; // t_k is zero, so any direction works
     }
     sum.noalias() = weighted * v;
     const double before = norm;
@@ -78,7 +80,8 @@ FrequencyBarycenter ofTwo(const Weighted& weighted) {
   return result;
 }
 
-/// Raises phases from those that go with `kernel`, and keeps what they make if it is better.
+/// Raises phases that start aligned with `kernel`, and replaces `best` if the result has more
+/// power.
 void startFrom(const Eigen::VectorXcd& kernel, const Weighted& weighted,
                FrequencyBarycenter& best) {
   Eigen::MatrixXcd numbers = (weighted.adjoint() * kernel).unaryExpr(&phaseOf<double>);
@@ -88,10 +91,10 @@ void startFrom(const Eigen::VectorXcd& kernel, const Weighted& weighted,
     best.kernel = raised;
 }
 
-/// At a frequency that is its own mirror all vectors are real, and the kernel has to be.
+/// At a frequency that is its own mirror all vectors are real, and so must be the kernel.
 FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   const Eigen::Index count = weighted.cols();
-  // Independent textures, which prefer no direction.
+  // Start from independent textures, which prefer no direction.
   Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Identity(count, count);
   raiseNorm(weighted, vectors);
   const Eigen::MatrixXcd sum = weighted * vectors;
@@ -102,7 +105,7 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   const auto lacksPower = [&] {
     return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;
   };
-  // Starts that are real would stay so where all vectors are, as of symmetric exemplars.
+  // Where all vectors are real, as for symmetric exemplars, a real start would stay real.
   const Complex turn = isOwnMirror ? Complex(1.0) : Complex(0.0, 1.0);
   for (Eigen::Index k = 0; k < count && lacksPower(); ++k)
     startFrom(weighted.col(k) + turn * weighted.col((k + 1) % count), weighted, result);
@@ -112,7 +115,7 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   return result;
 }
 
-/// [GLM17] section 7: `model` times t^* . next / |t^* . next|, so that it goes with `next`.
+/// [GLM17] section 7: `model` times t^* . next / |t^* . next|, which aligns its phases with `next`.
 gaussian::GaussianModel aligned(gaussian::GaussianModel model,
                                 const gaussian::GaussianModel& next) {
   for (std::size_t i = 0; i < model.channels[0].values.size(); ++i) {

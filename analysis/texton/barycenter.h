@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Gaussian texture between others: their barycentre for the transport distance.
+// Barycentres of Gaussian textures for the optimal transport distance.
 #pragma once
 
 #include "fit.h"
@@ -10,29 +10,31 @@ namespace lichen::texton {
 
 struct Barycenter {
   gaussian::GaussianModel model;
-  /// The root of the transport distance between the model and the barycentre proper, over the
-  /// variance of the latter: what one kernel a channel cannot express. Of up to three textures, and
-  /// of one channel, nothing but rounding and the few frequencies that are their own mirror.
+  /// Transport distance between the model and the exact barycentre, over the standard deviation of
+  /// that barycentre: what one kernel per channel cannot express. With up to three textures or with
+  /// one channel, only rounding and the few frequencies that are their own mirror contribute.
   double rankError = 0.0;
 };
 
-/// The model of least sum_k weights[k] (transport distance to models[k])^2 [GLM17 section 7].
-/// `models` at least one, of one size and number of channels; a weight each, none negative, of
-/// sum 1. Those of weight 0 do not count; the barycentre of one model is itself.
-/// Between n textures a frequency's power may need several kernels, up to sqrt(n); from four on
-/// this is the best that one kernel can be (docs/decisions/016-mixing.md). Same bytes for any
-/// number of threads. For n of three and more, up to 200 (n + 2) products of small matrices a
-/// frequency. Throws std::bad_alloc.
+/// Returns the model that minimizes sum_k weights[k] (transport distance to models[k])^2 [GLM17
+/// section 7]. `models` has at least one entry; all have one size and number of channels. There is
+/// one weight per model, none negative, with sum 1. Models of weight 0 have no effect. The
+/// barycentre of one model is that model.
+/// At one frequency, the barycentre of n textures may need up to sqrt(n) kernels. From four
+/// textures on, the result is the best that one kernel can do (docs/decisions/016-mixing.md). The
+/// bytes do not depend on the number of threads. With three or more textures the cost is up to 200
+/// (n + 2) products of small matrices per frequency. Throws std::bad_alloc.
 [[nodiscard]] Barycenter barycenter(std::span<const gaussian::GaussianModel> models,
                                     std::span<const double> weights);
 
-/// The same textures with other phases, so that each one goes with the next: the cross-spectrum of
-/// neighbours, summed over the channels, is nowhere negative. Then (1 - rho) [k] + rho [k + 1] is
-/// the barycentre of models k and k + 1. The last model is as it was. [GLM17] section 7.
+/// Returns the same textures with their phases aligned: the cross-spectrum of neighbours, summed
+/// over the channels, is nowhere negative. Then (1 - rho) [k] + rho [k + 1] is the barycentre of
+/// models k and k + 1. The last model does not change. [GLM17] section 7.
 [[nodiscard]] std::vector<gaussian::GaussianModel>
 alignedModels(std::span<const gaussian::GaussianModel> models);
 
-/// (1 - rho) first + rho second, frequency by frequency; of one size and number of channels.
+/// Returns (1 - rho) first + rho second at each frequency. Both have one size and number of
+/// channels.
 [[nodiscard]] gaussian::GaussianModel between(const gaussian::GaussianModel& first,
                                               const gaussian::GaussianModel& second, double rho);
 

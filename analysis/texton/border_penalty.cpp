@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Texton coefficients (channels, height, width) -> the same with a quiet border.
+// Texton coefficients (channels, height, width) -> the same with a smooth border.
 //
-// Let p be the coefficients of one channel, P p their part in the first cosines of both axes, which
-// is what varies slowly, and V the weights of the coefficients near the border. Wanted is the q
-// that makes (q - p)^T B (q - p) + weight (P q)^T V (P q) least, with B = B_y (x) B_x the normal
-// matrix. That is a correction of as many dimensions as there are cosines:
-// q = p - B^-1 C^T A (weight L / (1 + weight L)) A^T C p, with C the cosines, and A and L the modes
-// and eigenvalues of the border's quadratic form over C B^-1 C^T.
-// Why, and the numbers: docs/decisions/019-border-of-textons.md.
+// Let p be the coefficients of one channel, P p their projection on the first cosines of both axes,
+// which varies slowly, and V the weights of the coefficients near the border. The result is the q
+// that minimizes (q - p)^T B (q - p) + weight (P q)^T V (P q), where B = B_y (x) B_x is the normal
+// matrix. This is a correction with as many dimensions as there are cosines:
+// q = p - B^-1 C^T A (weight L / (1 + weight L)) A^T C p, where C are the cosines, and A and L the
+// modes and eigenvalues of the border's quadratic form over C B^-1 C^T.
+// Reasons and measurements: docs/decisions/019-border-of-textons.md.
 #include "border_penalty.h"
 
 #include "transport/covariance_map.h"
@@ -28,21 +28,22 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-// Measured over six photographs and supports of 16, 32 and 64 (decision 019).
-constexpr Index kSlowCosines = 8;     // along a side: up to three and a half waves
-constexpr double kBorderWidth = 0.25; // of the side, on each
-constexpr double kMostWeight = 0.1;   // from which it starts
-constexpr double kLeastWeight = 1e-3; // from which the reflections can still raise it to the most
-/// Squares are seen from such a visibility on, as of the height map of a rock wall, 10 without
-/// more: there alone the model is left for an even border, with a weight above the most.
+// Measured on six photographs with supports of 16, 32 and 64 (decision 019).
+constexpr Index kSlowCosines = 8;     // per side: up to three and a half waves
+constexpr double kBorderWidth = 0.25; // of the side, at each end
+constexpr double kMostWeight = 0.1;   // also the first weight
+constexpr double kLeastWeight = 1e-3; // reflections can still raise it to kMostWeight
+/// Above this visibility the square outline of a texton shows. The height map of a rock wall has 10
+/// without a higher weight. Only there may the weight exceed kMostWeight, which trades closeness to
+/// the model for an even border.
 constexpr double kSeenVisibility = 4.0;
 constexpr double kMostSeenWeight = 1.0;
-/// The power of the visibility by which one reflection changes the weight: slower than the fit.
+/// One reflection multiplies the weight by this power of the visibility: slower than the fit moves.
 constexpr double kAdaption = 0.25;
 
 constexpr double kRunOfSide = 0.25;
 
-/// Mean square of what `steps` average to over runs of `length`.
+/// Returns the mean square of the averages of `steps` over runs of `length`.
 double runEnergy(const Eigen::VectorXf& steps, Index length) {
   double energy = 0.0, run = 0.0;
   for (Index i = 0; i < steps.size(); ++i) {
@@ -57,7 +58,7 @@ struct StepEnergies {
   double inside = 0.0;
 };
 
-/// Of the steps from column to column, and from the zeros around.
+/// Returns the energies of the steps between columns, and of those to the zeros outside.
 StepEnergies stepsBetweenColumns(const MatrixXf& plane) {
   const Index lines = plane.cols();
   const Index length = std::max(Index(1), Index(std::lround(kRunOfSide * double(plane.rows()))));
@@ -69,7 +70,7 @@ StepEnergies stepsBetweenColumns(const MatrixXf& plane) {
   return energies;
 }
 
-/// Row k: the cosine of k half waves, of unit length.
+/// Row k is the cosine of k half waves, scaled to unit length.
 MatrixXd cosines(Index size) {
   MatrixXd rows(std::min(kSlowCosines, (size + 1) / 2), size);
   for (Index k = 0; k < rows.rows(); ++k)
@@ -113,7 +114,7 @@ BorderPenalty::BorderPenalty(const Eigen::SparseMatrix<double>& normalX,
   const MatrixXd x = cosines(normalX.rows()), y = cosines(normalY.rows());
   const MatrixXd smoothX = Solver(normalX).solve(MatrixXd(x.transpose()));
   const MatrixXd smoothY = Solver(normalY).solve(MatrixXd(y.transpose()));
-  // A patch is column-major, a column of it a row of the texton: x is the faster index.
+  // A patch is column-major and its columns are rows of the texton: x is the faster index.
   const MatrixXd power = Eigen::kroneckerProduct(MatrixXd(y * smoothY), MatrixXd(x * smoothX));
   const MatrixXd insideX = x * window(x.cols()).asDiagonal() * x.transpose();
   const MatrixXd insideY = y * window(y.cols()).asDiagonal() * y.transpose();

@@ -14,17 +14,18 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Coefficients are floats, and the first map is as near as their rounding and the eigenvalues'
-/// allow; the second, which is almost the identity, removes most of what is left.
+/// Rounding of the float coefficients and of the eigenvalues limits the accuracy of the first map.
+/// The second map is almost the identity and removes most of the remaining error.
 constexpr int kRounds = 2;
-/// Of the two deviations of a covariance: what the coefficients may miss of what they can have, the
-/// target of TARGETS.md.
+/// Largest error of a covariance within what the coefficients can express, relative to its two
+/// standard deviations: the target of TARGETS.md.
 constexpr double kTolerance = 1e-6;
-/// Likewise: what may be missing since the texton does not vary so. A thousandth is far below what
-/// an eye sees, and above what a slope of light in one colour of a grey photograph leaves.
+/// Largest part of a covariance, in the same measure, that may lie outside the texton's range. A
+/// thousandth is far below what the eye sees, and above what a brightness gradient in one colour of
+/// a grey photograph leaves.
 constexpr double kUnreachable = 1e-3;
 
-/// One plane filtered with the kernel's autocorrelation along both axes.
+/// Filters one plane with the kernel's autocorrelation along both axes.
 MatrixXd filtered(const MatrixXd& plane, const std::vector<double>& b) {
   const auto order = Eigen::Index(b.size()) - 1;
   const auto alongRows = [&](const MatrixXd& in) {
@@ -39,7 +40,7 @@ MatrixXd filtered(const MatrixXd& plane, const std::vector<double>& b) {
   return alongRows(alongRows(plane).transpose()).transpose();
 }
 
-/// The coefficients as a matrix, a column for each channel.
+/// Returns the coefficients as a matrix with one column per channel.
 Eigen::Map<Eigen::MatrixXf> columnsOf(TextonCoefficients& coefficients) {
   return {coefficients.values.data(), Eigen::Index(coefficients.width) * coefficients.height,
           coefficients.channels};
@@ -65,14 +66,14 @@ MatrixXd noiseCovariance(const TextonCoefficients& coefficients, int order) {
 }
 
 bool correctCovariance(TextonCoefficients& coefficients, int order, const MatrixXd& target) {
-  // Channels in deviations of the target, so that faint ones are held to the same tolerance.
+  // Measure channels in standard deviations of the target: faint channels get the same tolerance.
   const Eigen::VectorXd deviations = target.diagonal().cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd units = (deviations.array() > 0.0).select(deviations, 1.0);
   const auto inUnits = [&](const MatrixXd& covariance) -> MatrixXd {
     return units.cwiseInverse().asDiagonal() * covariance * units.cwiseInverse().asDiagonal();
   };
   const MatrixXd whole = inUnits(target);
-  // The projection on the sums of channels that vary at all.
+  // Project on the combinations of channels in which the texton varies.
   const MatrixXd range = transport::power(inUnits(noiseCovariance(coefficients, order)), 0.0);
   const MatrixXd wanted = range * whole * range;
   if ((whole - wanted).cwiseAbs().maxCoeff() > kUnreachable)
@@ -86,7 +87,7 @@ bool correctCovariance(TextonCoefficients& coefficients, int order, const Matrix
     columns = (columns.cast<double>() * map).cast<float>().eval();
     for (Eigen::Index c = 0; c < columns.cols(); ++c)
       if (!(deviations[c] > 0.0))
-        columns.col(c).setZero(); // not rounding, which its scale would make visible
+        columns.col(c).setZero(); // clears rounding, which the channel's scale would amplify
   }
   const MatrixXd left = inUnits(noiseCovariance(coefficients, order)) - wanted;
   if (left.cwiseAbs().maxCoeff() <= kTolerance)

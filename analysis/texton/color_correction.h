@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The covariance between the channels of a texton's noise, and coefficients that have a given one.
+// Covariance between the channels of a texton's noise, and coefficients with a given covariance.
 #pragma once
 
 #include "fit.h"
@@ -8,16 +8,17 @@
 
 namespace lichen::texton {
 
-/// Sum over k, l of b(k - l) alpha(k) alpha(l)^T, channels x channels: the noise's covariance
-/// between its channels at one point [GLM17 section 4.3].
+/// Returns the sum over k, l of b(k - l) alpha(k) alpha(l)^T, channels x channels: the covariance
+/// between the channels of the noise at one point [GLM17 section 4.3].
 [[nodiscard]] Eigen::MatrixXd noiseCovariance(const TextonCoefficients& coefficients, int order);
 
-/// Multiplies the coefficients of every texel by the transport map that takes their noise's
-/// covariance to `target`, symmetric where each channel is measured in its deviation, and again to
-/// remove what rounding left: of every entry C_ij 1e-6 sqrt(C_ii C_jj) is left at the most, before
-/// any rounding to half floats. Sums of channels in which the texton does not vary are left out
-/// where they are below a thousandth, measured likewise. False, and nothing changed, where they are
-/// more: no linear map does it. Rank-deficient covariances, of grey stored as RGB, are usual.
+/// Multiplies the coefficients of every texel by the transport map from their noise's covariance to
+/// `target`, then repeats this to remove rounding errors. The map is symmetric when each channel is
+/// measured in its standard deviations. The error of every entry C_ij is at most 1e-6 sqrt(C_ii
+/// C_jj), before any rounding to half floats.
+/// Combinations of channels in which the texton does not vary are ignored if the target is below a
+/// thousandth there, in the same measure. If it is above, no linear map can help: returns false and
+/// changes nothing. Rank-deficient covariances, as of grey stored as RGB, are usual.
 [[nodiscard]] bool correctCovariance(TextonCoefficients& coefficients, int order,
                                      const Eigen::MatrixXd& target);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Gaussian model and support -> error and kurtosis of three spots of that support.
 //
-// The kurtosis is that of Campbell's theorem: the cumulant of order n of a renormalised spot noise
-// is sum h^n / intensity^(n / 2 - 1), and intensity = impacts / support. Source: [GLM14] section 4.
+// The kurtosis follows from Campbell's theorem: the cumulant of order n of a renormalised spot
+// noise is sum h^n / intensity^(n / 2 - 1), where intensity = impacts / support. Source: [GLM14]
+// section 4.
 #include "comparison.h"
 
 #include "color_correction.h"
@@ -18,7 +19,8 @@
 namespace lichen::texton {
 namespace {
 
-/// The model of coefficients whose B-spline interpolation has the given model. [GLM17] eq. 4.
+/// Returns the model of coefficients whose B-spline interpolation has the given model. [GLM17] eq.
+/// 4.
 gaussian::GaussianModel coefficientModel(const gaussian::GaussianModel& model, int order) {
   const std::vector<float> kernelX = kernelAmplitudes(order, model.width());
   const std::vector<float> kernelY = kernelAmplitudes(order, model.height());
@@ -81,7 +83,7 @@ KernelComparison compareKernels(const gaussian::GaussianModel& model,
                                 std::span<const float> weights, std::uint32_t seed) {
   const Eigen::MatrixXd covariance = gaussian::modelCovariance(model);
   const auto judged = [&](TextonCoefficients spot) {
-    // One that cannot have it is judged as it is.
+    // A spot that cannot have this covariance is judged unchanged.
     (void)correctCovariance(spot, order, covariance);
     return KernelJudgement{relativeModelError(model, spot, order),
                            flatness(interpolatedSpot(spot, order), weights)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a synthesis-oriented texton is worth beside the other spots of its support.
+// Compares a synthesis-oriented texton with other spots of the same support.
 #pragma once
 
 #include "fit.h"
@@ -12,24 +12,25 @@
 
 namespace lichen::texton {
 
-/// r^2 sum l^4 / (sum l^2)^2 over the support's r^2 pixels, l the channels' sum weighted by
-/// `weights`, one a channel: 1 for a spot of one magnitude, 3 for values normally distributed, r^2
-/// for a spot of one pixel. 0 for a spot of zeros.
+/// Returns r^2 sum l^4 / (sum l^2)^2 over the r^2 pixels of the support, where l is the sum of the
+/// channels with `weights`, one per channel. The value is 1 for a spot of constant magnitude, 3 for
+/// normally distributed values, r^2 for a spot of one pixel and 0 for a spot of zeros.
 [[nodiscard]] double flatness(const TextonCoefficients& spot, std::span<const float> weights);
 
-/// The interpolated texton at the places of its coefficients and around them: they themselves up to
-/// order 1, their cubic B-spline for order 3, whose coefficients may be far larger than what they
-/// make.
+/// Returns the interpolated texton at and around its coefficients. Up to order 1 these are the
+/// coefficients; for order 3 they are the cubic B-spline, whose coefficients may be far larger than
+/// its values.
 [[nodiscard]] TextonCoefficients interpolatedSpot(const TextonCoefficients& coefficients,
                                                   int order);
 
-/// What an eye takes a texel of these channels for: weights of its luminance, or of their sum.
+/// Weights that approximate how the eye sees these channels: luminance weights for colours, else 1
+/// each.
 [[nodiscard]] std::vector<float> seenWeights(std::span<const MapChannel> channels);
 
-/// The texton beside spots of as many coefficients, all interpolated by the B-spline of `order` and
-/// all with the model's covariance: without it the nearest spot has less variance than the model.
-/// `weights` as for flatness, `seed` that of the random phases. Same bytes for any number of
-/// threads.
+/// Compares the texton with spots that have as many coefficients. All are interpolated with the
+/// B-spline of `order` and have the model's covariance; without that correction the nearest spot
+/// has less variance than the model. `weights` is as for flatness(); `seed` sets the random phases.
+/// The bytes do not depend on the number of threads.
 [[nodiscard]] KernelComparison compareKernels(const gaussian::GaussianModel& model,
                                               const TextonCoefficients& texton, int order,
                                               std::span<const float> weights,

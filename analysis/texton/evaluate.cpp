@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2; the steps and
-// names are those of shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
+// Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2. The steps and
+// names follow shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
 #include "level_kept.h"
 #include "mixed_map.h"
@@ -26,7 +26,7 @@ Vec2 clamped(const Vec2& texel, const texton::Reach& reach) {
           std::clamp(texel[1], reach.low[1], reach.high[1])};
 }
 
-/// A cubic B-spline at f [0, 1) beyond the centre of the second of four texels.
+/// The weights of a cubic B-spline at f in [0, 1) after the centre of the second of four texels.
 struct CubicWeights {
   explicit CubicWeights(float f) {
     const float r = 1.0f - f;
@@ -39,14 +39,14 @@ struct CubicWeights {
   std::array<float, 4> slope{};
 };
 
-/// A texton's image and the noise's shape, at one point.
+/// A texton's image and the shape of its noise, for evaluation at one point.
 class Textons {
 public:
   Textons(const RepeatingImage& image, const shader::LichenTexton& shape, const Impacts& impacts,
           const MixPlace& mix)
       : image_(image), shape_(shape), impacts_(impacts), mix_(mix) {}
 
-  /// h at a place of an impact's frame, filtered to the footprint.
+  /// Returns h at an offset in an impact's frame, filtered to the footprint.
   [[nodiscard]] Value at(const Vec2& place) const {
     Vec2 texel = texelAt(place);
     const float frame = frameAt(texel);
@@ -54,7 +54,7 @@ public:
     texel = stepped(texel);
     if (!isCubic())
       return fetch(texel, frame, impacts_.level);
-    // Between the spline and the first mip.
+    // Blend between the spline and the first mip.
     Value value = cubic(texel, frame).value;
     const Value mip = fetch(clamped(texel, texton::mipReach(impacts_.level, shape_)), frame,
                             std::ceil(impacts_.level));
@@ -63,7 +63,7 @@ public:
     return value;
   }
 
-  /// Value and derivatives [1 / texel] of the first channel.
+  /// Returns the value and derivatives [1 / texel] of the first channel.
   [[nodiscard]] std::array<float, 3> gradientAt(const Vec2& place) const {
     const Vec2 texel = texelAt(place);
     const float frame = frameAt(texel);
@@ -74,7 +74,7 @@ public:
       return fetch(clamped({texel[0] + x, texel[1] + y}, reach), frame, level)[0];
     };
     const float half = 0.5f * side;
-    // The value of order 0 has steps; its differences are those between them.
+    // The value of order 0 has steps. The finite differences measure the slope between them.
     const float value = fetch(clamped(stepped(texel), reach), frame, level)[0];
     std::array<float, 3> result{value, (first(half, 0.0f) - first(-half, 0.0f)) / side,
                                 (first(0.0f, half) - first(0.0f, -half)) / side};
@@ -100,7 +100,8 @@ private:
     return {place[0] + impacts_.middle[0], place[1] + impacts_.middle[1]};
   }
 
-  /// Of order 0: steps where magnified, none from the first mip on.
+  /// Order 0: returns the texel's centre under magnification, blending to `texel` itself at the
+  /// first mip.
   [[nodiscard]] Vec2 stepped(Vec2 texel) const {
     if (shape_.order != 0)
       return texel;
@@ -112,7 +113,8 @@ private:
     return texel;
   }
 
-  /// The top of an impact's frame in the image: of a mix, that of its own place. [GLM17] section 7.
+  /// Returns the top of an impact's frame in the image. In a mix, each impact uses the weight at
+  /// its own position. [GLM17] section 7.
   [[nodiscard]] float frameAt(const Vec2& texel) const {
     if (shape_.steps <= 1)
       return 0.0f;
@@ -128,7 +130,7 @@ private:
                      (texel[1] + frame) / float(shape_.frameY * int(shape_.steps)), level);
   }
 
-  /// The cubic B-spline of the coefficients, by direct sums over texels.
+  /// Evaluates the cubic B-spline of the coefficients as a direct sum over texels.
   [[nodiscard]] Cubic cubic(const Vec2& texel, float frame) const {
     const float baseX = std::floor(texel[0] - 0.5f);
     const float baseY = std::floor(texel[1] - 0.5f);
@@ -158,28 +160,28 @@ private:
   const MixPlace& mix_;
 };
 
-/// The level of the footprint among the averages whose loss is known.
+/// Limits the footprint's level to those with a known lost variance.
 float knownLevel(const Impacts& impacts) {
   return std::min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
 }
 
-/// What the sums over impacts are multiplied by. Beyond the last mip textons stay as they are, and
-/// amplitudes fall as deviations do.
+/// Returns the factor for the sums over impacts. Beyond the last mip the textons stay the same and
+/// their amplitude falls with the standard deviation.
 std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
                             const shader::LichenTexton& texton, const shader::LichenMap& map) {
   const std::array<float, 3> fetched = texton::levelKept(map, impacts.level);
   const std::array<float, 3> seen = texton::levelKept(map, knownLevel(impacts));
-  constexpr float kLeast = 1e-6f; // below the square of an amplitude's first step, 1/255
+  constexpr float kLeast = 1e-6f; // below the square of a kept amplitude's first step, 1/255
   std::array<float, 3> gain{};
   for (std::size_t c = 0; c < gain.size(); ++c)
     gain[c] = noise.contrast * std::sqrt(seen[c] / std::max(fetched[c], kLeast)) * texton.amplitude;
   return gain;
 }
 
-/// From so far that nothing is left to see, the mean needs no impacts.
+/// Where the footprint averages out all variation, the mean needs no impacts.
 bool needsImpacts(const std::array<float, 3>& gain) { return gain != std::array<float, 3>{}; }
 
-/// The share of the variance that filtering loses of each channel.
+/// Returns the share of each channel's variance that is lost to filtering.
 std::array<float, 3> lostOf(const Impacts& impacts, const shader::LichenMap& here) {
   std::array<float, 3> lost = texton::levelKept(here, knownLevel(impacts));
   for (float& share : lost)
@@ -187,7 +189,7 @@ std::array<float, 3> lostOf(const Impacts& impacts, const shader::LichenMap& her
   return lost;
 }
 
-/// Gaussian values of a sum over impacts. `here` is the map at its place in a mix.
+/// Converts a sum over impacts to Gaussian values. `here` is the map at this weight of the mix.
 Value gaussianOf(Value sum, const std::array<float, 3>& gain, const shader::LichenMap& here) {
   const std::array<float, 3> factor{here.sumFactor.x, here.sumFactor.y, here.sumFactor.z};
   for (std::size_t c = 0; c < 3; ++c)
@@ -285,7 +287,7 @@ std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
 Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
                                const Value& gaussian, std::array<float, 3> lost,
                                const MixPlace& mix) {
-  // Contrast scales what is missing with what is there.
+  // Contrast scales the lost variance like the remaining one.
   for (float& share : lost)
     share *= noise.contrast * noise.contrast;
   return decodedGaussian(map.mix.at(map.constants, mix), {gaussian[0], gaussian[1], gaussian[2]},
@@ -347,7 +349,7 @@ std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
                                                const shader::LichenTexton& texton,
                                                const TileFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  constexpr float kMargin = 0.5f; // what differences reach beyond the texton
+  constexpr float kMargin = 0.5f; // reach of the finite differences beyond the texton
   const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
   const Textons textons(map.image, texton, impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);

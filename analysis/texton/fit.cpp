@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Gaussian model (spectra of height x width) -> texton coefficients (channels, height, width of the
-// support), and how far their noise is from the model.
+// support), and the distance of their noise to the model.
 //
-// Let h^ = sqrt(b^) alpha^, the spectrum that the noise has (GLM17 eq. 4). Two sets of spectra are
-// to meet: those of the model's power, of which the nearest to h^ is (t^* . h^) / |t^* . h^| t^,
+// Let h^ = sqrt(b^) alpha^ be the noise's spectrum ([GLM17] eq. 4). The fit looks for spectra in
+// two sets: those with the model's power, where the nearest to h^ is (t^* . h^) / |t^* . h^| t^,
 // and those of coefficients inside the support. The distance of h^ to the first set is the
-// transport distance between the two textures, so both projections are made in h^. [GLM17] makes
-// the second one in alpha^, where cutting off is enough, but where distances are weighted by 1 /
-// b^, ninefold at the highest frequency. In h^ it is least squares with the normal matrix B_x (x)
-// B_y, Toeplitz matrices of the kernel's autocorrelation, which are small and banded.
+// transport distance between the two textures, so both projections work on h^. [GLM17] does the
+// second projection on alpha^, where cropping is enough, but which weights distances by 1 / b^,
+// ninefold at the highest frequency. On h^ it is a least-squares problem. Its normal matrix is B_x
+// (x) B_y, where both are small, banded Toeplitz matrices of the kernel's autocorrelation.
 //
-// Relaxed averaged alternating reflections [L05] find the neighbourhood of a good minimum, since
-// they leave bad ones; then alternating projections, which never increase the distance, with
-// Nesterov's momentum restarted where it points uphill [OC15]. The second set is narrowed: a slow
-// part that ends at the border costs (border_penalty.h), and no coefficient may stand out.
+// Relaxed averaged alternating reflections [L05] find the neighbourhood of a good minimum, because
+// they leave bad ones. Then alternating projections, which never increase the distance, descend
+// with Nesterov's momentum, restarted where it points uphill [OC15]. Two conditions narrow the
+// second set: a slowly varying part that ends at the border has a cost (border_penalty.h), and no
+// coefficient may stand out.
 // Sources: [GLM17] algorithm 1 and section 4.3; [GLM14] eq. 1 and 2.
 #include "fit.h"
 
@@ -34,20 +35,20 @@ namespace lichen::texton {
 namespace {
 
 /// Tuned on three photographs of 128 x 128 at supports of 16, 32 and 64: 60 reflections and 40
-/// descents end within 0.5 % of where 100 and 100 do.
+/// descents end within 0.5 % of the error of 100 and 100.
 constexpr int kReflections = 60;
 constexpr int kDescents = 40;
 constexpr float kFirstRelaxation = 0.9f;
 constexpr float kLastRelaxation = 0.5f;
 
-/// Most that a texel, all its channels, may have of the root mean square: the flatness of what a
-/// texel has is then about the square of it at the most, the 4 of TARGETS.md (decision 019).
+/// Largest magnitude of a texel over all its channels, relative to the root mean square. The
+/// flatness of the magnitudes is then at most about its square, the 4 of TARGETS.md (decision 019).
 constexpr float kHighestPeak = 2.0f;
 
 using Spectra = std::vector<HalfSpectrum>;
 
-/// The normal matrix along an axis: Toeplitz, of the kernel's autocorrelation, and circulant where
-/// the support reaches around the period; positive definite, as b^ > 0.
+/// Returns the normal matrix along an axis: a Toeplitz matrix of the kernel's autocorrelation,
+/// circulant where the support wraps around the period. It is positive definite because b^ > 0.
 Eigen::SparseMatrix<double> normalMatrix(int size, int period, int order) {
   const std::vector<double> b = kernelAutocorrelation(order);
   std::vector<Eigen::Triplet<double>> entries;
@@ -59,20 +60,20 @@ Eigen::SparseMatrix<double> normalMatrix(int size, int period, int order) {
     }
   }
   Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end()); // the sum of what reaches around twice
+  matrix.setFromTriplets(entries.begin(), entries.end()); // adds up entries that wrap twice
   return matrix;
 }
 
-/// The inverse of a normal matrix along the rows of a matrix, by factors as narrow as it is.
+/// Applies the inverse of a normal matrix along the rows of a matrix, by banded Cholesky factors.
 class NormalSolver {
 public:
   explicit NormalSolver(const Eigen::SparseMatrix<double>& normal)
       : lower_(Factors(normal).matrixL().nestedExpression().cast<float>()) {}
 
-  /// All rows at once: Eigen's own solver takes one right side after the other, whose steps wait
-  /// for one another.
+  /// Solves all rows at once. Eigen's own solver handles one right-hand side after the other, and
+  /// its steps wait for each other.
   void solveRows(Eigen::MatrixXf& rows) const {
-    using Entry = Eigen::SparseMatrix<float>::InnerIterator; // the first is the diagonal's
+    using Entry = Eigen::SparseMatrix<float>::InnerIterator; // starts at the diagonal
     for (Eigen::Index j = 0; j < rows.cols(); ++j) {
       Entry entry(lower_, j);
       rows.col(j) /= entry.value();
@@ -94,7 +95,7 @@ private:
   Eigen::SparseMatrix<float> lower_;
 };
 
-/// Spectra of the model's power and random phases.
+/// Returns spectra with the model's power and random phases.
 Spectra randomPhases(const gaussian::GaussianModel& model, std::uint32_t seed) {
   Spectra spectra;
   for (const HalfSpectrum& channel : model.channels)
@@ -122,7 +123,8 @@ public:
   [[nodiscard]] const TextonCoefficients& coefficients() const { return coefficients_; }
   void setCoefficients(TextonCoefficients coefficients) { coefficients_ = std::move(coefficients); }
 
-  /// One averaged reflection of `x` in both sets; the coefficients are those of the second one.
+  /// Does one averaged reflection of `x` in both sets. The coefficients are those of the second
+  /// set.
   void reflect(Spectra& x, float relaxation) {
     forFrequencies([&](std::size_t i, float kernel) {
       const std::complex<float> phase = phaseTowards(x, i);
@@ -144,7 +146,7 @@ public:
     });
   }
 
-  /// The coefficients nearest to what of the model's power is nearest to `x`.
+  /// Sets the coefficients to the projection of `x` on the first set and then on the second.
   void project(const Spectra& x) {
     forFrequencies([&](std::size_t i, float kernel) {
       const std::complex<float> phase = phaseTowards(x, i);
@@ -155,11 +157,11 @@ public:
     narrow();
   }
 
-  /// The same, from the coefficients that there are.
+  /// As project(), but starts from the current coefficients.
   void descend() {
     coefficientsToWork();
     forFrequencies([&](std::size_t i, float kernel) {
-      // The phase does not change with the positive factor that h^ has and alpha^ has not.
+      // h^ is alpha^ times a positive factor, which does not change the phase.
       const std::complex<float> phase = phaseTowards(work_, i);
       for (std::size_t c = 0; c < work_.size(); ++c)
         work_[c].values[i] = kernel * product(phase, model_.channels[c].values[i]);
@@ -168,8 +170,8 @@ public:
     narrow();
   }
 
-  /// [GLM17] algorithm 1, steps 1 and 2: from the spectrum `x` if there is one, else from the
-  /// coefficients.
+  /// [GLM17] algorithm 1, steps 1 and 2. Starts from the spectrum `x` if it is given, otherwise
+  /// from the coefficients.
   void projectAsPrinted(const Spectra* x) {
     if (x == nullptr)
       coefficientsToWork();
@@ -186,12 +188,12 @@ private:
     return std::size_t(coefficients_.width) * std::size_t(coefficients_.height);
   }
 
-  /// Without the checks for infinities that the standard's operator makes.
+  /// Complex product without the standard operator's checks for infinities.
   static std::complex<float> product(std::complex<float> a, std::complex<float> b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
   }
 
-  /// act(index, sqrt(b^)) for each frequency; rows in parallel.
+  /// Calls act(index, sqrt(b^)) for each frequency; rows run in parallel.
   template <class Act>
   void forFrequencies(const Act& act) const {
     const auto columns = std::size_t(model_.channels[0].columns());
@@ -243,7 +245,7 @@ private:
     });
   }
 
-  /// A quiet border and no high peaks.
+  /// Smooths the border and limits peaks.
   void narrow() {
     border_.apply(coefficients_);
     const Eigen::Map<const Eigen::MatrixXf> channels(
@@ -275,7 +277,7 @@ double innerProduct(const std::vector<float>& a, const std::vector<float>& b,
   return sum;
 }
 
-/// Projections with momentum; ends at the last step taken, not at an extrapolated point.
+/// Runs projections with momentum. Ends at the last step, not at an extrapolated point.
 void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
   TextonCoefficients last = fit.coefficients();
   TextonCoefficients from = last;
@@ -284,7 +286,7 @@ void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
     fit.setCoefficients(from);
     fit.descend();
     const TextonCoefficients& now = fit.coefficients();
-    // [OC15] eq. 13: the step taken and the momentum disagree.
+    // [OC15] eq. 13: restart where the step and the momentum disagree.
     sinceRestart = innerProduct(from.values, now.values, last.values) > 0.0 ? 0 : sinceRestart + 1;
     const float momentum = float(sinceRestart) / float(sinceRestart + 3);
     from = now;
@@ -305,12 +307,12 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
-  Spectra x = randomPhases(model, options.seed); // before the fit takes its own memory
+  Spectra x = randomPhases(model, options.seed); // allocate before the fit takes its own memory
   Fit fit(model, options.width, options.height, options.order);
   const auto goOn = [&] { return !options.goOn || options.goOn(); };
   if (method == FitMethod::alternatingProjections) {
-    // Of white noise only the phases of t^* . alpha^ come through the first projection: uniform and
-    // independent, as these are.
+    // Of white noise, only the phases of t^* . alpha^ survive the first projection. They are
+    // uniform and independent, and so are these.
     for (int step = 0; step < options.projections && goOn(); ++step)
       fit.projectAsPrinted(step == 0 ? &x : nullptr);
     return fit.coefficients();
@@ -320,7 +322,7 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
     fit.reflect(x, kFirstRelaxation + (kLastRelaxation - kFirstRelaxation) * done);
   }
   fit.project(x);
-  x = {}; // as large as the model
+  x = {}; // frees as much memory as the model takes
   descendWithMomentum(fit, options.goOn);
   return fit.coefficients();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point and footprint -> the window of cells around it.
+// Point and footprint -> the window of cells around the point.
 #include "impacts.h"
 
 #include "sampling/footprint_level.h"
@@ -9,7 +9,7 @@
 namespace lichen::texton {
 namespace {
 
-/// A cell's number modulo 2^32, or in [0, period).
+/// Returns a cell's index modulo 2^32, or in [0, period).
 std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
   if (period == 0)
     return std::uint32_t(cell);
@@ -43,7 +43,7 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     float low = reach.low[k];
     float high = reach.high[k];
     if (texton.order == 3 && impacts.level < 1.0f) {
-      constexpr float kReach = 1.5f; // of a cubic B-spline beyond the border of its texel
+      constexpr float kReach = 1.5f; // reach of a cubic B-spline beyond its texel
       low = std::min(low, -kReach);
       high = std::max(high, coefficients[k] + kReach);
     }
@@ -51,7 +51,7 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     high += margin * std::exp2(impacts.level);
     impacts.middle[k] = 0.5f * (low + high);
     impacts.radius[k] = high - impacts.middle[k];
-    // An impact has the middle of its coefficients at its own place.
+    // The centre of the coefficients lies at the impact's position.
     const float grid = at.position[k] * cellsPerTile[k] + fraction[k];
     const float cell = std::floor(grid);
     const float inside = grid - cell;
@@ -60,16 +60,16 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     const float first = std::floor(inside + (shift - impacts.radius[k]) / impacts.cellTexels[k]);
     const float last = std::floor(inside + (shift + impacts.radius[k]) / impacts.cellTexels[k]);
     impacts.start[k] = shift + (inside - first) * impacts.cellTexels[k];
-    // Half a cell further than the last: sums of sides are rounded.
+    // Half a cell beyond the last one, because the sums of cell sides are rounded.
     impacts.end[k] = impacts.start[k] - (last - first + 0.5f) * impacts.cellTexels[k];
-    // 64 bits: 2^28 tiles may have 2^47 cells.
+    // 64 bits, because 2^28 tiles may have 2^47 cells.
     impacts.firstCell[k] = wrapped(std::int64_t(cell) + std::int64_t(first) + origin[k], period[k]);
   }
   return impacts;
 }
 
 int poissonCount(std::uint32_t hash) {
-  // 2^32 times its distribution function at 0, 1, ...; more than 12 have a probability of 6e-11.
+  // 2^32 times the distribution function at 0, 1, ...; counts above 12 have a probability of 6e-11.
   constexpr std::array<std::uint32_t, 12> kDistribution{
       1580030169u, 3160060337u, 3950075422u, 4213413783u, 4279248374u, 4292415292u,
       4294609778u, 4294923276u, 4294962463u, 4294966817u, 4294967253u, 4294967292u};

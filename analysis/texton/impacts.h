@@ -14,45 +14,45 @@ namespace lichen::texton {
 
 using Vec2 = std::array<float, 2>;
 
-/// What a texton reaches of its frame, fetched at a level. [texels]
+/// The part of its frame that a texton covers when fetched at a level. [texels]
 struct Reach {
   Vec2 low{};
   Vec2 high{};
 };
 
-/// Half a texel of the mip outside the coefficients, a bilinear fetch is 0.
+/// A bilinear fetch is 0 from half a texel of the mip outside the coefficients on.
 [[nodiscard]] Reach mipReach(float level, const shader::LichenTexton& texton);
 
-/// What all maps of a noise share at one point. A place is [texels], in the frame of an impact's
-/// texton, from the middle of what it reaches.
+/// Values that all maps of a noise share at one point. Offsets are in texels, in the frame of an
+/// impact's texton, relative to the centre of the area that the texton covers.
 struct Impacts {
-  float footprintLevel = 0.0f; ///< of the mip that shows what the footprint does, at least 0
-  float level = 0.0f;          ///< likewise, as far as the textons have mips
-  Vec2 middle{}, radius{};     ///< [texels] of what a texton reaches, fetched at this level
-  std::array<std::uint32_t, 2> firstCell{}; ///< in the period
-  Vec2 start{}, end{};                      ///< places seen from corners of cells
-  Vec2 cellTexels{};                        ///< sides of a cell
+  float footprintLevel = 0.0f; ///< level of detail of the footprint, at least 0
+  float level = 0.0f;          ///< the same, limited to the mips of the textons
+  Vec2 middle{}, radius{};     ///< [texels] of the area that a texton covers at `level`
+  std::array<std::uint32_t, 2> firstCell{}; ///< modulo the period
+  Vec2 start{}, end{};                      ///< offsets of the point from corners of cells
+  Vec2 cellTexels{};                        ///< sides of a cell [texels]
 };
 
-/// Impacts whose textons reach a point, or reach `margin` texels of their mip beyond.
+/// Finds the impacts whose textons reach the point, or come within `margin` texels of their mip.
 [[nodiscard]] Impacts impactsWithin(float margin, const TileFootprint& at,
                                     const shader::LichenNoise& noise,
                                     const shader::LichenTexton& texton);
 
-/// Impacts in a cell of the Poisson process: the quantile of a Poisson variable of mean 1 at
-/// hash / 2^32.
+/// Returns the number of impacts in a cell of the Poisson process: the quantile of a Poisson
+/// variable of mean 1 at hash / 2^32.
 [[nodiscard]] int poissonCount(std::uint32_t hash);
 
-/// The cell after another along an axis; the first one after the last of the period.
+/// Returns the next cell along an axis, which is 0 after the last cell of the period.
 [[nodiscard]] inline std::uint32_t nextCell(std::uint32_t cell, std::int32_t period) {
   return cell + 1 == std::uint32_t(period) ? 0 : cell + 1;
 }
 
-/// act(place of the point, sign) for the impact of this word in the cell with this corner, if it
-/// reaches the point.
+/// Calls act(offset of the point, sign) for the impact that `word` encodes in the cell with this
+/// corner, if the impact reaches the point.
 template <class Act>
 void actOnImpact(std::uint32_t word, const Vec2& corner, const Impacts& impacts, const Act& act) {
-  constexpr float kStep = 1.0f / 32768.0f; // 15 bits an axis, below the sign
+  constexpr float kStep = 1.0f / 32768.0f; // 15 bits per axis, below the sign
   const auto along = [&](std::uint32_t bits, std::size_t axis) {
     return corner[axis] - (float(bits & 32767u) + 0.5f) * kStep * impacts.cellTexels[axis];
   };
@@ -61,7 +61,7 @@ void actOnImpact(std::uint32_t word, const Vec2& corner, const Impacts& impacts,
     act(place, (word & 0x80000000u) != 0 ? -1.0f : 1.0f);
 }
 
-/// act(place of the point, sign) for each impact that reaches it, row by row.
+/// Calls act(offset of the point, sign) for each impact that reaches the point, row by row.
 template <class Act>
 void forEachImpact(const Impacts& impacts, const shader::LichenNoise& noise,
                    const shader::LichenTexton& texton, const Act& act) {

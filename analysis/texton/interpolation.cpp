@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Order of a B-spline -> its sampled autocorrelation and the Fourier series of that.
+// Order of a B-spline -> its sampled autocorrelation and the Fourier series of the samples.
 //
 // Sources: [GLM17] section 4.1 for order 1; [UAE93] for the others.
 #include "interpolation.h"
@@ -17,7 +17,7 @@ std::vector<double> kernelAutocorrelation(int order) {
   std::vector<double> samples;
   for (int j = 0; j <= order; ++j) {
     double sum = 0.0;
-    double coefficient = 1.0; // (-1)^i times the binomial of degree + 1 over i, over degree!
+    double coefficient = 1.0; // (-1)^i times the binomial (degree + 1 over i), over degree!
     for (int i = 1; i <= degree; ++i)
       coefficient /= i;
     for (int i = 0; i <= degree + 1; ++i) {

@@ -25,7 +25,7 @@ Moments momentsOf(std::span<const float> values, std::size_t channels) {
   const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Index(channels),
                                               Index(values.size() / channels));
   Moments moments{all.cast<double>().rowwise().mean(), MatrixXd::Zero(all.rows(), all.rows())};
-  constexpr Index kBlock = 4096; // pixels, so that the copy in double stays small
+  constexpr Index kBlock = 4096; // pixels; keeps the copy in double small
   for (Index begin = 0; begin < all.cols(); begin += kBlock) {
     const Index count = std::min(kBlock, all.cols() - begin);
     const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - moments.mean;
@@ -46,7 +46,7 @@ bool areOneQuantity(MapChannel a, MapChannel b) {
   return a == b || (isColor(a) && isColor(b)) || (isSlope(a) && isSlope(b));
 }
 
-/// What a map's channels vary by: 0 where only the rounding of floats does.
+/// Returns the variances of a map's channels, or 0 where only float rounding varies.
 VectorXd variancesOf(const Moments& moments) {
   VectorXd variances = moments.covariance.diagonal();
   for (Index c = 0; c < variances.size(); ++c) {
@@ -57,8 +57,8 @@ VectorXd variancesOf(const Moments& moments) {
   return variances;
 }
 
-/// The root mean variance of the quantity that each channel is of, and no less than what rounding
-/// to the file's steps makes of nothing.
+/// Returns each channel's unit: the root of the mean variance over the channels of its quantity,
+/// and at least the standard deviation of rounding to the file's steps.
 VectorXd unitsOf(const MapExemplar& map, const VectorXd& variances) {
   const double roundingVariance = map.quantum * map.quantum / 12.0;
   VectorXd units(variances.size());

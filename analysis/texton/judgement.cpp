@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A stored texton and its exemplar -> how near it is to the Gaussian texture, beside other spots;
-// and that texture itself.
+// A stored texton and its exemplar -> its error and flatness beside other spots, and the exemplar's
+// Gaussian texture.
 //
-// Sources: [GLM14] section 4, [GLM17] section 4.4.
+// Sources: [GLM14] section 4 and eq. 5.
 #include "comparison.h"
 #include "exemplar/resample.h"
 #include "gaussian/gaussian_texture.h"
@@ -25,7 +25,7 @@ gaussian::GaussianModel modelOf(const MapExemplar& exemplar) {
                                  int(exemplar.channels.size()));
 }
 
-/// Those of the frame of a step.
+/// Returns the coefficients in the frame of a step.
 TextonCoefficients storedCoefficients(const Table& image, const TextonShape& shape,
                                       const NoiseMap& map, std::size_t step) {
   const std::vector<float> texels = decodeLevel(image, 0);
@@ -52,7 +52,7 @@ Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, cons
                         noise.as<TextonShape>().order, seenWeights(map.channels));
 }
 
-/// What the pictures of an encoding can hold.
+/// Returns the range that images of an encoding can hold.
 std::pair<float, float> shownRange(ValueEncoding encoding) {
   constexpr float kNone = std::numeric_limits<float>::max();
   switch (encoding) {

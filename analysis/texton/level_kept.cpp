@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LichenMap::mipKept0 to mipKept2, read as the shader reads them.
+// Decodes LichenMap::mipKept0 to mipKept2 as the shader does.
 #include "level_kept.h"
 
 #include "sampling/level_kept.h"

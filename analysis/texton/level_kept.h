@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The share of a texton's variance that a level of its mips keeps: the CPU twin of
+// The share of a texton's variance that remains at a level of detail: the CPU twin of
 // lichenTextonLevelKept.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace lichen::texton {
 
-/// For each channel, at a level >= 0, interpolated between the texels of a mip.
+/// Returns the share for each channel at `level` >= 0, as interpolated between the texels of a mip.
 [[nodiscard]] std::array<float, 3> levelKept(const shader::LichenMap& map, float level);
 
 } // namespace lichen::texton

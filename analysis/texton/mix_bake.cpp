@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Maps of n exemplars -> a texton noise with a frame for each step between them.
 //
-// A unit of each quantity is its deviation, and the same in all exemplars: none of a set is
-// neglected in the joint fit, and contrasts between exemplars stay what they are.
+// The unit of each quantity is its standard deviation and the same in all exemplars. So the joint
+// fit neglects none of a set's maps, and contrasts between exemplars do not change.
 // Sources: [GLM17] section 7; docs/decisions/016-mixing.md.
 #include "exemplar/map_ranges.h"
 #include "gaussian/model_covariance.h"
@@ -36,7 +36,7 @@ Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options
   if (options.texton.fit != TextonFit::transport)
     return usage("a mix by projections; the fit by transport distance is accepted");
   if (!options.weights.empty())
-    return {}; // which the fit checks
+    return {}; // the fit checks the weights
   const int legs = int(exemplars) - 1;
   const int most = (kMaxTextonSteps - 1) / legs + 1;
   if (options.steps < int(kMixStepsRange.least) || options.steps > most)
@@ -47,7 +47,7 @@ Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options
   return {};
 }
 
-/// A map's channels by name.
+/// Returns the names of a map's channels.
 std::string channelsOf(const MapExemplar& map) {
   std::vector<std::string_view> names;
   for (const MapChannel channel : map.channels)
@@ -55,7 +55,7 @@ std::string channelsOf(const MapExemplar& map) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Whether two exemplars have the same maps, channels and encodings.
+/// Checks that two exemplars have the same maps, channels and encodings.
 Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) {
   const auto refuse = [&](const std::string& what) {
     return Error{ErrorKind::badInput,
@@ -103,7 +103,7 @@ Result<void> checkMaps(std::span<const MixedExemplar> exemplars) {
   return {};
 }
 
-/// Width and height of the largest map along each axis.
+/// Returns the width and height of the largest map along each axis.
 std::array<int, 2> sizeOf(const MixedExemplar& exemplar) {
   std::array<int, 2> size{};
   for (const MapExemplar& map : exemplar.maps)
@@ -111,7 +111,7 @@ std::array<int, 2> sizeOf(const MixedExemplar& exemplar) {
   return size;
 }
 
-/// The tile that all of these span, as onOneGrid() makes it.
+/// Returns the tile that all exemplars span, as onOneGrid() makes it.
 Result<std::array<int, 2>> tileOf(std::span<const MixedExemplar> exemplars) {
   std::array<int, 2> tile{};
   for (const MixedExemplar& exemplar : exemplars)
@@ -153,7 +153,7 @@ Result<void> checkFrames(const TextonShape& shape) {
                            shape.steps, shape.frameHeight(), rows, kMaxTableSide));
 }
 
-/// A unit of each channel for all exemplars: the root mean square of their own.
+/// Returns one unit per channel for all exemplars: the root mean square of their own units.
 Eigen::VectorXd sharedUnits(std::span<const JointExemplar> exemplars) {
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(exemplars.front().units.size());
   for (const JointExemplar& exemplar : exemplars)
@@ -177,7 +177,7 @@ MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eige
   return result;
 }
 
-/// Length of the difference over the root of the mean square of both.
+/// Returns the length of the difference over the root mean square of both lengths.
 double relativeDistance(const TextonCoefficients& a, const TextonCoefficients& b) {
   double difference = 0.0, size = 0.0;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
@@ -200,7 +200,7 @@ TextonMixQuality qualityOf(const TextonMix& mix) {
   return quality;
 }
 
-/// The steps in the units of the maps, with the mean of each.
+/// Converts the steps to the units of the maps and adds the mean of each step.
 std::vector<TextonOfMaps> inMapUnits(TextonMix mix, std::span<const Eigen::VectorXd> means,
                                      const Eigen::VectorXd& units) {
   std::vector<TextonOfMaps> steps;

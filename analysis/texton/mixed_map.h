@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A map's constants at a place of a mix: the CPU twin of shaders_glsl/noise/texton_mix.glsl.
+// A map's constants at one weight of a mix: the CPU twin of shaders_glsl/noise/texton_mix.glsl.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -11,16 +11,16 @@
 
 namespace lichen::texton {
 
-/// The table of a mix, as the shader's sampler sees it. Immutable.
+/// The table of a mix as the shader's sampler reads it. Immutable.
 class MixRows {
 public:
-  /// Of a map without a mix, nothing. Throws std::bad_alloc.
+  /// For a map without a mix it stores nothing. Throws std::bad_alloc.
   explicit MixRows(const NoiseMap& map);
 
-  /// The map at its place in a mix; without a mix, as it is.
+  /// Returns the map at this weight of the mix; without a mix, returns `map` unchanged.
   [[nodiscard]] shader::LichenMap at(shader::LichenMap map, const MixPlace& mix) const;
 
-  /// The derivative of the mean of the first channel along x and y, per tile.
+  /// Returns the derivative of the first channel's mean along x and y, per tile.
   [[nodiscard]] std::array<float, 2> meanSlope(const MixPlace& mix) const;
 
 private:
@@ -29,7 +29,7 @@ private:
   [[nodiscard]] float stepOf(const MixPlace& mix) const;
 
   std::size_t steps_ = 0;
-  std::vector<float> values_; ///< rows of steps of four
+  std::vector<float> values_; ///< rows x steps x 4
 };
 
 } // namespace lichen::texton

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Models and covariances of n exemplars -> texton coefficients for each step between them.
 //
-// On a leg from one exemplar to the next the barycentres are straight lines between two spectra,
-// once their phases are aligned. So one texton is fitted for all exemplars together, with the
-// channels of all of them and one phase a frequency: what lies between two of its parts is a texton
-// of the barycentre there. [GLM17] fits each step by itself, from the same noise, and neighbours
-// end in different minima (docs/decisions/016-mixing.md has both errors and both steps).
+// Between two exemplars, once their phases are aligned, the barycentres lie on a straight line
+// between the two spectra. So one texton is fitted to all exemplars together, with the channels of
+// all of them and one phase per frequency. Interpolating two of its parts gives a texton of the
+// barycentre there. [GLM17] instead fits each step alone from the same noise, and neighbours end in
+// different minima (docs/decisions/016-mixing.md lists the errors and step lengths of both).
 // Sources: [GLM17] section 7; [XFPA14].
 #include "mixing.h"
 
@@ -28,11 +28,12 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Of the strongest exemplar's variance: a model with less is taken for as strong as this, so that
-/// the rounding of a constant exemplar is not fitted as if it were a texture: 3e-14 of values in
-/// [0, 1], where faint photographs have 1e-3. One step of 8 bits in a tenth of the pixels has 1e-6.
+/// Least variance of a model, relative to the strongest exemplar's. Weaker models are divided by
+/// this instead of their own, so that the rounding of a constant exemplar is not fitted as a
+/// texture. That rounding is 3e-14 for values in [0, 1]; faint photographs have 1e-3, and one step
+/// of 8 bits in a tenth of the pixels has 1e-6.
 constexpr double kLeastPower = 1e-8;
-/// Of the progress: the errors of 21 steps take less than a tenth of the time.
+/// Share of the progress: the errors of 21 steps take less than a tenth of the time.
 constexpr double kFitOfProgress = 0.9;
 
 Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
@@ -74,8 +75,8 @@ FitOptions fitOptions(const MixOptions& options, const gaussian::GaussianModel& 
   return fit;
 }
 
-/// Textons of aligned models with one phase a frequency: a part of one joint texton each. Each
-/// model counts alike, so that none is neglected for its weak contrast.
+/// Fits textons to aligned models with one phase per frequency, as parts of one joint texton. All
+/// models have the same weight, so that low contrast does not count less.
 std::vector<TextonCoefficients> fittedTogether(std::span<const gaussian::GaussianModel> aligned,
                                                const FitOptions& options) {
   std::vector<double> deviations;
@@ -116,8 +117,8 @@ TextonCoefficients between(const TextonCoefficients& first, const TextonCoeffici
   return result;
 }
 
-/// Measures the fit of step.texton to `model`, as every texton's: with the model's own covariance,
-/// as far as it can have it. Then gives it that of the exemplars' barycentre.
+/// Corrects step.texton to the covariance of `model` as far as possible and measures its error, as
+/// for every texton. Then corrects it to the covariance of the exemplars' barycentre.
 Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::GaussianModel& model,
                     int order, MixStep& step) {
   (void)correctCovariance(step.texton, order, gaussian::modelCovariance(model));
@@ -182,7 +183,7 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
   return mix;
 }
 
-/// The weights over their sum.
+/// Returns the weights divided by their sum.
 Result<std::vector<double>> normalized(std::span<const double> weights, std::size_t exemplars) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
   if (exemplars == 0 || weights.size() != exemplars)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textons of Gaussian textures between exemplars: along a path through them, or one with weights.
+// Fits textons to Gaussian textures between exemplars: along a path through them, or for one set of
+// weights.
 #pragma once
 
 #include "fit.h"
@@ -16,55 +17,56 @@
 
 namespace lichen::texton {
 
-/// What is mixed. All exemplars of a mix have the same channels in the same encoding and in units
-/// that compare: of a set of maps, scaled alike.
+/// One exemplar of a mix. All exemplars have the same channels, encoding and units: of several
+/// maps, each is scaled alike in all exemplars.
 struct MixExemplar {
-  std::string name; ///< for messages: the file's
+  std::string name; ///< the file's name, for messages
   gaussian::GaussianModel model;
-  /// That the noise is to have there: of the exemplar's pixels, or modelCovariance. Its range lies
-  /// inside that of the model's.
+  /// The covariance that the noise must have at this exemplar: that of its pixels, or
+  /// modelCovariance(). Its range lies inside that of the model's covariance.
   Eigen::MatrixXd covariance;
 };
 
 struct MixOptions {
-  int width = 0;  ///< coefficients, at least 1; no more than the tile has texels are made
-  int height = 0; ///< likewise
-  int order = 1;  ///< of the interpolating B-spline, [0, 8]
+  int width = 0;  ///< coefficients, at least 1; limited to the tile's texels
+  int height = 0; ///< as width
+  int order = 1;  ///< order of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
-  /// Steps from an exemplar to the next, at least 1; 20 for the 21 textons of [GLM17].
+  /// Steps from one exemplar to the next, at least 1; 20 for the 21 textons of [GLM17].
   int stepsPerLeg = 20;
-  Progress progress; ///< empty: nobody watches
+  Progress progress; ///< empty: no progress reports
 };
 
 struct MixStep {
-  std::vector<double> weights; ///< one an exemplar, of sum 1: those of the mean colour too
-  /// Of the covariance of the exemplars' barycentre; of an exemplar alone, its own.
+  std::vector<double> weights; ///< one per exemplar, with sum 1; they also weight the mean colour
+  /// Its noise has the covariance of the exemplars' barycentre; at an exemplar, that exemplar's.
   TextonCoefficients texton;
-  /// relativeModelError of the texton with the covariance of its model, as TextonQuality has it.
+  /// relativeModelError() of the texton with its model's covariance, as in TextonQuality.
   double modelError = 0.0;
-  double rankError = 0.0; ///< of Barycenter; 0 along a path
+  double rankError = 0.0; ///< from Barycenter; 0 along a path
 };
 
-/// Textons of one tile.
+/// The textons of one tile.
 struct TextonMix {
-  int width = 0;  ///< texels of the tile, as onOneGrid makes it
+  int width = 0;  ///< texels of the tile, as onOneGrid() makes it
   int height = 0; ///< texels of the tile
   std::vector<MixStep> steps;
 };
 
-/// Textons from each exemplar to the next, (exemplars - 1) stepsPerLeg + 1 of them, evenly spaced.
-/// But for their covariance they lie on straight lines between the textons of the exemplars, which
-/// are fitted together: neighbours are as near to each other as they can be, and the same impacts
-/// make one texture turn into the other. At least two exemplars.
-/// Errors: usage for numbers outside their ranges and for exemplars of different channels; badInput
-/// for an exemplar whose model lacks a colour axis of its covariance; resources for memory,
-/// environment when `options.progress` stops it. Same bytes for any number of threads. Time: one
-/// fit for each exemplar, and relativeModelError for each step. Source: [GLM17] section 7.
+/// Fits textons from each exemplar to the next: (exemplars - 1) stepsPerLeg + 1 of them, evenly
+/// spaced, for at least two exemplars. The exemplars' textons are fitted together. The others lie
+/// on straight lines between them, apart from their covariance. So neighbours are as close as
+/// possible, and the same impacts morph one texture into the other.
+/// Errors: usage for numbers outside their ranges and for exemplars with different channels;
+/// badInput for an exemplar whose model has no variance along a colour axis of its covariance;
+/// resources for memory; environment when `options.progress` stops it. The bytes do not depend on
+/// the number of threads. Time: one fit per exemplar, and relativeModelError() for each step.
+/// Source: [GLM17] section 7.
 [[nodiscard]] Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars,
                                               const MixOptions& options);
 
-/// One texton, of the barycentre with these weights: one an exemplar, none negative, of any
-/// positive sum. At least one exemplar. Errors and time as above.
+/// Fits one texton to the barycentre with these weights: one per exemplar, none negative, with any
+/// positive sum. Takes at least one exemplar. Errors and time as for fitTextonPath().
 [[nodiscard]] Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
                                                     std::span<const double> weights,
                                                     const MixOptions& options);

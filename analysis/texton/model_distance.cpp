@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Gaussian models (spectra of height x width, one a channel) -> their distance.
+// Gaussian models (spectra of height x width, one per channel) -> their distance.
 //
 // A model has one white noise for all channels, so at each frequency the covariance of its channels
-// is t t^* with t the vector of their transforms. Two such matrices, of rank one, are the squared
-// distance |t|^2 + |h|^2 - 2 |h^* t| apart, and frequencies are independent.
+// is t t^*, where t is the vector of their transforms. The squared distance between two such
+// rank-one matrices is |t|^2 + |h|^2 - 2 |h^* t|, and frequencies are independent.
 // Source: [GLM14] eq. 1 and 5.
 #include "model_distance.h"
 
@@ -19,8 +19,8 @@
 namespace lichen::texton {
 namespace {
 
-/// The mean over the pixels of what `power` is at each frequency of the full plane; summed row by
-/// row, so that any number of threads gives the same bytes.
+/// Returns the sum of `power` over all frequencies of the full plane, divided by the number of
+/// pixels. It adds row by row, so that the bytes do not depend on the number of threads.
 template <class Power>
 double meanPower(const gaussian::GaussianModel& model, const Power& power) {
   const HalfSpectrum& first = model.channels[0];
@@ -81,7 +81,7 @@ double squaredTransportDistance(const gaussian::GaussianModel& a,
     }
     return power - 2.0 * std::abs(product);
   });
-  return std::max(distance, 0.0); // of equal models, what rounding leaves
+  return std::max(distance, 0.0); // equal models leave rounding
 }
 
 } // namespace lichen::texton

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Spectra (channels, h_k, w_k / 2 + 1) of n models -> the same of one height and width.
+// Spectra (channels, h_k, w_k / 2 + 1) of n models -> the same at one height and width.
 //
-// More texels on the same tile are more frequencies, at which there is no power: zero-padding of
-// the spectrum, exact, without the blur of a filter in space. No model loses texels.
-// A taller tile has frequencies between those of the model. They are the transform of the kernel
-// with zeros around it, so that covariances are kept and there is still one kernel a channel; not
-// of the autocovariance with zeros around it, which may be no covariance at all. Of all kernels
-// with the same spectrum it is the compact one that is cut least: that whose strongest colour axis
-// has phase 0, the canonical texton of [DMR12] where there is one channel.
+// More texels on the same tile mean more frequencies, without power there: zero-padding of the
+// spectrum. This is exact and avoids the blur of a filter in space. No model loses texels.
+// A taller tile has frequencies between those of the model. They come from the transform of the
+// kernel padded with zeros, which preserves covariances and keeps one kernel per channel. Padding
+// the autocovariance instead might not give a covariance. Of all kernels with the same spectrum, a
+// compact one loses least in the cut. Here that is the kernel whose strongest colour axis has phase
+// 0; for one channel it is the canonical texton of [DMR12].
 #include "one_grid.h"
 
 #include "gaussian/model_covariance.h"
@@ -21,13 +21,13 @@
 namespace lichen::texton {
 namespace {
 
-/// The model at `width` x `height` texels a tile, none fewer than it has.
+/// Returns the model at `width` x `height` texels per tile, neither fewer than it has.
 gaussian::GaussianModel refined(const gaussian::GaussianModel& model, int width, int height) {
   if (width == model.width() && height == model.height())
     return model;
   const float scale = float(
       std::sqrt(double(width) * double(height) / (double(model.width()) * double(model.height()))));
-  // The highest frequency of an even size stands for two, each of which takes half of its power.
+  // The highest frequency of an even size stands for two frequencies. Each takes half of its power.
   constexpr float kHalfPower = 1.0f / std::numbers::sqrt2_v<float>;
   gaussian::GaussianModel result;
   for (const HalfSpectrum& channel : model.channels) {
@@ -51,7 +51,7 @@ gaussian::GaussianModel refined(const gaussian::GaussianModel& model, int width,
   return result;
 }
 
-/// The same texture with the phases that make the strongest colour axis a sum of cosines.
+/// Returns the same texture with the phases that make the strongest colour axis a sum of cosines.
 gaussian::GaussianModel compact(gaussian::GaussianModel model) {
   const auto axes = transport::principalAxes(gaussian::modelCovariance(model));
   const Eigen::VectorXf axis =
@@ -67,7 +67,7 @@ gaussian::GaussianModel compact(gaussian::GaussianModel model) {
   return model;
 }
 
-/// The model on a tile of `height` texels, no fewer than it has.
+/// Returns the model on a tile of `height` texels, not fewer than it has.
 gaussian::GaussianModel extended(const gaussian::GaussianModel& model, int height) {
   if (height == model.height())
     return model;
@@ -82,7 +82,7 @@ gaussian::GaussianModel extended(const gaussian::GaussianModel& model, int heigh
                   plane.begin() + std::ptrdiff_t(std::size_t(row) * width));
     }
     channel = forwardFft(plane, model.width(), height);
-    channel.values[0] = 0.0f; // as every model's; the kernel's sum is rounding
+    channel.values[0] = 0.0f; // as in every model; the kernel's sum is rounding
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gaussian models of exemplars of different sizes, brought to one grid of frequencies.
+// Brings Gaussian models of exemplars of different sizes to one grid of frequencies.
 #pragma once
 
 #include "fit.h"
@@ -9,11 +9,12 @@
 
 namespace lichen::texton {
 
-/// The same textures, sampled at the texels of one tile: as wide as the widest model, and as high
-/// as the highest at that width. Every exemplar spans the tile's width, as in a bundle, where the
-/// number of its pixels says how fine it is and not how large. Their covariances are kept, and
-/// where the shapes agree, all powers and cross-spectra; to a taller tile these are interpolated.
-/// A model that has the size already is returned as it is. At least one; of one number of channels.
+/// Returns the same textures sampled at the texels of one tile. The tile is as wide as the widest
+/// model, and as high as the highest model at that width. Every exemplar spans the tile's width, as
+/// in a bundle: its number of pixels says how fine it is, not how large.
+/// Covariances do not change. Where the aspect ratios agree, neither do powers and cross-spectra;
+/// for a taller tile these are interpolated. A model that already has the size does not change.
+/// Takes at least one model; all have one number of channels.
 [[nodiscard]] std::vector<gaussian::GaussianModel>
 onOneGrid(std::span<const gaussian::GaussianModel> models);
 

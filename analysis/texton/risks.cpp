@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One map -> the risks of a Gaussian texture of it. Thresholds: docs/decisions/017-texton-risks.md.
 //
-// Whatever the support, a texton's noise has Gaussian values and random phases: it has neither the
-// exemplar's histogram nor its outlines. What is slower than the support is not in it either.
+// At any support, a texton's noise has Gaussian values and random phases, so it reproduces neither
+// the exemplar's histogram nor its outlines. It also misses variation slower than the support.
 #include "exemplar/map_ranges.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
@@ -26,13 +26,13 @@ constexpr Calibration kTextonHistogram{0.17, 0.21};
 constexpr Calibration kTextonOutlines{0.4, 1.3};
 constexpr Calibration kTextonSlow{0.25, 0.5};
 
-constexpr int kOctaves = 4; // from 2 pixels a half wave on: details that an eye takes for outlines
+constexpr int kOctaves = 4; // from a half wave of 2 pixels: details that the eye takes for outlines
 constexpr int kOrientations = 4;
 
-// Of the progress, by processor time.
+// Share of the progress, by processor time.
 constexpr double kHistogramOfProgress = 0.2;
 
-/// One channel as a periodic plane without its mean.
+/// Returns the spectrum of one channel as a periodic plane without its mean.
 HalfSpectrum channelSpectrum(const MapExemplar& map, std::size_t channel) {
   const std::size_t stride = map.channels.size();
   std::vector<float> plane(map.values.size() / stride);
@@ -44,19 +44,20 @@ HalfSpectrum channelSpectrum(const MapExemplar& map, std::size_t channel) {
   return spectrum;
 }
 
-/// Frequencies of a plane in cycles per texel, of which the plane is width x height.
+/// Returns the distance of a frequency from 0, in cycles per texel of a plane of width x height
+/// texels.
 double radius(const HalfSpectrum& spectrum, int u, int v, int width, int height) {
   return std::hypot(double(u) / width, double(spectrum.signedRow(v)) / height);
 }
 
-/// The texton: the texels that the exemplar has, and those of the support's sides.
+/// Texels per tile, and texels per side of the texton's support.
 struct Texels {
   int width = 0;
   int height = 0;
   int support = 0;
 };
 
-/// The plane's waves an octave and an eighth of a turn to either side of `frequency` and
+/// Returns the plane's waves within one octave and 45 degrees of `frequency` [cycles / texel] and
 /// `orientation` [radians], sampled on as many points as they need.
 std::vector<float> oriented(const HalfSpectrum& spectrum, double frequency, double orientation) {
   const auto samples = [&](int side) { return std::min(side, int(4.0 * frequency * side) + 2); };
@@ -77,7 +78,7 @@ std::vector<float> oriented(const HalfSpectrum& spectrum, double frequency, doub
   return inverseFft(band);
 }
 
-/// Fourth moment over the squared second, less 3; 0 for Gaussian values and for none.
+/// Returns the fourth moment over the squared second, minus 3; 0 for Gaussian values and for zeros.
 double excessKurtosis(const std::vector<float>& plane) {
   double second = 0.0, fourth = 0.0;
   for (const float value : plane) {
@@ -88,8 +89,8 @@ double excessKurtosis(const std::vector<float>& plane) {
   return second > 0.0 ? double(plane.size()) * fourth / (second * second) - 3.0 : 0.0;
 }
 
-/// Excess kurtosis, mean of the orientations: a crack or an edge stands out from the waves of its
-/// own, and is lost among those of all together.
+/// Returns the mean excess kurtosis over the orientations. A crack or an edge stands out among
+/// waves of its own orientation, but not among all of them together.
 double outlinesAt(const HalfSpectrum& spectrum, double frequency) {
   double sum = 0.0;
   for (int k = 0; k < kOrientations; ++k)
@@ -100,12 +101,12 @@ double outlinesAt(const HalfSpectrum& spectrum, double frequency) {
 constexpr std::size_t kSupports = 5; // the support, twice as large, and so on
 
 struct Waves {
-  double outlines = 0.0; ///< mean of the finest octaves' outlinesAt()
+  double outlines = 0.0; ///< mean of outlinesAt() over the finest octaves
   /// Share of the variance in waves longer than 2^k supports.
   std::array<double, kSupports> slow{};
 };
 
-/// Both over the channels, weighted by their variance.
+/// Returns both measures over the channels, weighted by variance.
 Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progress) {
   Waves sum;
   double variance = 0.0;
@@ -117,7 +118,7 @@ Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progres
       for (int u = 0; u < spectrum.columns(); ++u) {
         const double here = spectrum.multiplicity(u) * double(std::norm(spectrum.at(u, v)));
         power += here;
-        // a wave's part of one
+        // waves per support
         const double supports =
             radius(spectrum, u, v, texels.width, texels.height) * texels.support;
         for (std::size_t k = 0; k < kSupports && std::ldexp(supports, int(k)) < 1.0; ++k)
@@ -125,7 +126,7 @@ Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progres
       }
     double kurtosis = 0.0;
     int octaves = 0;
-    constexpr int kFewestWaves = 8; // along the shorter side, for a moment of fourth order
+    constexpr int kFewestWaves = 8; // along the shorter side, for a fourth moment
     for (int k = 0; k < kOctaves; ++k) {
       const double frequency = std::exp2(-2 - k);
       if (frequency * std::min(map.width, map.height) < kFewestWaves)
@@ -163,7 +164,7 @@ std::string oneDecimal(double value) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-/// The option with the smallest support that holds the variation, and ", "; nothing where none
+/// Returns the option with the smallest support that holds the variation, and ", "; empty if none
 /// does.
 std::string supportFor(const Texels& texels, const Waves& waves) {
   for (std::size_t k = 1; k < kSupports; ++k) {
@@ -178,7 +179,7 @@ std::string supportFor(const Texels& texels, const Waves& waves) {
 
 std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, ProgressPart progress) {
   const double deviation = deviationOf(map);
-  // Rounding to the steps of the file is no histogram.
+  // Rounding to the steps of the file does not count as a histogram.
   const bool varies = deviation > 0.5 * map.quantum;
   const double histogram = varies ? gaussian::distanceToGaussian(map) / deviation : 0.0;
   progress.reach(kHistogramOfProgress);

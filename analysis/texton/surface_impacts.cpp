@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point of a surface and footprint -> the box of cubes around it.
+// Point of a surface and footprint -> the box of cubes around the point.
 #include "surface_impacts.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// a x + b y.
+/// Returns a x + b y.
 Vec3 combined(float a, const Vec3& x, float b, const Vec3& y) {
   return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
 }
@@ -20,7 +20,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// To the right, down and outward in the exemplar as it lies on the surface, orthonormal.
+/// Orthonormal axes of the exemplar on the surface: right, down and outward.
 struct Frame {
   Vec3 right{}, down{}, outward{};
 };
@@ -31,7 +31,7 @@ Frame surfaceFrame(const Vec3& normal, const std::array<float, 4>& tangent) {
   const Vec3& n = frame.outward;
   const Vec3 given{tangent[0], tangent[1], tangent[2]};
   frame.right = combined(1.0f, given, -dot(given, n), n);
-  constexpr float kLeastLength2 = 1e-12f; // as the shader
+  constexpr float kLeastLength2 = 1e-12f; // as in the shader
   if (dot(frame.right, frame.right) < kLeastLength2)
     frame.right = std::abs(n[2]) < 0.5f ? Vec3{-n[1], n[0], 0.0f} : Vec3{0.0f, -n[2], n[1]};
   frame.right = normalized(frame.right);
@@ -40,13 +40,13 @@ Frame surfaceFrame(const Vec3& normal, const std::array<float, 4>& tangent) {
   return frame;
 }
 
-/// The frame turned by the rotation of the material.
+/// Rotates the frame by the material's rotation.
 Frame turned(const Frame& frame, float cosine, float sine) {
   return {combined(cosine, frame.right, sine, frame.down),
           combined(cosine, frame.down, -sine, frame.right), frame.outward};
 }
 
-/// How thick a layer of impacts a point sees. [texels]
+/// Returns the thickness of the layer of impacts that reach a point. [texels]
 float thickness(const shader::LichenTexton& texton) {
   const int order = int(texton.order);
   return std::sqrt(float(texton.coefficientsX + order) * float(texton.coefficientsY + order));
@@ -60,7 +60,7 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
   const float tilesPerMetre = perScale / noise.tileSizeMetres;
   const Frame frame = turned(surfaceFrame(at.normal, at.tangent), noise.uvToTileXX / perScale,
                              noise.uvToTileXY / perScale);
-  // Texels are square: a tile is as many high as wide, in tiles of its own height.
+  // Texels are square, so the vertical scale is in tiles of the tile's own height.
   const float perHeight = tilesPerMetre * texton.texelsPerTileX / texton.texelsPerTileY;
   TileFootprint plane;
   plane.dx = {tilesPerMetre * dot(frame.right, at.dx), perHeight * dot(frame.down, at.dx)};
@@ -74,7 +74,7 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
                   combined(side / greatestHeight, frame.outward, 0.0f, none)};
   const Impacts& impacts = surface.impacts;
   surface.radius = {impacts.radius[0], impacts.radius[1], 1.0f};
-  // An impact has the middle of its coefficients at its own place.
+  // The centre of the coefficients lies at the impact's position.
   const Vec2 shift{0.5f * float(texton.coefficientsX) - impacts.middle[0],
                    0.5f * float(texton.coefficientsY) - impacts.middle[1]};
   const std::array<std::int32_t, 3> origin{noise.cellI, noise.cellJ, noise.cellK};
@@ -83,7 +83,7 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
     const float grid = at.position[k] * tilesPerMetre * noise.columnsPerTile;
     const float cell = std::floor(grid);
     inside[k] = grid - cell;
-    // 64 bits: 2^28 tiles may have 2^46 cubes.
+    // 64 bits, because 2^28 tiles may have 2^46 cubes.
     surface.cell[k] = std::uint32_t(std::int64_t(cell)) + std::uint32_t(origin[k]);
     const float middle = inside[k] + (shift[0] * frame.right[k] + shift[1] * frame.down[k]) / side;
     const float reach = (impacts.radius[0] * std::abs(frame.right[k]) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The impacts of a texton noise that reach a point of a surface: the CPU twin of
-// shaders_glsl/noise/surface_impacts.glsl and mapping/surface.glsl. It looks at all cubes around
-// the point, the shader at those alone that it cannot rule out.
+// shaders_glsl/noise/surface_impacts.glsl and mapping/surface.glsl. It visits all cubes around the
+// point; the shader skips those that it can rule out.
 #pragma once
 
 #include "impacts.h"
@@ -15,29 +15,29 @@ namespace lichen::texton {
 
 using Vec3 = std::array<float, 3>;
 
-/// What all maps of a surface noise share at one point. Ways are in cubes, from the corner of the
-/// one that holds the point. A place of the point seen from an impact has three parts: two in
-/// texels, from the middle of what its texton reaches, and the height over the tangent plane in
-/// units of the greatest that counts.
+/// Values that all maps of a surface noise share at one point. Offsets between cubes are in cubes,
+/// from the corner of the cube that holds the point. The offset of the point from an impact has
+/// three parts: two in texels, from the centre of the area that the texton covers, and the height
+/// over the tangent plane, in units of the largest height that has a weight.
 struct SurfaceImpacts {
-  Impacts impacts;                     ///< of a plane at this footprint
-  Vec3 place{};                        ///< of the point seen from its cube's corner
-  std::array<Vec3, 3> axes{};          ///< a way, dotted with each, is taken from the place
-  Vec3 radius{};                       ///< of places from which impacts reach the point
+  Impacts impacts;                     ///< of a plane with this footprint
+  Vec3 place{};                        ///< offset of the point from its cube's corner
+  std::array<Vec3, 3> axes{};          ///< map an offset in cubes to texels and height
+  Vec3 radius{};                       ///< limits of offsets at which impacts count
   std::array<std::uint32_t, 3> cell{}; ///< the cube that holds the point
-  std::array<int, 3> first{}, last{};  ///< ways to the cubes that may reach it
+  std::array<int, 3> first{}, last{};  ///< offsets of the cubes that may reach it
 };
 
 [[nodiscard]] SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at,
                                               const shader::LichenNoise& noise,
                                               const shader::LichenTexton& texton);
 
-/// act(place of the point, weight with its sign) for the impact of this word in the cube at the end
-/// of a way, if it reaches the point.
+/// Calls act(offset of the point, signed weight) for the impact that `word` encodes in the cube at
+/// offset `way`, if the impact reaches the point.
 template <class Act>
 void actOnSurfaceImpact(std::uint32_t word, const Vec3& way, const SurfaceImpacts& surface,
                         const Act& act) {
-  constexpr float kStep = 1.0f / 1024.0f; // 10 bits an axis, below the sign
+  constexpr float kStep = 1.0f / 1024.0f; // 10 bits per axis, below the sign
   const std::array<std::uint32_t, 3> bits{word >> 21, word >> 11, word >> 1};
   Vec3 end{};
   for (std::size_t k = 0; k < 3; ++k)
@@ -49,13 +49,13 @@ void actOnSurfaceImpact(std::uint32_t word, const Vec3& way, const SurfaceImpact
     if (!(std::abs(place[k]) < surface.radius[k]))
       return;
   }
-  // [GLM17] section 6: less and less of what is far from the tangent plane.
+  // [GLM17] section 6: the weight falls with the distance to the tangent plane.
   const float weight = 1.0f - std::abs(place[2]);
   act(Vec2{place[0], place[1]}, (word & 0x80000000u) != 0 ? -weight : weight);
 }
 
-/// act(place of the point, weight with its sign) for each impact that reaches it, column by column
-/// along z, as the shader sums them.
+/// Calls act(offset of the point, signed weight) for each impact that reaches the point, column by
+/// column along z, in the order in which the shader sums them.
 template <class Act>
 void forEachSurfaceImpact(const SurfaceImpacts& surface, const shader::LichenNoise& noise,
                           const shader::LichenTexton& texton, const Act& act) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise behind the interfaces of all methods.
+// Adapts texton noise to the common interface of all methods.
 #include "texton_analysis.h"
 
 #include <lichen/texton_evaluate.h>
@@ -27,7 +27,7 @@ public:
   }
 
 private:
-  /// The twin of lichenMixByUv (shaders_glsl/mapping/uv.glsl).
+  /// The CPU twin of lichenMixByUv (shaders_glsl/mapping/uv.glsl).
   [[nodiscard]] MixPlace mixAt(const std::array<float, 2>& uv) const override {
     const shader::LichenNoise& noise = constants();
     const float square = noise.uvToTileXX * noise.uvToTileXX + noise.uvToTileXY * noise.uvToTileXY;

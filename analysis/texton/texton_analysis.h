@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise [GLM17] among the methods of the analysis.
+// Texton noise [GLM17] as a method of the analysis.
 #pragma once
 
 #include "methods/method_analysis.h"

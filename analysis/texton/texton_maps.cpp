@@ -14,11 +14,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// The stored value is the mean plus six deviations a unit, as where other Gaussian values are
-/// decoded without a table.
+/// The stored value is the mean plus six standard deviations per unit, as in other Gaussian values
+/// that are decoded without a table.
 constexpr double kScaleDeviations = 6.0;
 
-/// Mean and covariance of `n` channels from `first` on.
+/// Returns mean and covariance of `n` channels starting at `first`.
 TextonStep statisticsOf(const Eigen::VectorXd& mean, const MatrixXd& covariance, Index first,
                         Index n) {
   TextonStep statistics;
@@ -30,7 +30,7 @@ TextonStep statisticsOf(const Eigen::VectorXd& mean, const MatrixXd& covariance,
   return statistics;
 }
 
-/// Six times the greatest deviation of each of these channels.
+/// Returns six times the largest standard deviation of each of these channels.
 std::vector<double> scaleOf(std::span<const MatrixXd> covariances, Index first, Index n) {
   std::vector<double> scale;
   for (Index c = first; c < first + n; ++c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textons of all maps of a noise -> its maps and their tables.
+// Textons for all maps of a noise -> its maps and their tables.
 #pragma once
 
 #include "fit.h"
@@ -13,19 +13,19 @@
 
 namespace lichen::texton {
 
-/// What one step of a noise is made of; of one that is no mix, all.
+/// One step of a mix. A noise without a mix has only one.
 struct TextonOfMaps {
-  TextonCoefficients coefficients; ///< the channels of all maps
-  Eigen::VectorXd mean;            ///< of their stored values
+  TextonCoefficients coefficients; ///< of all maps' channels
+  Eigen::VectorXd mean;            ///< of the stored values
 };
 
-/// Coefficients in units of each channel -> of stored values.
+/// Converts coefficients from the units of each channel to stored values.
 [[nodiscard]] TextonCoefficients inStoredUnits(TextonCoefficients coefficients,
                                                const Eigen::VectorXd& units);
 
-/// Gives `noise`, whose shape and name are set, a map for each of `maps`, of which pixels are not
-/// read, and appends their tables. A step each of the shape's. `bits` 8 or 16, as
-/// TextonOptions::bits. Throws std::bad_alloc.
+/// Adds to `noise`, whose shape and name are set, a map for each entry of `maps`, and appends their
+/// tables. It does not read the pixels of `maps`. There is one entry of `steps` per step of the
+/// shape. `bits` is 8 or 16, as in TextonOptions::bits. Throws std::bad_alloc.
 void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar> maps, int bits,
                Noise& noise, std::vector<Table>& tables);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Coefficients (channels, height, width) -> frames of texels (height, width, channels) with mips.
 //
-// A mip's texel is the average of the texels below it, so that the noise of level l is that of
-// level 0 averaged over squares of 2^l texels, interpolated bilinearly. A frame has room for that
-// level's interpolation: nothing of a texton leaves it. Source: [GLM17] section 5.2.
+// A mip's texel is the average of the texels below it. So the noise at level l is the noise of
+// level 0, averaged over squares of 2^l texels and interpolated bilinearly. A frame has room for
+// the interpolation at that level, so a texton never leaves its frame. Source: [GLM17] section 5.
 #include "texton_table.h"
 
 #include "color_correction.h"
@@ -15,7 +15,7 @@
 namespace lichen::texton {
 namespace {
 
-/// Texels of one channel, row by row; zero beyond.
+/// The texels of one channel, row by row; zero outside.
 struct Plane {
   int width = 0;
   int height = 0;
@@ -27,7 +27,7 @@ struct Plane {
   }
 };
 
-/// Averages of 2 x 2 texels, those beyond the borders 0.
+/// Returns averages of 2 x 2 texels; texels outside count as 0.
 Plane halved(const Plane& plane) {
   Plane half{(plane.width + 1) / 2, (plane.height + 1) / 2, {}};
   for (int y = 0; y < half.height; ++y)
@@ -37,7 +37,7 @@ Plane halved(const Plane& plane) {
   return half;
 }
 
-/// The variance of one channel's noise where texels are `side` texels of level 0 wide.
+/// Returns the variance of one channel's noise whose texels are `side` texels of level 0 wide.
 double variance(const Plane& plane, int order, double side) {
   const TextonCoefficients alone{plane.width, plane.height, 1, plane.values};
   return side * side * noiseCovariance(alone, order)(0, 0);
@@ -51,7 +51,7 @@ TexelFormat formatOf(std::size_t channels, int bits) {
   return kHalf[channels - 1];
 }
 
-/// Frames of one channel, one above the other.
+/// Returns the frames of one channel, one above the other.
 Plane stacked(std::span<const TextonCoefficients* const> steps, const TextonShape& shape,
               std::size_t channel, double scale) {
   Plane plane{int(shape.frameWidth()), int(shape.frameHeight()) * shape.steps, {}};
@@ -69,7 +69,7 @@ Plane stacked(std::span<const TextonCoefficients* const> steps, const TextonShap
   return plane;
 }
 
-/// What each level of averaging takes from the variance of one channel of one step.
+/// Returns the lost variance at each level of averaging, for one channel of one step.
 std::vector<double> lostShares(std::vector<Plane> mips, int order) {
   std::vector<double> lost(kMaxTextonLosses, 0.0);
   const double whole = variance(mips[0], order, 1.0);
@@ -78,15 +78,15 @@ std::vector<double> lostShares(std::vector<Plane> mips, int order) {
     side *= 2.0;
     if (level == mips.size())
       mips.push_back(halved(mips.back()));
-    // Minified textons are interpolated bilinearly, whatever the order. Rounding may make the
-    // losses of small ones decrease.
+    // Minified textons are interpolated bilinearly, whatever the order. For small textons, rounding
+    // could make the losses decrease.
     const double kept = variance(mips[level], 1, side) / whole;
     lost[level] = std::clamp(1.0 - kept, lost[level - 1], 1.0);
   }
   return lost;
 }
 
-/// One channel of one step, as the table's levels have it.
+/// Returns one channel of one step at each of the table's levels.
 std::vector<Plane> mipsOf(const Table& table, std::span<const std::vector<float>> levels,
                           const TextonShape& shape, int step, std::size_t channel) {
   const auto stride = std::size_t(channelCount(table.format));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton coefficients -> what a shader fetches, and what each level of averaging takes from them.
+// Texton coefficients -> the table that a shader fetches from, and the lost variance of each level.
 #pragma once
 
 #include "fit.h"
@@ -11,19 +11,20 @@
 
 namespace lichen::texton {
 
-/// The table of some channels, 1 to 3, of one texton for each step: frames one above the other,
-/// with mips of box averages. Each channel is divided by its `scale`; one of scale 0 is 0. `bits`
-/// 16 or 32, of floats.
+/// Returns the table of 1 to 3 channels, with one texton per step: frames one above the other, and
+/// mips of box averages. Each channel is divided by its `scale`; a channel of scale 0 is stored as
+/// 0. `bits` is the size of its floats, 16 or 32.
 [[nodiscard]] Table textonTable(std::span<const TextonCoefficients* const> steps,
                                 const TextonShape& shape, std::size_t firstChannel,
                                 std::span<const double> scale, int bits);
 
-/// The coefficients of a step, the channels of all maps, as the tables of `noise` hold them.
+/// Returns the coefficients of a step for the channels of all maps, as stored in the tables of
+/// `noise`.
 [[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables,
                                               int step = 0);
 
-/// NoiseMap::mipLoss of each step of such a table, kMaxTextonLosses values a channel; of one that
-/// does not vary 0.
+/// Returns TextonMap::mipLoss for each step of such a table, kMaxTextonLosses values per channel.
+/// For a channel that does not vary, the values are 0.
 [[nodiscard]] std::vector<std::vector<double>>
 mipLosses(const Table& table, const TextonShape& shape, std::size_t channels);
 

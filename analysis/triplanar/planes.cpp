@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point, footprint and normal -> the three planes of triplanar noise there.
+// Point, footprint and normal -> the three planes of triplanar noise at the point.
 #include "planes.h"
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace {
 using Vec2 = std::array<float, 2>;
 using Vec3 = std::array<float, 3>;
 
-/// Of each plane, as docs/gltf_extension/README.md has them: to the right and down, seen from the
-/// end of its axis.
+/// For each plane, the right and down directions seen from the end of its axis, as defined in
+/// docs/gltf_extension/README.md.
 constexpr std::array<std::array<Vec3, 2>, 3> kFrames{
     {{{{0, 0, -1}, {0, -1, 0}}}, {{{1, 0, 0}, {0, 0, 1}}}, {{{1, 0, 0}, {0, -1, 0}}}}};
 
 float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The weights of the planes; their squares sum to 1.
+/// Returns the weights of the planes; the sum of their squares is 1.
 Vec3 weightsOf(const Vec3& normal, float sharpness) {
-  constexpr float kLeastWeight = 1.0f / 64.0f; // as LICHEN_LEAST_PLANE_WEIGHT
+  constexpr float kLeastWeight = 1.0f / 64.0f; // LICHEN_LEAST_PLANE_WEIGHT
   const float most = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
   Vec3 weights{};
   for (std::size_t k = 0; k < 3; ++k)

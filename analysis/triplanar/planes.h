@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The three planes of a triplanar noise at a point, and how their values are blended: the CPU twin
-// of shaders_glsl/mapping/triplanar.glsl and noise/triplanar.glsl.
+// The three planes of a triplanar noise at a point, and the blend of their values: the CPU twin of
+// shaders_glsl/mapping/triplanar.glsl and noise/triplanar.glsl.
 #pragma once
 
 #include <lichen/shader_parameters.h>
@@ -11,25 +11,26 @@
 
 namespace lichen::triplanar {
 
-/// The noise in the plane that looks along one axis.
+/// The noise in the plane perpendicular to one axis.
 struct Plane {
-  float weight = 0.0f; ///< squares of the weights sum to 1; 0 where the plane does not count
-  shader::LichenNoise noise{}; ///< as on texture coordinates
+  float weight = 0.0f;         ///< the squares of the weights sum to 1; 0: skipped
+  shader::LichenNoise noise{}; ///< as for a noise on texture coordinates
   TileFootprint at;
-  std::array<std::array<float, 3>, 2> axes{}; ///< in space: the exemplar's right, and its up
-  float seen = 0.0f; ///< the share of a slope's variance that the surface shows
+  std::array<std::array<float, 3>, 2> axes{}; ///< in space: the exemplar's right and up
+  float seen = 0.0f; ///< share of a slope's variance that the surface shows
 };
 
-/// Those that look along x, y and z.
+/// Returns the planes perpendicular to x, y and z.
 [[nodiscard]] std::array<Plane, 3> planesAt(const TriplanarFootprint& at,
                                             const shader::LichenNoise& noise);
 
-/// `gaussianOf(plane)` of each plane that counts, four floats: Gaussian values and the share of
-/// their variance that filtering loses -> those of all planes together.
+/// Blends `gaussianOf(plane)` of each plane with a weight. It returns four floats: three Gaussian
+/// values and the share of their variance that filtering loses. The result has the same four
+/// floats.
 template <class GaussianOf>
 [[nodiscard]] std::array<float, 4> blendedGaussian(const std::array<Plane, 3>& planes,
                                                    const GaussianOf& gaussianOf) {
-  // [HN18] eq. 8, the squares of the weights summing to 1.
+  // [HN18] eq. 8; the squares of the weights sum to 1.
   std::array<float, 4> blend{0.5f, 0.5f, 0.5f, 0.0f};
   for (const Plane& plane : planes) {
     if (plane.weight == 0.0f)
@@ -42,8 +43,8 @@ template <class GaussianOf>
   return blend;
 }
 
-/// `slopesOf(plane)` of each plane that counts: two slopes and the variance that the footprint
-/// hides -> the gradient in space, and that variance on the surface. [M20]
+/// Blends `slopesOf(plane)` of each plane with a weight: two slopes and the variance lost to
+/// filtering. Returns the gradient in space and the lost variance on the surface. [M20]
 template <class SlopesOf>
 [[nodiscard]] std::array<float, 4> blendedSlopes(const std::array<Plane, 3>& planes,
                                                  const SlopesOf& slopesOf) {
