@@ -58,7 +58,7 @@ private:
 
   const PointArrays& buyers_;
   const PointArrays& sites_;
-  /// y|^2 + price; infinite in the empty slots of the last leaf.
+  /// |y|^2 + price; infinite in the empty slots of the last leaf.
   std::vector<float> weight_;
   std::vector<std::uint32_t> siteOf_;
   std::vector<std::uint32_t> buyerOf_;
