@@ -24,8 +24,8 @@ namespace {
 
 using namespace suitability;
 
-/// What is darker on the whole than this share of the mean is brightened as if it were that: its
-/// grain would be coarser than the rest's.
+/// Where the low-passed light is below this share of the mean, it is brightened only as much as at
+/// this share. More would make its grain coarser than the rest's.
 constexpr float kDarkestShare = 1.0f / 8.0f;
 
 float mean(const std::vector<float>& values) {
