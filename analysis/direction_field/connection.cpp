@@ -81,8 +81,7 @@ void setNormals(const Surface& surface, Connection& connection) {
         largest[v] = vector;
     }
   }
-  constexpr double kCancelled =
-      1e-9; // share of the area: far above rounding, far below any surface
+  constexpr double kCancelled = 1e-9; // of the area: above rounding, below any surface
   connection.normalOf.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const bool cancels = sum[v].norm() <= kCancelled * connection.areaOf[v];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tangent planes at a surface's vertices, and the transport of directions between them. Source:
-// [K13].
+// Tangent planes at a surface's vertices, and the transport of directions between them.
+// Source: [K13].
 #pragma once
 
 #include "surface.h"
@@ -15,11 +15,9 @@ using Complex = std::complex<double>;
 /// of the fan. Around a closed fan the angles are scaled to sum to 2 pi, so each tangent plane is
 /// flat and all curvature lies in the faces.
 struct Connection {
-  std::vector<double> angleOf; ///< per half-edge, at its start
-  std::vector<double>
-      turnOf; ///< per half-edge: angle added when a direction is transported along it
-  std::vector<double>
-      curvatureOf; ///< per face: angle added when a direction is transported around it
+  std::vector<double> angleOf;     ///< per half-edge, at its start
+  std::vector<double> turnOf;      ///< per half-edge: rotation of a direction carried along it
+  std::vector<double> curvatureOf; ///< per face: rotation of a direction carried around it
   std::vector<Eigen::Vector3d> normalOf; ///< per vertex, unit
   /// Per vertex: the unit vector at the angle 0, perpendicular to the normal.
   std::vector<Eigen::Vector3d> axisOf;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mesh -> surface -> smooth directions -> a tangent per vertex, and the singularities. Source:
-// [K13].
+// Mesh -> surface -> smooth directions -> a tangent per vertex, and the singularities.
+// Source: [K13].
 #include "smoothest.h"
 
 #include <lichen/direction_field.h>
@@ -59,8 +59,8 @@ std::vector<std::uint32_t> vertexOfInput(const Surface& surface) {
   return ofInput;
 }
 
-/// Each as given; where that is zero or none are given, averaged over the triangles of the input
-/// vertex, as they are wound; where these have no area, that of the surface.
+/// The given normal; if it is zero or absent, the area-weighted mean over the input vertex's
+/// triangles with their input winding; if those have no area, the surface's normal.
 std::vector<Vector3d> inputNormals(const Surface& surface, const Connection& connection,
                                    std::span<const std::uint32_t> triangles,
                                    std::span<const Vector3> given,
@@ -93,8 +93,8 @@ Vector3d tangentAt(const Vector3d& direction, const Vector3d& from, const Vector
   return (tangent - to * to.dot(tangent)).normalized();
 }
 
-/// The angle between the directions at the ends of a half-edge, after transport along it, in (-pi,
-/// pi]. The two half-edges of an edge have opposite angles.
+/// The angle between the directions at the ends of a half-edge, after transport along it, in
+/// (-pi, pi]. The two half-edges of an edge have opposite angles.
 double turning(const Surface& surface, const Connection& connection,
                const std::vector<Complex>& directions, std::uint32_t halfEdge) {
   const std::uint32_t other = surface.twin[halfEdge];

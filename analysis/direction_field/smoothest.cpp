@@ -224,8 +224,7 @@ private:
 void iterate(const OrderedFactor& factor, const PartNorms& parts, const std::vector<double>& areas,
              Vector& field, const ProgressPart& progress) {
   constexpr int kMostSteps = 30;
-  constexpr double kConverged =
-      1e-10; // squared distance of one step; the remaining error is smaller
+  constexpr double kConverged = 1e-10; // squared distance of one step; the error is smaller
   const Eigen::Map<const Eigen::VectorXd> weights(areas.data(), Eigen::Index(areas.size()));
   for (int step = 0; step < kMostSteps; ++step) {
     Vector next = factor.solve(weights.asDiagonal() * field);
@@ -305,8 +304,7 @@ Result<std::vector<Complex>> smoothestField(const Surface& surface, const Connec
 Result<std::vector<Complex>> alignedField(const Surface& surface, const Connection& connection,
                                           const Eigen::Vector3d& axis,
                                           const ProgressPart& progress) {
-  constexpr double kSmoothestTime =
-      0.55; // the first factor and the iteration, before the second factor
+  constexpr double kSmoothestTime = 0.55; // first factor and iteration, before the second factor
   if (surface.vertexCount() == 0)
     return std::vector<Complex>();
   Result<Smoothest> smoothest =

@@ -25,8 +25,7 @@ struct Surface {
   std::vector<std::uint32_t> twin;     ///< per half-edge: the half-edge of the other face, or kNone
   std::vector<std::uint32_t> vertexOf; ///< per corner
   std::vector<std::uint32_t> pointOfVertex;
-  std::vector<std::uint32_t>
-      componentOf; ///< per face; components are numbered by their first faces
+  std::vector<std::uint32_t> componentOf; ///< per face, numbered by first faces
 
   [[nodiscard]] std::size_t faceCount() const { return triangleOf.size(); }
   [[nodiscard]] std::size_t vertexCount() const { return pointOfVertex.size(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Image -> how much its gradients prefer one direction, from the structure tensor of the whole
-// image. Source: [BG87] Bigun and Granlund, Optimal Orientation Detection of Linear Symmetry, 1987.
+// Image -> how much its gradients prefer one direction, from the structure tensor of the image.
+// Source: [BG87] Bigun and Granlund, Optimal Orientation Detection of Linear Symmetry, 1987.
 #include <lichen/measures.h>
 #include <lichen/spectrum.h>
 

@@ -112,8 +112,7 @@ Extents resultExtents(const Extents& exemplar, int side) {
   int& length = extents[longer];
   int& breadth = extents[1 - longer];
   if (length > 2 * breadth) {
-    length =
-        std::min(length, int(std::sqrt(2.0) * kShownExemplars * side)); // the same number of pixels
+    length = std::min(length, int(std::sqrt(2.0) * kShownExemplars * side)); // as many pixels
     breadth = std::max(breadth, length / 2);
   }
   return extents;
