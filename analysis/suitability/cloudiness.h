@@ -11,8 +11,8 @@ namespace lichen::suitability {
 /// its mean, of a periodic plane of unit variance.
 /// Derivation: three windows at offsets a, b, c blend to (g_a + g_b + g_c) / sqrt(3), whose
 /// variance is 1 + (2/3) (r(a - b) + r(a - c) + r(b - c)) with r the autocorrelation. The three
-/// values of r are uncorrelated, and by Parseval the mean of r^2 over all offsets is sum P^2 / (sum
-/// P)^2.
+/// values of r are uncorrelated, and by Parseval the mean of r^2 over all offsets is
+/// sum P^2 / (sum P)^2.
 /// 0 for a plane without variance.
 [[nodiscard]] double cloudiness(const HalfSpectrum& spectrum);
 

@@ -6,8 +6,8 @@
 
 namespace lichen::suitability {
 
-/// The gain of a Gaussian low-pass that halves the amplitude at one cycle per period: 2^-(x^2 +
-/// y^2) at a frequency (x, y) in cycles per period.
+/// The gain of a Gaussian low-pass that halves the amplitude at one cycle per period:
+/// 2^-(x^2 + y^2) at a frequency (x, y) in cycles per period.
 [[nodiscard]] inline double lowPassGain(double cyclesX, double cyclesY) {
   return std::exp2(-(cyclesX * cyclesX + cyclesY * cyclesY));
 }

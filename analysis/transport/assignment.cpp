@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Transport between point sets of equal size: N points and N points -> a permutation. Multiscale
-// matching of preconditioned points, then two-opt and exact blocks.
+// Transport between point sets of equal size: N points and N points -> a permutation.
+// Multiscale matching of preconditioned points, then two-opt and exact blocks.
 #include "assignment.h"
 
 #include "local_blocks.h"

@@ -32,8 +32,8 @@ template <class Matrix>
 template <class Matrix>
 [[nodiscard]] Matrix rootOfProduct(const Matrix& root, const Matrix& covariance);
 
-/// The symmetric optimal-transport map between centred Gaussians, A^(-1/2) (A^(1/2) B
-/// A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19] eq. 2.40.
+/// The symmetric optimal-transport map between centred Gaussians,
+/// A^(-1/2) (A^(1/2) B A^(1/2))^(1/2) A^(-1/2) for `from` A and `to` B [PC19] eq. 2.40.
 template <class Matrix>
 [[nodiscard]] Matrix covarianceMap(const Matrix& from, const Matrix& to);
 

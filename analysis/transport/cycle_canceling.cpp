@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cancels negative cycles on the complete exchange graph of n points. Edge i -> j, where source i
-// takes the target of j, costs <s_i, t_i> - <s_i, t_j>.
+// Cancels negative cycles on the complete exchange graph of n points.
+// Edge i -> j, where source i takes the target of j, costs <s_i, t_i> - <s_i, t_j>.
 #include "cycle_canceling.h"
 
 #include <algorithm>

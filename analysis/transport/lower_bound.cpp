@@ -21,8 +21,8 @@ namespace {
 
 /// Ratio between the steps of successive auctions (epsilon scaling).
 constexpr double kStepRatio = 4.0;
-/// The first auction's step is the duality gap divided by this. Larger steps spoil prices that are
-/// nearly right; smaller steps take long to repair prices that are not.
+/// The first auction's step covers the duality gap per pair in at most this many steps. Larger
+/// steps spoil prices that are nearly right; smaller steps take long to repair prices that are not.
 constexpr double kStepsOfGap = 8.0;
 
 /// precondition() rounds coordinates to float, 2^-24 on each side of a product. It also drops

@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t kNeighbours = 8;
 
 /// Solver tolerance. The errors left are within neighbourhoods, which the auction repairs; a
-/// tolerance of a hundredth of this does not shorten it. Price errors over long distances have
-/// converged by then.
+/// tolerance 100 times smaller does not make the auction faster. Price errors over long distances
+/// have converged by then.
 constexpr double kTolerance = 1e-2;
 constexpr int kMostIterations = 500;
 

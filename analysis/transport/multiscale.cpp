@@ -27,7 +27,7 @@ constexpr std::size_t kNeighbours = 12;
 
 /// The auction's increment in units of the mean squared distance of a cell's targets from their
 /// centroid, which is about the squared distance of neighbours. On the exemplars of lichen-bench,
-/// half of it gains nothing, and with twice of it the cost is half as much again above the optimum.
+/// half of it gains nothing, and twice of it makes the excess over the optimum 1.5 times as large.
 constexpr float kIncrement = 1.0f;
 /// The coarsest level has no prices to start from, so its increments decrease in these steps.
 constexpr std::array<float, 4> kCoarsestSteps{64.0f, 16.0f, 4.0f, 1.0f};
@@ -105,8 +105,8 @@ private:
   std::vector<std::uint32_t> indices_;
 };
 
-/// Prices of the finer level's targets, by the c-transform of the cells' dual variables: max_i
-/// (cost of i - |x_i - y|^2) over the sources i matched to the cells around y.
+/// Prices of the finer level's targets, by the c-transform of the cells' dual variables:
+/// max_i (cost of i - |x_i - y|^2) over the sources i matched to the cells around y.
 std::vector<float> carriedOver(const Level& cells, const Solution& coarse,
                                const Neighbours& neighbours, const PointArrays& targets) {
   std::vector<std::uint32_t> sourceOf(cells.size());
