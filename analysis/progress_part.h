@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of an operation's progress, for the step that does that part.
+// The share of an operation's progress that belongs to one of its steps.
 #pragma once
 
 #include <lichen/progress.h>
@@ -9,18 +9,18 @@
 
 namespace lichen {
 
-/// Thrown through the steps of an operation whose caller stopped it; caught where it was called.
+/// Thrown inside an operation when its caller stops it. unlessInterrupted() catches it.
 struct Interrupted {};
 
-/// Maps a step's own progress to its share of the whole. Small, to be passed by value; the Progress
-/// outlives it.
+/// Maps the progress of one step to its share of the whole operation. Small: pass it by value. The
+/// Progress must outlive it.
 class ProgressPart {
 public:
-  /// Of an operation that nobody watches.
+  /// Reports to nobody.
   ProgressPart() = default;
   explicit ProgressPart(const Progress& whole) : progress_(&whole) {}
 
-  /// The part of this step from one fraction of it to another.
+  /// The part of this step between the fractions `begin` and `end` of it, both in [0, 1].
   [[nodiscard]] ProgressPart part(double begin, double end) const {
     ProgressPart inner = *this;
     inner.begin_ = begin_ + (end_ - begin_) * begin;
@@ -28,8 +28,8 @@ public:
     return inner;
   }
 
-  /// Tells that `fraction` of the step is done. On the operation's thread only. Throws Interrupted
-  /// if the caller wants no more.
+  /// Reports that `fraction` of the step is done. Call it on the operation's thread only. Throws
+  /// Interrupted if the caller stops the operation.
   void reach(double fraction) const {
     if (progress_ != nullptr && *progress_ && !(*progress_)(begin_ + (end_ - begin_) * fraction))
       throw Interrupted{};
@@ -41,8 +41,8 @@ private:
   double end_ = 1.0;
 };
 
-/// Runs `operation`, which returns a Result, with Interrupted turned into the Error of `what` it is
-/// that was stopped.
+/// Runs `operation`, which returns a Result. Returns an environment error, "`what`: interrupted",
+/// if the caller stops it.
 template <class Operation>
 [[nodiscard]] auto unlessInterrupted(const std::string& what, const Operation& operation)
     -> decltype(operation()) {

@@ -11,10 +11,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// The cotangent of 5.7 degrees. Sharper angles have weights that would drown all others.
+/// The cotangent of 5.7 degrees. The weights of sharper angles would dominate all others.
 constexpr double kLargestCotangent = 10.0;
 
-/// Corner angles and cotangents. Triangles without area have angles that sum to pi too.
+/// Corner angles and cotangents. The angles of triangles without area sum to pi too.
 std::vector<double> cornerAngles(const Surface& surface, std::vector<double>& cotangents) {
   std::vector<double> angles(surface.faces.size());
   cotangents.resize(surface.faces.size());
@@ -31,7 +31,7 @@ std::vector<double> cornerAngles(const Surface& surface, std::vector<double>& co
   return angles;
 }
 
-/// The first corner of each fan: where its border begins, or the least of a closed one.
+/// The first corner of each fan: at the start of its border, or the least corner of a closed fan.
 std::vector<std::uint32_t> firstCorners(const Surface& surface) {
   std::vector<std::uint32_t> first(surface.vertexCount(), kNone);
   for (std::uint32_t c = 0; c < surface.faces.size(); ++c)
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> firstCorners(const Surface& surface) {
   return first;
 }
 
-/// [K13]: angles of half-edges, with `angles` of closed fans stretched on the way.
+/// [K13]: angles of half-edges. Scales `angles` of closed fans to sum to 2 pi.
 void layOut(const Surface& surface, const std::vector<std::uint32_t>& first,
             std::vector<double>& angles, Connection& connection) {
   std::vector<double> sum(surface.vertexCount(), 0.0);
@@ -55,7 +55,7 @@ void layOut(const Surface& surface, const std::vector<std::uint32_t>& first,
     double angle = 0.0;
     std::uint32_t corner = first[v];
     do {
-      if (isClosed) // needles all around have no angle to stretch
+      if (isClosed) // a fan of zero angles has nothing to scale
         angles[corner] = sum[v] > 0.0 ? angles[corner] * (2.0 * pi / sum[v]) : 2.0 * pi / count[v];
       connection.angleOf[corner] = angle;
       angle += angles[corner];
@@ -64,7 +64,8 @@ void layOut(const Surface& surface, const std::vector<std::uint32_t>& first,
   }
 }
 
-/// Normals by the area of the fan's faces; where that vanishes, by its largest face.
+/// Normals are area-weighted over the fan's faces, or those of its largest face if that sum
+/// vanishes.
 void setNormals(const Surface& surface, Connection& connection) {
   const std::size_t count = surface.vertexCount();
   std::vector<Eigen::Vector3d> sum(count, Eigen::Vector3d::Zero());
@@ -80,7 +81,7 @@ void setNormals(const Surface& surface, Connection& connection) {
         largest[v] = vector;
     }
   }
-  constexpr double kCancelled = 1e-9; // of the area: far above rounding, far below any surface
+  constexpr double kCancelled = 1e-9; // of the area: above rounding, below any surface
   connection.normalOf.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const bool cancels = sum[v].norm() <= kCancelled * connection.areaOf[v];
@@ -88,7 +89,7 @@ void setNormals(const Surface& surface, Connection& connection) {
     connection.normalOf[v] =
         vector.norm() > 0.0 ? Eigen::Vector3d(vector / vector.norm()) : Eigen::Vector3d::UnitZ();
   }
-  // Of no area would be no weight, and no equation.
+  // A vertex without area would have no weight and no equation.
   constexpr double kLeastShare = 1e-6;
   double total = 0.0;
   for (const double area : connection.areaOf)
@@ -98,7 +99,7 @@ void setNormals(const Surface& surface, Connection& connection) {
     area = std::max(area, least);
 }
 
-/// Axes, by the half-edge of each fan that leans least towards the normal.
+/// The axis of each fan comes from its half-edge most nearly perpendicular to the normal.
 void setAxes(const Surface& surface, Connection& connection) {
   std::vector<double> flattest(surface.vertexCount(), 0.0);
   connection.axisOf.assign(surface.vertexCount(), Eigen::Vector3d::Zero());
@@ -128,7 +129,7 @@ Connection makeConnection(const Surface& surface) {
   connection.turnOf.resize(angles.size());
   connection.curvatureOf.resize(surface.faceCount());
   for (std::uint32_t c = 0; c < angles.size(); ++c) {
-    // Seen from its end, the half-edge leaves in the direction opposite to that it came in.
+    // At its end, the half-edge points opposite to the direction in which it arrives.
     const std::uint32_t end = nextCorner(c);
     connection.turnOf[c] = connection.angleOf[end] + angles[end] + pi - connection.angleOf[c];
   }
@@ -152,7 +153,7 @@ Complex inPlane(const Connection& connection, std::size_t vertex, const Eigen::V
 
 Eigen::Vector3d turned(const Eigen::Vector3d& vector, const Eigen::Vector3d& from,
                        const Eigen::Vector3d& to) {
-  // Rodrigues' formula, with sine times axis = from x to and cosine = from . to.
+  // Rodrigues' formula, with sine * axis = from x to and cosine = from . to.
   const Eigen::Vector3d cross = from.cross(to);
   const double cosine = from.dot(to);
   return vector * cosine + cross.cross(vector) + cross * (cross.dot(vector) / (1.0 + cosine));

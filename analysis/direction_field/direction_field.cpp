@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mesh -> surface -> smooth directions -> a tangent for each vertex, and where they are
-// singular. Source: [K13].
+// Mesh -> surface -> smooth directions -> a tangent per vertex, and the singularities.
+// Source: [K13].
 #include "smoothest.h"
 
 #include <lichen/direction_field.h>
@@ -42,8 +42,8 @@ Result<void> checkMesh(std::span<const Vector3> positions, std::span<const std::
   return {};
 }
 
-/// The surface's vertex that each input vertex takes its direction from: that of its first corner,
-/// else another one at its point; kNone where no face is there.
+/// The surface vertex that gives each input vertex its direction: the vertex of its first corner,
+/// or another vertex at the same point; kNone if the point has no face.
 std::vector<std::uint32_t> vertexOfInput(const Surface& surface) {
   std::vector<std::uint32_t> ofPoint(surface.points.size(), kNone);
   for (std::uint32_t v = 0; v < surface.vertexCount(); ++v)
@@ -59,8 +59,8 @@ std::vector<std::uint32_t> vertexOfInput(const Surface& surface) {
   return ofInput;
 }
 
-/// Each as given; where that is zero or none are given, averaged over the triangles of the input
-/// vertex, as they are wound; where these have no area, that of the surface.
+/// The given normal; if it is zero or absent, the area-weighted mean over the input vertex's
+/// triangles with their input winding; if those have no area, the surface's normal.
 std::vector<Vector3d> inputNormals(const Surface& surface, const Connection& connection,
                                    std::span<const std::uint32_t> triangles,
                                    std::span<const Vector3> given,
@@ -85,16 +85,16 @@ std::vector<Vector3d> inputNormals(const Surface& surface, const Connection& con
   return sums;
 }
 
-/// The direction at a vertex in the plane of another normal: turned with the normals, of which the
-/// other may look to the other side.
+/// The direction at a vertex, rotated into the plane of another normal, which may point to the
+/// other side.
 Vector3d tangentAt(const Vector3d& direction, const Vector3d& from, const Vector3d& to) {
   const double side = from.dot(to) < 0.0 ? -1.0 : 1.0;
   const Vector3d tangent = turned(direction, side * from, to);
   return (tangent - to * to.dot(tangent)).normalized();
 }
 
-/// By what the directions turn along a half-edge, less what carrying turns them: in (-pi, pi], of
-/// the two sides of an edge opposite numbers.
+/// The angle between the directions at the ends of a half-edge, after transport along it, in
+/// (-pi, pi]. The two half-edges of an edge have opposite angles.
 double turning(const Surface& surface, const Connection& connection,
                const std::vector<Complex>& directions, std::uint32_t halfEdge) {
   const std::uint32_t other = surface.twin[halfEdge];
@@ -105,8 +105,8 @@ double turning(const Surface& surface, const Connection& connection,
   return std::arg(directions[surface.vertexOf[nextCorner(halfEdge)]] * std::conj(carried));
 }
 
-/// [K13]: a face's index is what the directions turn around it, as a share of a full
-/// turn, curvature included.
+/// [K13]: a face's index is the rotation of the directions around it, curvature included, divided
+/// by 2 pi.
 void findSingularities(const Surface& surface, const Connection& connection,
                        const std::vector<Complex>& directions, DirectionField& field) {
   for (std::uint32_t f = 0; f < surface.faceCount(); ++f) {
@@ -123,7 +123,7 @@ void findSingularities(const Surface& surface, const Connection& connection,
   }
 }
 
-/// Vertices - edges + faces, and what else can be counted.
+/// Counts vertices - edges + faces and the other numbers of each component.
 std::vector<FieldComponent> countComponents(const Surface& surface) {
   std::vector<FieldComponent> components;
   std::vector<bool> isCounted(surface.vertexCount(), false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Union and find on 0 .. n - 1, with path halving.
+// Union-find on 0 .. n - 1, with path halving.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ public:
     std::iota(parent_.begin(), parent_.end(), std::uint32_t(0));
   }
 
-  /// The least element of the set that holds `element`.
+  /// The least element of the set that contains `element`.
   [[nodiscard]] std::uint32_t find(std::uint32_t element) {
     while (parent_[element] != element)
       element = parent_[element] = parent_[parent_[element]];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Inverse power iteration [K13] on the connection Laplacian with cotangent weights
-// [SSC19], all parts of a mesh at once: the matrix has a block for each, and each
-// block's vector is normalized for itself. With an axis, one solve more, of a larger shift.
-// Deviations: weights below kLeastWeight are raised to it, which keeps the matrix positive where
-// angles are obtuse; fans that share a point are tied, so that the field goes on across edges with
-// more than two sides.
+// Inverse power iteration [K13] on the connection Laplacian with cotangent weights [SSC19], for all
+// parts of a mesh at once. The matrix has a block per part, and each part's vector is normalized
+// separately. With an axis there is one more solve, with a larger shift.
+// Deviations: weights below kLeastWeight are raised to it, which keeps the matrix positive definite
+// with obtuse angles. Fans that share a point are tied, so the field continues across edges with
+// more than two faces.
 #include "smoothest.h"
 
 #include "disjoint_sets.h"
@@ -20,27 +20,28 @@ namespace {
 using Matrix = Eigen::SparseMatrix<Complex, Eigen::ColMajor, std::int64_t>;
 using Vector = Eigen::VectorXcd;
 
-/// Of an edge; those of a regular mesh are 0.58.
+/// Least weight of an edge. Edges of a regular mesh have 0.58.
 constexpr double kLeastWeight = 0.01;
-/// Of two fans of one point: what a regular mesh has across a cut.
+/// Weight between two fans of one point: about what a regular mesh has across a cut.
 constexpr double kTieWeight = 1.0;
-/// Fans whose normals are further apart than 120 degrees are not tied: the least rotation from one
-/// to the other then depends on the last digits.
+/// Fans whose normals differ by more than 120 degrees are not tied: the smallest rotation between
+/// them depends on rounding.
 constexpr double kLeastTiedCosine = -0.5;
-/// Times a part's area. The smallest eigenvalue of a flat part is 0; the next is some 3 over its
-/// area. The shift makes the matrix positive and is so small that a flat field is exact after two
-/// steps.
+/// Shift of the matrix, in units of 1 / (area of the part). The smallest eigenvalue of a flat part
+/// is 0; the next is about 3 / area. The shift makes the matrix positive definite, and it is so
+/// small that a flat field is exact after two steps.
 constexpr double kShift = 1e-6;
-/// Minus lambda of [K13] times a part's area: alignment holds over a length of 1 / sqrt(-lambda), a
-/// tenth of the root of the area. The axis around a cylinder of radius R and length 2 R then counts
-/// 0.89 of what it does on a plane; bumps much smaller than that length do not turn the field.
+/// -lambda of [K13] times the area of the part. Alignment acts over a length of 1 / sqrt(-lambda),
+/// a tenth of the square root of the area. Around a cylinder of radius R and length 2 R, the axis
+/// then has 0.89 of its effect on a plane. Bumps much smaller than that length do not rotate the
+/// field.
 constexpr double kAlignment = 100.0;
-/// How much the smoothest field counts where the axis is normal to the surface. It decides where
-/// the axis leans by less than 6 degrees out of the normal; elsewhere it turns the field by that at
-/// most.
+/// Weight of the smoothest field where the axis is normal to the surface. The smoothest field
+/// decides if the axis is within 6 degrees of the normal; elsewhere it rotates the field by at most
+/// 6 degrees.
 constexpr double kSmoothestShare = 0.1;
 
-/// The sum over edges of w |u_j - r u_i|^2 as a Hermitian matrix, of which the upper half is built.
+/// The sum over edges of w |u_j - r u_i|^2 as a Hermitian matrix. Only the upper half is stored.
 class Assembly {
 public:
   explicit Assembly(const Surface& surface, const Connection& connection)
@@ -61,7 +62,7 @@ public:
     tieFans(surface, connection);
   }
 
-  /// With `shift` times the areas as a share of their part's on the diagonal.
+  /// Adds to the diagonal `shift` times each vertex's share of its part's area.
   [[nodiscard]] Matrix finish(const std::vector<double>& areas, double shift) {
     std::vector<double> partArea(diagonal_.size(), 0.0);
     for (std::uint32_t v = 0; v < diagonal_.size(); ++v)
@@ -86,7 +87,7 @@ private:
       entries_.emplace_back(j, i, -weight * rotation);
   }
 
-  /// Couples each vertex with the next one of the same point.
+  /// Couples each vertex with the next vertex at the same point.
   void tieFans(const Surface& surface, const Connection& connection) {
     std::vector<std::uint32_t> previous(surface.points.size(), kNone);
     for (std::uint32_t v = 0; v < surface.vertexCount(); ++v) {
@@ -105,9 +106,9 @@ private:
   DisjointSets parts_;
 };
 
-/// Whether the triangular factor of a matrix, its upper half given, has at most `mostEntries` and
-/// takes at most `mostProducts` to compute. Ends as soon as it knows better: the elimination tree
-/// by row subtrees [L90].
+/// Whether the triangular factor of a matrix, given its upper half, has at most `mostEntries`
+/// entries and takes at most `mostProducts` products. Stops when a limit is exceeded. Computes the
+/// elimination tree by row subtrees [L90].
 bool factorFits(const Matrix& upper, std::int64_t mostEntries, double mostProducts) {
   const std::int64_t size = upper.cols();
   std::vector<std::int64_t> parent(std::size_t(size), -1), seenIn(std::size_t(size), -1);
@@ -130,8 +131,8 @@ bool factorFits(const Matrix& upper, std::int64_t mostEntries, double mostProduc
   return true;
 }
 
-/// A field that has a part of every smooth one, and turns with the mesh: constant and linear in the
-/// position, with numbers that favour no symmetry.
+/// The start of the iteration: a field constant and linear in the position, with coefficients that
+/// favour no symmetry. It has a component along every smooth field and rotates with the mesh.
 Vector startingField(const Surface& surface, const Connection& connection) {
   const Eigen::Vector3d constant(1.0, 0.55, 0.35);
   const Eigen::Matrix3d linear{{0.31, -0.83, 0.47}, {0.59, 0.22, -0.41}, {-0.67, 0.53, -0.29}};
@@ -142,7 +143,7 @@ Vector startingField(const Surface& surface, const Connection& connection) {
   return start;
 }
 
-/// Norms of the parts of a mesh, by area.
+/// Area-weighted norms of the parts of a mesh.
 class PartNorms {
 public:
   PartNorms(DisjointSets parts, const std::vector<double>& areas) : areas_(areas) {
@@ -150,7 +151,7 @@ public:
       partOf_.push_back(parts.find(v));
   }
 
-  /// Scales each part to the norm 1; one that vanishes becomes all alike.
+  /// Scales each part to norm 1. A part that vanishes becomes constant.
   void normalize(Vector& field) const {
     std::vector<double> squares(areas_.size(), 0.0), partArea(areas_.size(), 0.0);
     for (std::size_t v = 0; v < areas_.size(); ++v) {
@@ -164,7 +165,7 @@ public:
     }
   }
 
-  /// The largest squared distance of a part of one field from that of another.
+  /// The largest squared distance, over all parts, between two fields.
   [[nodiscard]] double distance(const Vector& a, const Vector& b) const {
     std::vector<double> squares(areas_.size(), 0.0);
     for (std::size_t v = 0; v < areas_.size(); ++v)
@@ -172,7 +173,7 @@ public:
     return squares.empty() ? 0.0 : *std::max_element(squares.begin(), squares.end());
   }
 
-  /// Turns each part as a whole, so that it agrees with another field as well as it can.
+  /// Rotates each part as a whole to agree with another field as well as possible.
   void turnTowards(const Vector& other, Vector& field) const {
     std::vector<Complex> sums(areas_.size());
     for (std::size_t v = 0; v < areas_.size(); ++v)
@@ -187,13 +188,14 @@ private:
   std::vector<std::uint32_t> partOf_;
 };
 
-/// A triangular factor of a matrix in an order that keeps it small.
+/// A triangular factor of a matrix, in an order that gives few entries.
 class OrderedFactor {
 public:
-  /// `upper` is half of a positive matrix. False where it takes more than any surface's would.
+  /// `upper` is the upper half of a positive definite matrix. False if the factor exceeds the
+  /// limits, which no surface reaches.
   [[nodiscard]] bool compute(const Matrix& upper, const ProgressPart& progress) {
-    // A million triangles of a surface take 3.4e7 entries and 1.4e10 products, kMostFieldTriangles
-    // 7.4e7 and 4.2e10, measured. The limits are 4.8 GB and some minutes.
+    // Measured: a surface with a million triangles takes 3.4e7 entries and 1.4e10 products;
+    // kMostFieldTriangles take 7.4e7 and 4.2e10. The limits mean 4.8 GB and some minutes.
     constexpr std::int64_t kMostEntries = 200'000'000;
     constexpr double kMostProducts = 1e11;
     constexpr double kOrderingShare = 0.08; // of the time, on a million triangles
@@ -218,11 +220,11 @@ private:
   Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<std::int64_t>> factor_;
 };
 
-/// Inverse power iteration, until a step moves the field by next to nothing.
+/// Inverse power iteration, until a step barely changes the field.
 void iterate(const OrderedFactor& factor, const PartNorms& parts, const std::vector<double>& areas,
              Vector& field, const ProgressPart& progress) {
   constexpr int kMostSteps = 30;
-  constexpr double kConverged = 1e-10; // squared distance of one step; what is left is smaller
+  constexpr double kConverged = 1e-10; // squared distance of one step; the error is smaller
   const Eigen::Map<const Eigen::VectorXd> weights(areas.data(), Eigen::Index(areas.size()));
   for (int step = 0; step < kMostSteps; ++step) {
     Vector next = factor.solve(weights.asDiagonal() * field);
@@ -240,7 +242,7 @@ Error notSolved() {
                                "directions on them cannot be found"};
 }
 
-/// The smoothest field, before it is made one of absolute value 1, and its norms.
+/// The smoothest field before its values are scaled to absolute value 1, and its norms.
 struct Smoothest {
   Vector field;
   PartNorms parts;
@@ -270,7 +272,8 @@ std::vector<Complex> asDirections(const Vector& field) {
   return directions;
 }
 
-/// q of [K13]: the axis in the tangent planes, and where that is short, the smoothest field.
+/// q of [K13]: the axis projected on the tangent planes, plus the smoothest field where that is
+/// short.
 Vector guidingField(const Connection& connection, const Eigen::Vector3d& axis,
                     Smoothest smoothest) {
   Vector guide(smoothest.field.size());
@@ -301,7 +304,7 @@ Result<std::vector<Complex>> smoothestField(const Surface& surface, const Connec
 Result<std::vector<Complex>> alignedField(const Surface& surface, const Connection& connection,
                                           const Eigen::Vector3d& axis,
                                           const ProgressPart& progress) {
-  constexpr double kSmoothestTime = 0.55; // a factor and the iteration, before another factor
+  constexpr double kSmoothestTime = 0.55; // first factor and iteration, before the second factor
   if (surface.vertexCount() == 0)
     return std::vector<Complex>();
   Result<Smoothest> smoothest =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The field that turns least from vertex to vertex: the eigenvector of the connection Laplacian to
-// its smallest eigenvalue; and one that keeps to an axis besides [K13].
+// The smoothest direction field, an eigenvector of the connection Laplacian to its smallest
+// eigenvalue, and a smooth field that also follows an axis [K13].
 #pragma once
 
 #include "connection.h"
@@ -10,14 +10,14 @@
 
 namespace lichen::direction_field {
 
-/// A direction of absolute value 1 for each vertex of the surface. Errors: badInput where the
-/// system cannot be solved with the memory and time that a surface's takes. Throws std::bad_alloc.
+/// One direction of absolute value 1 per vertex of the surface. Errors: badInput if the system
+/// cannot be solved within the memory and time limits for a surface. Throws std::bad_alloc.
 [[nodiscard]] Result<std::vector<Complex>>
 smoothestField(const Surface& surface, const Connection& connection, const ProgressPart& progress);
 
-/// The same, of a field that turns little and keeps to the part of `axis`, of positive length, that
-/// lies in the tangent plane: all the more, the longer that is. Where it vanishes, the smoothest
-/// field decides.
+/// Like smoothestField(), but the field also follows the projection of `axis`, which has positive
+/// length, on the tangent plane: the longer the projection, the more closely. Where the projection
+/// vanishes, the smoothest field decides.
 [[nodiscard]] Result<std::vector<Complex>> alignedField(const Surface& surface,
                                                         const Connection& connection,
                                                         const Eigen::Vector3d& axis,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Welding by position, turning faces alike, cutting where that is impossible; see surface.h.
+// Welds by position, gives faces the same winding, and cuts where that is impossible; see
+// surface.h.
 #include "surface.h"
 
 #include "disjoint_sets.h"
@@ -10,11 +11,11 @@
 namespace lichen::direction_field {
 namespace {
 
-/// Points and pointOf. Positions are shifted and scaled so that no later product can overflow.
+/// Sets points and pointOf. Shifts and scales positions so that no later product overflows.
 void weld(std::span<const Vector3> positions, Surface& surface) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0u);
-  // Compared as numbers: 0 and -0 are one position.
+  // Compares numbers, not bits: 0 and -0 are the same position.
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return positions[a] < positions[b] || (positions[a] == positions[b] && a < b);
   });
@@ -37,7 +38,7 @@ void weld(std::span<const Vector3> positions, Surface& surface) {
     point = (point - centre) / (halfExtent > 0.0 ? halfExtent : 1.0);
 }
 
-/// Faces of three different points, each set of three once: the first that is given.
+/// Faces with three different points. Of faces with the same three points, only the first stays.
 void keepFaces(std::span<const std::uint32_t> triangles, Surface& surface) {
   struct Candidate {
     std::array<std::uint32_t, 3> points;
@@ -66,7 +67,7 @@ void keepFaces(std::span<const std::uint32_t> triangles, Surface& surface) {
     }
 }
 
-/// An edge with exactly two faces, by their half-edges.
+/// The two half-edges of an edge with exactly two faces.
 struct SharedEdge {
   std::uint32_t a, b;
 };
@@ -94,8 +95,8 @@ std::vector<SharedEdge> sharedEdges(const Surface& surface) {
   return edges;
 }
 
-/// Whether each face is to be turned over, so that as many edges as possible are run through once
-/// each way. Of the two ways to do so, each component has the one that keeps more of its area.
+/// Which faces to flip so that the two faces of as many edges as possible agree. Each component has
+/// two such choices; this takes the one that flips less of its area.
 std::vector<bool> facesToTurn(const Surface& surface, const std::vector<SharedEdge>& edges) {
   const auto faceCount = std::uint32_t(surface.faceCount());
   std::vector<std::uint32_t> neighbour(surface.faces.size(), kNone); // across each half-edge
@@ -131,7 +132,7 @@ std::vector<bool> facesToTurn(const Surface& surface, const std::vector<SharedEd
   return turned;
 }
 
-/// Turns faces and sets twins where an edge then is run through once each way.
+/// Flips faces, and sets twins at edges whose two faces then agree.
 void joinFaces(Surface& surface) {
   const std::vector<SharedEdge> edges = sharedEdges(surface);
   const std::vector<bool> turned = facesToTurn(surface, edges);
@@ -140,19 +141,19 @@ void joinFaces(Surface& surface) {
       std::swap(surface.faces[3 * f + 1], surface.faces[3 * f + 2]);
       std::swap(surface.inputVertexOf[3 * f + 1], surface.inputVertexOf[3 * f + 2]);
     }
-  // Corners 0, 1, 2 became 0, 2, 1, and with them edge 01 became 20.
+  // Flipping changes corners 0, 1, 2 to 0, 2, 1, and so edge 01 becomes edge 20.
   const auto moved = [&](std::uint32_t h) { return turned[h / 3] ? h - h % 3 + 2 - h % 3 : h; };
   surface.twin.assign(surface.faces.size(), kNone);
   for (const SharedEdge& edge : edges) {
     const std::uint32_t a = moved(edge.a), b = moved(edge.b);
-    if (surface.faces[a] == surface.faces[b]) // as around a Moebius strip
+    if (surface.faces[a] == surface.faces[b]) // for example on a Moebius strip
       continue;
     surface.twin[a] = b;
     surface.twin[b] = a;
   }
 }
 
-/// Vertices from fans of joined faces, and components.
+/// Sets vertices, from fans of joined faces, and components.
 void gather(Surface& surface) {
   const auto cornerCount = std::uint32_t(surface.faces.size());
   DisjointSets fans(cornerCount), components(surface.faceCount());
@@ -161,7 +162,7 @@ void gather(Surface& surface) {
       fans.unite(h, nextCorner(other));
       components.unite(h / 3, other / 3);
     }
-  // A set's least element comes first, so that it has its number when others ask.
+  // The least element of a set comes first, so it has its number before the others need it.
   surface.vertexOf.resize(cornerCount);
   for (std::uint32_t c = 0; c < cornerCount; ++c) {
     const std::uint32_t first = fans.find(c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any triangles -> an oriented manifold with border, by welding, turning and cutting.
+// Any triangles -> an oriented manifold with border, by welding, flipping and cutting.
 #pragma once
 
 #include <lichen/direction_field.h>
@@ -10,22 +10,22 @@ namespace lichen::direction_field {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Corner c = 3 f + k of face f is at points[faces[c]]; it is also the half-edge from there to the
-/// next corner of the face. Faces are wound alike where they share an edge.
+/// Corner c = 3 f + k of face f is at points[faces[c]]. It is also the half-edge from there to the
+/// next corner of the face. Faces that share an edge have the same winding.
 ///
-/// An edge joins two faces where it has exactly these and they agree; every other edge is cut, and
-/// so are vertices at which faces meet without a joined edge: one *vertex* is a fan of joined
-/// faces around a point.
+/// An edge joins two faces if exactly these two share it and their windings agree. Every other edge
+/// is cut. Vertices at which faces meet without a joined edge are cut too: one *vertex* is a fan of
+/// joined faces around a point.
 struct Surface {
-  std::vector<Eigen::Vector3d> points;      ///< welded, in order of their coordinates, in [-1, 1]
-  std::vector<std::uint32_t> pointOf;       ///< of each input vertex
-  std::vector<std::uint32_t> faces;         ///< points, three a face
-  std::vector<std::uint32_t> triangleOf;    ///< of each face: its input triangle
-  std::vector<std::uint32_t> inputVertexOf; ///< of each corner
-  std::vector<std::uint32_t> twin;          ///< of each half-edge: that of the other face, or kNone
-  std::vector<std::uint32_t> vertexOf;      ///< of each corner
+  std::vector<Eigen::Vector3d> points;      ///< welded, sorted by coordinates, in [-1, 1]
+  std::vector<std::uint32_t> pointOf;       ///< per input vertex
+  std::vector<std::uint32_t> faces;         ///< three points per face
+  std::vector<std::uint32_t> triangleOf;    ///< per face: its input triangle
+  std::vector<std::uint32_t> inputVertexOf; ///< per corner
+  std::vector<std::uint32_t> twin;     ///< per half-edge: the half-edge of the other face, or kNone
+  std::vector<std::uint32_t> vertexOf; ///< per corner
   std::vector<std::uint32_t> pointOfVertex;
-  std::vector<std::uint32_t> componentOf; ///< of each face, numbered by first faces
+  std::vector<std::uint32_t> componentOf; ///< per face, numbered by first faces
 
   [[nodiscard]] std::size_t faceCount() const { return triangleOf.size(); }
   [[nodiscard]] std::size_t vertexCount() const { return pointOfVertex.size(); }
@@ -41,12 +41,12 @@ struct Surface {
   return c % 3 == 0 ? c + 2 : c - 1;
 }
 
-/// Triangles with two corners at one point, and all but one of those with the same three points,
-/// are left out. Positions are finite, indices in range. Throws std::bad_alloc.
+/// Skips triangles with two corners at one point, and all but one of the triangles with the same
+/// three points. Positions are finite and indices in range. Throws std::bad_alloc.
 [[nodiscard]] Surface makeSurface(std::span<const Vector3> positions,
                                   std::span<const std::uint32_t> triangles);
 
-/// The normal of a face times twice its area.
+/// The unit normal of a face times twice its area.
 [[nodiscard]] Eigen::Vector3d areaVector(const Surface& surface, std::uint32_t face);
 
 } // namespace lichen::direction_field

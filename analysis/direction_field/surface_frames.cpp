@@ -9,7 +9,7 @@
 namespace lichen {
 namespace {
 
-/// The first texture or effect of a material that reads tangents, or nothing.
+/// The first texture or effect of a material that needs tangents, or nothing.
 std::optional<std::string> tangentReader(const nlohmann::json& material, bool hasOtherNormals) {
   using nlohmann::json;
   constexpr std::string_view kNormals = "/normalTexture";
@@ -26,7 +26,7 @@ bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
   return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
 }
 
-/// The primitives of each mesh that are without a frame.
+/// The primitives without a frame, per mesh.
 Result<std::map<std::size_t, std::vector<PrimitivePlace>>>
 placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> materials,
                    bool bringsNormals) {
@@ -47,7 +47,7 @@ placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> material
   return places;
 }
 
-/// Primitives with the same vertices, and where these begin among all of the mesh.
+/// Primitives that share their vertices, and the index of the first of these in the joined mesh.
 struct VertexBlock {
   std::vector<PrimitivePlace> places;
   std::size_t first = 0;
@@ -55,11 +55,11 @@ struct VertexBlock {
   bool hasNormals = false;
 };
 
-/// What may still be read and solved of a scene: a small file can name the same vertices again and
-/// again. Enough for some minutes.
+/// Limits the data to read and solve in one scene, because a small file can name the same vertices
+/// many times. Enough for some minutes of work.
 class Budget {
 public:
-  /// Whether there is as much left.
+  /// Adds to the totals and returns whether they are within the limits.
   [[nodiscard]] bool spend(std::size_t elements, std::size_t triangles) {
     elements_ += elements;
     triangles_ += triangles;
@@ -74,7 +74,7 @@ private:
   std::size_t triangles_ = 0;
 };
 
-/// The primitives of a mesh as one.
+/// The primitives of a mesh, joined.
 struct JoinedMesh {
   std::vector<VertexBlock> blocks;
   std::vector<Vector3> positions;

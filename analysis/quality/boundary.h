@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every measure does at its boundary: refuse images it cannot use, let no exception out.
+// What every measure does at the public boundary: refuse unusable images, and let no exception
+// escape.
 #pragma once
 
 #include <lichen/image.h>
@@ -11,7 +12,7 @@
 
 namespace lichen {
 
-/// Channels without alpha: 1 or 3.
+/// Colour channels without alpha: 1 or 3.
 inline int colorChannels(const SrgbImage& image) { return image.channels >= 3 ? 3 : 1; }
 
 inline int shorterSide(const SrgbImage& image) { return std::min(image.width, image.height); }
@@ -21,7 +22,7 @@ inline std::string describe(const SrgbImage& image) {
          std::to_string(image.channels) + " channels";
 }
 
-/// Why a measure cannot use this image, if so.
+/// Why a measure cannot use this image, or nothing if it can.
 inline std::optional<Error> refusal(const SrgbImage& image, const char* role, int shortestSide) {
   const bool hasPixels = image.width >= 1 && image.height >= 1 && image.channels >= 1 &&
                          image.channels <= 4 &&
@@ -50,7 +51,7 @@ inline std::optional<Error> refusal(const SrgbImage& exemplar, const SrgbImage& 
                                         describe(result) + "; both must be grey or both in colour"};
 }
 
-/// The message of a measure that memory does not suffice for.
+/// The message when a measure runs out of memory.
 inline const char* exhausted() { return "memory exhausted while measuring; try a smaller result"; }
 
 } // namespace lichen

@@ -17,12 +17,12 @@
 namespace lichen {
 namespace {
 
-constexpr int kDirections = 256; // ALGORITHMS: fixed, so that values can be compared
-constexpr int kSteps = 1 << 16;  // of a projection; a distance is off by less than a step
+constexpr int kDirections = 256; // fixed, so that values can be compared
+constexpr int kSteps = 1 << 16;  // of a projection; rounding changes a distance by less than a step
 
 using Vector = std::array<double, 3>;
 
-/// Unit vectors spread evenly over a half sphere (a Fibonacci lattice); for grey, the one axis.
+/// Unit vectors spread evenly over a half sphere (Fibonacci lattice); for grey, its only axis.
 std::vector<Vector> directions(int channels) {
   if (channels == 1)
     return {{1.0, 0.0, 0.0}};
@@ -88,11 +88,11 @@ std::vector<std::uint32_t> projected(const SrgbImage& image, const Vector& direc
   return histogram;
 }
 
-/// Squared Wasserstein-2 distance, in steps: the integral over u of the squared difference of the
-/// two quantile functions, which are piecewise constant.
+/// Squared Wasserstein-2 distance in steps: the integral over u of the squared difference between
+/// the two quantile functions, which are piecewise constant.
 double squaredDistance(const std::vector<std::uint32_t>& a, std::size_t countA,
                        const std::vector<std::uint32_t>& b, std::size_t countB) {
-  // Masses are counted in units of 1 / (countA countB), so that no rounding leaves a rest.
+  // Masses are integers in units of 1 / (countA countB), so rounding leaves no remainder.
   std::size_t i = 0, j = 0;
   std::uint64_t massA = a[0] * std::uint64_t(countB);
   std::uint64_t massB = b[0] * std::uint64_t(countA);

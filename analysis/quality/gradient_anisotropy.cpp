@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Image -> how much its gradients prefer one direction, by the structure tensor of the whole image.
+// Image -> how much its gradients prefer one direction, from the structure tensor of the image.
 // Source: [BG87] Bigun and Granlund, Optimal Orientation Detection of Linear Symmetry, 1987.
 #include <lichen/measures.h>
 #include <lichen/spectrum.h>
@@ -15,7 +15,7 @@ double gradientAnisotropy(const SrgbImage& image) {
   for (std::size_t y = 0; y + 1 < std::size_t(image.height); ++y)
     for (std::size_t x = 0; x + 1 < width; ++x) {
       const float* at = &plane[y * width + x];
-      // Both at the centre of the square of four pixels.
+      // Both differences are at the centre of the 2 x 2 pixels.
       const double right = 0.5 * (double(at[1]) - at[0] + at[width + 1] - at[width]);
       const double down = 0.5 * (double(at[width]) - at[0] + at[width + 1] - at[1]);
       xx += right * right;

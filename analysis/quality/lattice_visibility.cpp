@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contrast folded on the distance to the nearest vertex of the tiling lattice, and what a
-// stationary image scores by chance.
+// Contrast as a function of the distance to the nearest vertex of the tiling lattice, and the score
+// that a stationary image gets by chance.
 //
 // Image (height, width) and lattice -> one number.
 #include "boundary.h"
@@ -20,16 +20,15 @@ namespace lichen {
 namespace {
 
 constexpr std::size_t kClasses = 8;
-/// Fine distance steps from which the classes are put together: classes are of equal population
-/// to about 1 / kSteps.
+/// Fine distance steps that are grouped into classes of equal population, to about 1 / kSteps.
 constexpr std::size_t kSteps = 4096;
 
-/// Distance in tiles from (x, y) to the nearest vertex.
+/// Distance from (x, y) to the nearest vertex, in tiles.
 double vertexDistance(const Lattice& lattice, double x, double y) {
   double nearest = 1.0;
   const double row = std::floor(y * lattice.rowsPerTile);
-  // The nearest vertex stands in the row above or the row below: from any other it is farther than
-  // a row's height, which exceeds the largest distance there is.
+  // The nearest vertex is in the row above or the row below. Vertices of other rows are farther
+  // away than the height of a row, which exceeds the largest possible distance.
   for (const double j : {row, row + 1.0}) {
     const double i = std::round(x * lattice.columnsPerTile - 0.5 * j);
     const double dx = x - (i + 0.5 * j) / lattice.columnsPerTile;
@@ -39,7 +38,7 @@ double vertexDistance(const Lattice& lattice, double x, double y) {
   return nearest;
 }
 
-/// The class in [0, kClasses) of each pixel by its distance, all classes about equally large.
+/// The class in [0, kClasses) of each pixel by its distance. All classes are about equally large.
 std::vector<std::uint8_t> distanceClasses(int width, int height, const LatticeView& view) {
   const double farthest =
       std::hypot(0.5 / view.lattice.columnsPerTile, 1.0 / view.lattice.rowsPerTile);
@@ -86,7 +85,7 @@ double visibility(const std::vector<float>& plane, const std::vector<std::uint8_
   double smallest = 0.0, largest = 0.0, sum = 0.0, used = 0.0;
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (counts[k] == 0.0)
-      continue; // a view of so few pixels that a class has none
+      continue; // the view has so few pixels that a class is empty
     const double variance = squares[k] / counts[k];
     smallest = used == 0.0 ? variance : std::min(smallest, variance);
     largest = std::max(largest, variance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exemplar and result -> every measure beside its target.
+// Exemplar and result -> every measure with its target.
 #include "boundary.h"
 
 #include <lichen/measures.h>
@@ -9,13 +9,13 @@
 namespace lichen {
 namespace {
 
-/// Gradients across the grain have three times the energy of those along it.
+/// Gradients across the grain have three times the energy of gradients along it.
 constexpr double kStrongAnisotropy = 0.5;
 
 constexpr std::string_view kColorDistanceName = "color_distance";
 constexpr std::string_view kSpectrumDistanceName = "spectrum_distance_db";
 
-/// A measure's value, or as a remark why these images have none.
+/// Returns the measure with its value, or with a remark that says why these images have none.
 Result<Measure> taken(Measure measure, const Result<double>& value) {
   if (value) {
     measure.value = value.value();
@@ -41,7 +41,7 @@ Measure spectrumMeasure(const SrgbImage& exemplar) {
   return measure;
 }
 
-/// In the largest support up to the default one that both images have room for.
+/// Uses the largest support, up to the default, that fits both images.
 Result<double> autocovarianceErrorOf(const SrgbImage& exemplar, const SrgbImage& result) {
   constexpr int kSupport = 32, kSmallestSupport = 2, kSupportsPerSide = 4;
   const int room = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;

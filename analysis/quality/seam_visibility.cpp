@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Straight edges along rows and columns that a result has and its exemplar has not.
+// Straight edges along rows and columns that a result has and its exemplar does not.
 //
 // Two images -> one number.
 #include "boundary.h"
@@ -17,18 +17,18 @@ namespace {
 
 constexpr int kRun = 48;                // pixels along the seam
 constexpr double kPercentile = 0.999;   // of the averages
-constexpr std::size_t kSteps = 1 << 16; // of the histogram of averages
-/// One code step of 8 bits in one pixel of a run: less is no edge.
+constexpr std::size_t kSteps = 1 << 16; // bins of the histogram of averages
+/// One 8-bit code step in one pixel of a run. Smaller averages are no edge.
 constexpr double kSmallestAverage = 1.0 / (255.0 * kRun);
 
-/// Averages of runs, counted by their absolute value.
+/// A histogram of the absolute averages of runs.
 struct Histogram {
   double range = 0.0;
   std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(kSteps, 0);
 };
 
-/// Adds all runs of differences between neighbouring lines. A line has `length` values, `stride`
-/// apart; lines lie `lineStride` apart.
+/// Adds all runs of differences between neighbouring lines. A line has `length` values at `stride`;
+/// lines are `lineStride` apart.
 void addRuns(const std::vector<float>& plane, int lines, std::size_t lineStride, int length,
              std::size_t stride, Histogram& histogram) {
   const double toStep = double(kSteps) / (histogram.range * kRun);

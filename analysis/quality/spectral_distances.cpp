@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Distances between the second-order statistics of two images' luminance: of their radially
-// averaged power spectra, and of their autocovariances.
+// Distances between the second-order statistics of two images' luminance: radially averaged power
+// spectra, and autocovariances.
 #include "boundary.h"
 
 #include <lichen/quality.h>
@@ -12,7 +12,7 @@
 namespace lichen {
 namespace {
 
-/// The shortest side whose crops have one ring left.
+/// The shortest side whose crops still have one ring.
 constexpr int kSmallestSide = 32;
 static_assert(comparedCropSide(kSmallestSide) == 2 * kLowestComparedCycles);
 /// Variance of rounding to 8 bits, which is also its power at every frequency.
@@ -26,7 +26,7 @@ std::vector<double> spectrumDb(const SrgbImage& image, int cropSide) {
   return power;
 }
 
-/// Divided by the variance; all 0 where the variance is no more than float rounding.
+/// The autocovariance divided by the variance; all 0 if the variance is only float rounding.
 std::vector<double> normalizedAutocovariance(const SrgbImage& image, int support) {
   std::vector<double> covariance =
       autocovariance(luminancePlane(image), image.width, image.height, support);

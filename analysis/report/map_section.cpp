@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Map of a bundle and its exemplar -> the JSON of its section of the report.
+// Map of a bundle and its exemplar -> the JSON of the map's section in the report.
 #include "map_section.h"
 
 #include "method_report.h"
@@ -17,9 +17,9 @@
 namespace lichen {
 namespace {
 
-constexpr int kShownExemplars = 2; // of the result, a side
+constexpr int kShownExemplars = 2; // of the result, per side
 
-/// The mean of the block of pixels under each pixel of a smaller image.
+/// Each pixel is the mean of the block of pixels under it.
 SrgbImage reduced(const SrgbImage& image, int width, int height) {
   SrgbImage small(width, height, image.channels);
   for (int y = 0; y < height; ++y)
@@ -57,7 +57,7 @@ JsonTree histogramsOf(const NoiseComparison& comparison) {
   return histograms;
 }
 
-/// In decibels by cycles per crop, of a texton that of the Gaussian texture too; null where the
+/// Spectra in decibels by cycles per crop; for a texton also the Gaussian texture's. Null if the
 /// exemplar is too small for spectrum_distance_db.
 JsonTree spectrumOf(const NoiseComparison& comparison) {
   const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
@@ -65,7 +65,7 @@ JsonTree spectrumOf(const NoiseComparison& comparison) {
       comparedCropSide(std::min(shorter(comparison.exemplar), shorter(comparison.result)));
   if (crop < 2 * kLowestComparedCycles)
     return {};
-  constexpr double kLeastPower = 1e-12; // of an image without variance
+  constexpr double kLeastPower = 1e-12; // power of an image without variance
   const auto decibels = [&](const SrgbImage& image) {
     std::vector<double> power =
         radialPowerSpectrum(luminancePlane(image), image.width, image.height, crop);
@@ -97,15 +97,15 @@ std::string summaryOf(const MapExemplar& exemplar) {
 
 using Extents = std::array<int, 2>;
 
-/// Of a picture of the exemplar with its proportions, of as many pixels as a square of `side`.
+/// The size of the exemplar's picture: the exemplar's proportions and at most side^2 pixels.
 Extents exemplarExtents(const MapExemplar& exemplar, int side) {
   const double pixels = double(exemplar.width) * double(exemplar.height);
   const double shrink = std::min(1.0, side / std::sqrt(pixels));
   return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
 }
 
-/// Of a picture of the result at the same scale: kShownExemplars a side or, of narrow ones, as many
-/// as make it half as wide as long.
+/// The size of the result's picture at the same scale: kShownExemplars per side, or, for narrow
+/// exemplars, enough to make it half as wide as long.
 Extents resultExtents(const Extents& exemplar, int side) {
   Extents extents{kShownExemplars * exemplar[0], kShownExemplars * exemplar[1]};
   const std::size_t longer = extents[0] < extents[1] ? 1 : 0;
@@ -118,8 +118,9 @@ Extents resultExtents(const Extents& exemplar, int side) {
   return extents;
 }
 
-/// Adds pictures of original, exemplar, its Gaussian texture and result at one scale; the first is
-/// null where the exemplar is as it was, the third where there is none.
+/// Adds pictures of the original, the exemplar, its Gaussian texture and the result, at one scale.
+/// The original is null if the exemplar is unchanged; the Gaussian texture is null if there is
+/// none.
 Result<void> addPictures(JsonTree& section, const Bundle& bundle, const MaterialNoise& material,
                          const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
@@ -162,7 +163,7 @@ Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material
   if (!comparison)
     return comparison.error();
   const Noise& noise = bundle.noises[material.noise];
-  const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // which was compared
+  const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // compareNoise() has found it
   JsonTree section{{"target", nameOf(exemplar.target)},
                    {"summary", summaryOf(exemplar)},
                    {"measures", listOf(comparison.value().measures)},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map of a bake as the report's page shows it.
+// One map's section of the report page.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -11,16 +11,16 @@
 
 namespace lichen {
 
-/// A map that is shown.
+/// A map in the report.
 struct ShownExemplar {
   const MapExemplar& exemplar;
   const std::vector<Risk>& risks;
   const ExemplarOrigin& origin;
 };
 
-/// What the page's script reads for a map: pictures as data URIs, measures, charts' values.
-/// The exemplar's picture has as many pixels as a square of `exemplarSide`, at most. The noise is
-/// the material's. Errors as compareNoise().
+/// The data of one map for the page's script: pictures as data URIs, measures and chart values. The
+/// picture of the exemplar has at most exemplarSide^2 pixels. The noise is the material's. Errors:
+/// as compareNoise().
 [[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material,
                                            const ShownExemplar& shown, int exemplarSide,
                                            const Progress& progress);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What comparison and report ask of a method. Each method implements it in methods/; methods.cpp
-// lists them.
+// What comparison and report need from a method. Each method implements it in methods/, and
+// methods.cpp lists them.
 #pragma once
 
 #include "data_uri.h"
@@ -11,35 +11,36 @@
 
 namespace lichen {
 
-/// A result of a noise beside the exemplar that it was made from.
+/// A result of a noise and the exemplar that the noise was made from.
 struct ComparedResult {
   const Bundle& bundle;
   const NoiseMap& map;
-  const MapExemplar& exemplar;     ///< as large as the map's exemplar
-  bool isEnlarged = false;         ///< from a smaller one, to the size of the set's largest map
+  const MapExemplar& exemplar; ///< same size as the map's exemplar
+  bool isEnlarged = false;     ///< resampled from a smaller map to the size of the set's largest
   const SynthesisOptions& options; ///< of the result
-  Progress progress;               ///< of what is synthesized besides
+  Progress progress;               ///< of any further synthesis
 };
 
 class MethodReport {
 public:
   virtual ~MethodReport() = default;
 
-  /// Whether all maps of a set have the size of the largest.
+  /// Whether all maps of a set are resampled to the size of the largest.
   [[nodiscard]] virtual bool enlargesMaps() const = 0;
-  /// Pixels that judge() synthesizes.
+  /// The number of pixels that judge() synthesizes.
   [[nodiscard]] virtual double judgedPixels(int exemplarWidth, int exemplarHeight) const = 0;
-  /// Adds the measures to a comparison that has its pictures, and pictures of the method's own.
+  /// Adds measures, and the method's own pictures, to a comparison that already has its pictures.
   [[nodiscard]] virtual Result<void> judge(const ComparedResult& result,
                                            NoiseComparison& comparison) const = 0;
 
-  /// Pixels of a map's pictures on the page per pixel of its exemplar's.
+  /// Pixels of all of a map's pictures on the page, per pixel of the exemplar's picture.
   [[nodiscard]] virtual double picturePixels() const = 0;
-  /// `title`, `text` and the picture `png` of the image that the shader fetches from, of about as
-  /// many pixels as a square of `side`.
+  /// `title`, `text` and the picture `png` of the image that the shader fetches from. The picture
+  /// has about side^2 pixels.
   [[nodiscard]] virtual Result<JsonTree> image(const Bundle& bundle, const Noise& noise,
                                                const NoiseMap& map, int side) const = 0;
-  /// `picture`, `slices` and `levels` of the table that decodes Gaussian values; null without one.
+  /// `picture`, `slices` and `levels` of the table that decodes Gaussian values; null if there is
+  /// none.
   [[nodiscard]] virtual Result<JsonTree> table(const Bundle& bundle, const NoiseMap& map,
                                                const MapLook& look) const = 0;
 };

@@ -10,8 +10,8 @@
 namespace lichen {
 namespace {
 
-constexpr int kResultExemplars = 4; // a side
-/// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
+constexpr int kResultExemplars = 4; // per side
+/// A 4096 x 4096 RGB result takes 200 MB; more pixels do not add information.
 constexpr int kLargestSide = 4096;
 
 std::string listOf(const std::vector<MapChannel>& channels) {
@@ -21,7 +21,7 @@ std::string listOf(const std::vector<MapChannel>& channels) {
   return list;
 }
 
-/// The noise's map that the exemplar is of.
+/// The noise's map with the exemplar's target.
 Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
                               const MapExemplar& exemplar) {
   if (noise >= bundle.noises.size())

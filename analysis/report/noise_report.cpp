@@ -14,8 +14,8 @@
 namespace lichen {
 namespace {
 
-/// In all, of at most 4 bytes each in base64: a page below 14 MiB, and about half that for
-/// photographs, which compress.
+/// Pixels of all pictures, at most 4 bytes each in base64. The page stays below 14 MiB, and about
+/// half of that for photographs, which compress.
 constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
@@ -25,7 +25,7 @@ int exemplarSide(std::size_t maps, Method method) {
   return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
 }
 
-/// JSON consists of UTF-8: what is not becomes U+FFFD.
+/// JSON must be UTF-8: replaces invalid bytes with U+FFFD.
 std::string utf8(std::string_view text) {
   std::string valid;
   while (!text.empty()) {
@@ -38,7 +38,7 @@ std::string utf8(std::string_view text) {
   return valid;
 }
 
-/// Inside a script element nothing may look like its end: "<" is written as an escape.
+/// Escapes "<", so that the JSON cannot contain the end of its script element.
 std::string scriptSafe(const std::string& json) {
   std::string safe;
   safe.reserve(json.size());
@@ -50,7 +50,7 @@ std::string scriptSafe(const std::string& json) {
   return safe;
 }
 
-/// `reportSeconds`: what describing the maps has taken.
+/// `reportSeconds`: the time that describing the maps took.
 JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds) {
   JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
   for (const auto& [name, value] : record.facts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of a bake's report without its data, from analysis/report/page/.
+// The report page of a bake without its data, from analysis/report/page/.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace lichen {
 
 extern const std::string_view kReportPage;
 
-/// What the data, one JSON value, takes the place of.
+/// The text in the page that the data, one JSON value, replaces.
 inline constexpr std::string_view kReportDataMark = "@REPORT_DATA@";
 
 } // namespace lichen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transforms of planes (height, width) -> their periodograms, frequency by frequency.
+// Fourier transforms of planes (height, width) -> their periodograms, per frequency.
 #include <lichen/fft.h>
 #include <lichen/spectrum.h>
 

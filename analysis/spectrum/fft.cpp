@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend that LICHEN_FFT chose.
+// Forwards to the backend that LICHEN_FFT selects.
 #include "fft_backend.h"
 
 namespace lichen {

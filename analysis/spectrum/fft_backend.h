@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two implementations behind fft.h. The library links the chosen one, the tests both.
+// The two implementations of fft.h. The library links one of them; the tests link both.
 #pragma once
 
 #include <lichen/fft.h>
@@ -16,7 +16,7 @@ namespace lichen {
 [[nodiscard]] HalfSpectrum forwardKissFft(std::span<const float> plane, int width, int height);
 [[nodiscard]] std::vector<float> inverseKissFft(const HalfSpectrum& spectrum);
 
-/// What PatchFft is: the same contract.
+/// Same contract as PatchFft.
 class PatchTransform {
 public:
   PatchTransform() = default;

@@ -2,7 +2,7 @@
 // Real two-dimensional transforms by FFTW in single precision.
 //
 // Plane (height, width) row-major <-> half spectrum (height, width / 2 + 1).
-// Source: [FJ05], and its manual.
+// Source: [FJ05] and FFTW's manual.
 #include "fft_backend.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct FftwFree {
   void operator()(void* memory) const { fftwf_free(memory); }
 };
 
-/// FFTW's own allocator: always aligned alike, so that the plan, and with it the rounding, does not
-/// depend on where the caller's memory happens to lie.
+/// Uses FFTW's own allocator, so that alignment is always the same. Otherwise the plan, and with it
+/// the rounding, would depend on the address of the caller's memory.
 template <class T>
 std::unique_ptr<T[], FftwFree> allocate(std::size_t count) {
   void* memory = fftwf_malloc(count * sizeof(T));
@@ -29,14 +29,15 @@ std::unique_ptr<T[], FftwFree> allocate(std::size_t count) {
   return std::unique_ptr<T[], FftwFree>(static_cast<T*>(memory));
 }
 
-/// Only fftwf_execute is thread-safe; making and destroying plans is not, of anyone in the process.
-/// From here on FFTW locks its planner itself, which a host that plans too shares.
+/// Only fftwf_execute is thread-safe by default; creating and destroying plans is not, anywhere in
+/// the process. After this call FFTW locks its planner itself, which also covers a host that makes
+/// plans.
 void lockPlanner() {
   static std::once_flag once;
   std::call_once(once, fftwf_make_planner_thread_safe);
 }
 
-/// A plan made by FFTW_ESTIMATE, which looks at no clock: the same one each time.
+/// A plan made with FFTW_ESTIMATE, which takes no timings, so the plan is always the same.
 class Plan {
 public:
   template <class MakePlan>
@@ -93,7 +94,7 @@ std::vector<float> inverseFftw(const HalfSpectrum& spectrum) {
 
 namespace {
 
-/// Rows, of which only the patch's are transformed, then columns; the inverse the other way round.
+/// Transforms the patch's rows only, then all columns; the inverse runs in the opposite order.
 class FftwPatch final : public PatchTransform {
 public:
   FftwPatch(int width, int height, int patchWidth, int patchHeight)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Real two-dimensional transforms by KissFFT.
 //
-// Plane (height, width) row-major <-> half spectrum (height, width / 2 + 1). KissFFT's own real
-// transform wants an even width, so the complex one is used: any width, twice the work.
+// Plane (height, width) row-major <-> half spectrum (height, width / 2 + 1). KissFFT's real
+// transform needs an even width, so this uses the complex one: any width, at twice the work.
 #include "fft_backend.h"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ namespace {
 
 using Line = std::vector<kiss_fft_cpx>;
 
-/// One-dimensional transforms of a length.
+/// One-dimensional transforms of one length.
 class LineTransform {
 public:
   LineTransform(int length, bool inverse)
@@ -84,7 +84,7 @@ public:
       throw std::bad_alloc();
   }
 
-  /// From values `stride` apart to ones that follow one another.
+  /// Reads values `stride` apart and writes them contiguously.
   void run(const kiss_fft_cpx* in, std::size_t stride, Line& out) const {
     kiss_fft_stride(configuration_.get(), in, out.data(), int(stride));
   }
@@ -93,7 +93,7 @@ private:
   std::unique_ptr<kiss_fft_state, KissFree> configuration_;
 };
 
-/// Rows, of which only the patch's are transformed, then columns; the inverse the other way round.
+/// Transforms the patch's rows only, then all columns; the inverse runs in the opposite order.
 class KissPatch final : public PatchTransform {
 public:
   KissPatch(int width, int height, int patchWidth, int patchHeight)

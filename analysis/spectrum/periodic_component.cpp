@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The periodic component of a plane (height, width): the plane less a smooth one whose Laplacian is
-// the jumps across the borders, by one transform there and one back.
+// The periodic component of a plane (height, width): the plane minus a smooth plane whose Laplacian
+// is the jumps across the borders. Takes one forward and one inverse transform.
 //
 // Source: [M11], algorithm 1.
 #include <lichen/fft.h>
@@ -13,7 +13,7 @@
 namespace lichen {
 namespace {
 
-/// The jumps between opposite borders, on the pixels of both; they sum to zero.
+/// The jumps between opposite borders, at the pixels of both. They sum to zero.
 std::vector<float> borderJumps(std::span<const float> plane, int width, int height) {
   std::vector<float> jumps(plane.size(), 0.0f);
   const auto at = [width](int x, int y) {
@@ -38,7 +38,7 @@ std::vector<float> periodicComponent(std::span<const float> plane, int width, in
   HalfSpectrum smooth = forwardFft(borderJumps(plane, width, height), width, height);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < smooth.columns(); ++u) {
-      // [M11] eq. 11: the discrete Laplacian, divided out; 0 at frequency 0 only.
+      // [M11] eq. 11: divides by the discrete Laplacian, which is 0 only at frequency 0.
       const double laplacian = 2.0 * std::cos(2.0 * std::numbers::pi * u / width) +
                                2.0 * std::cos(2.0 * std::numbers::pi * v / height) - 4.0;
       smooth.at(u, v) *= u == 0 && v == 0 ? 0.0f : float(1.0 / laplacian);

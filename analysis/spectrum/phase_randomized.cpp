@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plane (height, width) of a given power spectrum and random phases.
+// A plane (height, width) with a given power spectrum and random phases.
 //
 // Source: [GGM11].
 #include <lichen/fft.h>
@@ -11,8 +11,7 @@
 namespace lichen {
 
 std::vector<float> phaseRandomizedPlane(const HalfSpectrum& spectrum, std::uint32_t seed) {
-  // The phases of a white noise are independent and uniform, and mirror as those of a real plane
-  // must.
+  // The phases of white noise are independent and uniform, and have the symmetry of a real plane.
   std::vector<float> white;
   white.reserve(std::size_t(spectrum.width) * std::size_t(spectrum.height));
   for (int y = 0; y < spectrum.height; ++y)
@@ -26,7 +25,7 @@ std::vector<float> phaseRandomizedPlane(const HalfSpectrum& spectrum, std::uint3
       phases.values[i] *= 1.0f / modulus;
     phases.values[i] *= spectrum.values[i];
   }
-  phases.values[0] = spectrum.values[0]; // the mean stays
+  phases.values[0] = spectrum.values[0]; // keeps the mean
   return inverseFft(phases);
 }
 

@@ -15,7 +15,7 @@
 namespace lichen {
 namespace {
 
-/// The periodic Hann window, whose own spectrum is three lines wide.
+/// The periodic Hann window. Its own spectrum is three lines wide.
 std::vector<float> hannWindow(int side) {
   std::vector<float> window(std::size_t(side), 0.0f);
   for (int x = 0; x < side; ++x)
@@ -62,14 +62,15 @@ std::vector<double> radialPowerSpectrum(std::span<const float> plane, int width,
                                         int cropSide) {
   assert(cropSide >= 2 && cropSide % 2 == 0 && cropSide <= width && cropSide <= height);
   const std::vector<float> window = hannWindow(cropSide);
-  // Removed before the transform: the window would confine the mean to rings 0 and 1, but float
-  // rounding would not.
+  // Subtracted before the transform: the window would confine the mean to rings 0 and 1, but float
+  // rounding would spread it.
   const double mean = std::accumulate(plane.begin(), plane.end(), 0.0) / double(plane.size());
   const int step = cropSide / 2;
   const int cropsX = (width - cropSide) / step + 1;
   const int cropsY = (height - cropSide) / step + 1;
 
-  // One sum for each row of crops, added in order afterwards: the same for any number of threads.
+  // One sum per row of crops, added in order afterwards, so the result does not depend on the
+  // number of threads.
   std::vector<std::vector<double>> rowRings(std::size_t(cropsY),
                                             std::vector<double>(std::size_t(step + 1), 0.0));
   tbb::parallel_for(0, cropsY, [&](int row) {

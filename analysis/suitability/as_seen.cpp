@@ -12,13 +12,13 @@
 namespace lichen::suitability {
 namespace {
 
-/// Standard deviation of a slope component, root mean square of both. The normal maps beside three
-/// height maps have 0.036, 0.23 and 0.27 (docs/decisions/013-suitability.md): the steepest, in
-/// which slow variation is seen best.
+/// Standard deviation of a slope component, root mean square over both. The normal maps that come
+/// with three height maps have 0.036, 0.23 and 0.27 (docs/decisions/013-suitability.md). This is
+/// the steepest, which shows slow variation best.
 constexpr double kReliefDeviation = 0.27;
 
-/// Half the difference of a pixel's neighbours at `before` and `after`; all of it where one of them
-/// is the pixel itself.
+/// Half the difference between a pixel's two neighbours; the full difference if one of them is the
+/// pixel itself.
 float difference(float before, float after, bool oneSided) {
   return oneSided ? after - before : 0.5f * (after - before);
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What of a map an eye sees: of heights, the light on their slopes.
+// The part of a map that an eye sees: for heights, the light on their slopes.
 #pragma once
 
 #include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 
-/// The slopes of a height map, as its normal map has them, by central differences of the heights
-/// themselves, decoded where they are stored as log2(1 + height); of the relief that
-/// kReliefDeviation tells, since heights state no scale. `periodic`: whether differences go over
-/// opposite borders; else those at a border are one-sided. Zeros for a constant height. Throws
-/// std::bad_alloc.
+/// The slopes of a height map, as its normal map would have them, by central differences of the
+/// heights. Decodes heights stored as log2(1 + height) first. Heights have no stated scale, so
+/// kReliefDeviation sets the relief. If `periodic`, differences wrap around the borders; otherwise
+/// they are one-sided there. Returns zeros for a constant height. Throws std::bad_alloc.
 [[nodiscard]] MapExemplar slopesOfHeight(const MapExemplar& map, bool periodic);
 
 } // namespace lichen::suitability

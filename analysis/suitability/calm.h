@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a map has neither risk of what varies slowly.
+// Whether a map varies too little at low frequencies to be at risk.
 #pragma once
 
 #include "calibration.h"
@@ -9,8 +9,8 @@
 
 namespace lichen::suitability {
 
-/// Whether `seen`, a map as an eye sees it, has neither the risk of low frequency nor that of
-/// cloudiness. `cloudinessOf()`, which takes longer, is called only where the former is none.
+/// Whether `seen`, a map as an eye sees it, has neither the low-frequency nor the cloudiness risk.
+/// Calls `cloudinessOf()`, which takes longer, only if the first risk is absent.
 template <class CloudinessOf>
 [[nodiscard]] bool isCalm(const MapExemplar& seen, const CloudinessOf& cloudinessOf) {
   return slowVariationShare(seen) < kSlowVariation.mild && cloudinessOf() < kCloudiness.mild;

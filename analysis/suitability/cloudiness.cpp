@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Power spectrum of a plane (height, width / 2 + 1) -> contrast variation of its random blends.
-// Source: section 5.3 of [HN18] on stationarity; the closed form is derived in the header.
+// Source: [HN18] section 5.3 on stationarity; the header derives the closed form.
 #include "cloudiness.h"
 
 #include "high_pass.h"

@@ -17,7 +17,7 @@ double edgeConcentration(const MapExemplar& map, bool periodic) {
   const auto at = [&](int x, int y) {
     return double(slow.values[std::size_t(y) * std::size_t(slow.width) + std::size_t(x)]);
   };
-  // Forward differences: the plane has nothing as fast as a pixel.
+  // Forward differences suffice: the plane has no variation at the scale of a pixel.
   double squares = 0.0, fourths = 0.0;
   for (int y = 0; y + 1 < slow.height; ++y)
     for (int x = 0; x + 1 < slow.width; ++x) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Whether what varies slowly in an image is light or clouds, or a large object with its outline.
+// Whether the slow variation of an image is light and clouds, or a large object with an outline.
 #pragma once
 
 #include <lichen/exemplar.h>
 
 namespace lichen::suitability {
 
-/// mean |g|^4 / (mean |g|^2)^2 of the gradient g of the map's principal component, low-passed by a
-/// period of an eighth of its longer side: 1 for a ramp, 2 for a Gaussian field alike in all
-/// directions (|g|^2 is exponential), 3 for one that varies along one axis (the square of a
-/// Gaussian), and the inverse of the share of the area along the outline for an object. 0 for a map
-/// whose component does not vary. Throws std::bad_alloc.
+/// mean |g|^4 / (mean |g|^2)^2 of the gradient g of the map's principal component, after a low-pass
+/// at a period of an eighth of the longer side. 1 for a ramp; 2 for an isotropic Gaussian field,
+/// where |g|^2 is exponential; 3 for a Gaussian field that varies along one axis, where |g|^2 is
+/// the square of a Gaussian; for an object, the inverse of the share of the area along its outline.
+/// 0 if the component does not vary. Throws std::bad_alloc.
 [[nodiscard]] double edgeConcentration(const MapExemplar& map, bool periodic);
 
 } // namespace lichen::suitability

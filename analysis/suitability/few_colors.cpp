@@ -22,13 +22,13 @@ std::uint8_t codeOf(float value) {
   return std::uint8_t(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
-/// What one bin adds to the entropy.
+/// The contribution of one bin to the entropy.
 double termOf(std::size_t count, std::size_t all) {
   const double share = double(count) / double(all);
   return count == 0 ? 0.0 : -share * std::log(share);
 }
 
-/// Infinite where the channel does not vary.
+/// Infinite if the channel does not vary.
 double spacingOf(const std::array<std::size_t, kCodes>& histogram, std::size_t all) {
   double entropy = 0.0, mean = 0.0, square = 0.0;
   for (std::size_t code = 0; code < kCodes; ++code) {

@@ -6,19 +6,19 @@
 
 namespace lichen::suitability {
 
-/// Of 8-bit codes.
+/// Both members are of 8-bit codes.
 struct FewColors {
-  /// How far apart neighbouring codes are: the standard deviation over that of a normal
-  /// distribution of the same entropy, which is the root of the entropy power [CT06]. 1 for normal
-  /// distributions of any width; the least of the channels that vary.
+  /// The gap between neighbouring codes: the standard deviation divided by that of a normal
+  /// distribution of the same entropy, which is the root of the entropy power [CT06]. 1 for a
+  /// normal distribution of any width. The least over the channels that vary.
   double spacing = 0.0;
-  /// exp(entropy) of the colours, n for n equally frequent ones; counted only where they are so far
-  /// apart that it is a risk.
+  /// exp(entropy) of the colours: n for n equally frequent colours. Counted only if `spacing` is
+  /// large enough to be a risk.
   double count = 0.0;
 };
 
-/// Of base colours in sRGB code values; zeros of other maps, which may well be 0 or 1, of log2, and
-/// of maps that do not vary. O(N), and O(N log N) where colours are few.
+/// For base colours in sRGB code values. Zeros for other maps, which may well hold only 0 and 1,
+/// for log2, and for maps that do not vary. O(N), and O(N log N) if there are few colours.
 [[nodiscard]] FewColors fewColors(const MapExemplar& map);
 
 } // namespace lichen::suitability

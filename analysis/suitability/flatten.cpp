@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps (height, width, channels each) -> the same without their slow variation.
+// Maps (height, width, channels each) -> the same maps without their slow variation.
 #include "as_seen.h"
 #include "calibration.h"
 #include "calm.h"
@@ -24,15 +24,15 @@ namespace {
 
 using namespace suitability;
 
-/// What is darker on the whole than this share of the mean is brightened as if it were that: its
-/// grain would be coarser than the rest's.
+/// Where the low-passed light is below this share of the mean, it is brightened only as much as at
+/// this share. More would make its grain coarser than the rest's.
 constexpr float kDarkestShare = 1.0f / 8.0f;
 
 float mean(const std::vector<float>& values) {
   return float(std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()));
 }
 
-/// Divides light by its low-passed self, and keeps the mean.
+/// Divides light by its low-passed copy and preserves the mean.
 void evenOut(std::vector<float>& light, const std::vector<float>& slow) {
   const float before = mean(light);
   if (!(before > 0.0f))
@@ -54,8 +54,8 @@ bool isLight(const MapExemplar& map) {
   return map.target == MapTarget::baseColor || map.target == MapTarget::emissive;
 }
 
-/// What the channel's stored values may become: light up to white, data within its own range,
-/// slopes anything.
+/// The range of the channel's flattened values: up to white for light, its own range for data, and
+/// any half-precision value for slopes.
 std::pair<float, float> storedRange(const MapExemplar& map, std::size_t channel) {
   if (map.encoding == ValueEncoding::slope)
     return {-kHalfMax, kHalfMax};
@@ -88,7 +88,7 @@ void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period,
         std::clamp(exemplar::encoded(plane.values[pixel], map.encoding), least, most);
 }
 
-/// As flatten(), of one map in range and the period of its own pixels; throws.
+/// Like flatten(), for one map with values in range and a period in its own pixels. Throws.
 void flattenMap(MapExemplar& map, const Period& period, bool periodic, ProgressPart progress) {
   if (map.target == MapTarget::opacity)
     return;
@@ -98,12 +98,12 @@ void flattenMap(MapExemplar& map, const Period& period, bool periodic, ProgressP
   }
 }
 
-/// The same share of the sides of `map` as `pixels` are of those of `first`.
+/// The period that is the same share of the sides of `map` as `pixels` are of the sides of `first`.
 Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels) {
   return {pixels * map.width / first.width, pixels * map.height / first.height};
 }
 
-/// Whether the map has neither risk of slow variation.
+/// Whether the map has neither the low-frequency nor the cloudiness risk.
 bool hasNoSlowRisk(const MapExemplar& map, bool periodic, ProgressPart progress) {
   const auto calm = [&](const MapExemplar& seen) {
     return suitability::isCalm(seen, [&] {
@@ -114,10 +114,10 @@ bool hasNoSlowRisk(const MapExemplar& map, bool periodic, ProgressPart progress)
   return map.target == MapTarget::height ? calm(slopesOfHeight(map, periodic)) : calm(map);
 }
 
-/// Of the search: whether the map is calm as it is, and each of at most four tries.
+/// Share of the search's progress: one judgement of the unchanged map and at most four tries.
 constexpr double kJudgement = 1.0 / 5.0;
 
-/// The period for the map, if any, and why; throws std::bad_alloc.
+/// The period for the map, if any, and the reason. Throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
   if (hasNoSlowRisk(map, periodic, progress.part(0.0, kJudgement)))
     return {FlatteningChoice::Reason::calm, std::nullopt, {}};
@@ -135,7 +135,7 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
     begin = end;
     return calm;
   };
-  // The first step that calms, by bisection: shorter periods calm more.
+  // Bisection for the longest period that removes the risks: shorter periods remove more.
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
@@ -152,7 +152,7 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
   return {FlatteningChoice::Reason::mended, std::min(period(last), kFlattenPeriodRange.most), {}};
 }
 
-/// As flattenAutomatically(), of maps in range, but throws.
+/// Like flattenAutomatically(), for maps with values in range, but throws.
 FlatteningChoice flattenUncalm(std::span<MapExemplar> maps, bool periodic, ProgressPart progress) {
   const MapExemplar& first = maps.front();
   const double each = 1.0 / double(maps.size() + 1); // the search is about as long as two maps

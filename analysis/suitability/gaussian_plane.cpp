@@ -10,7 +10,7 @@
 namespace lichen::suitability {
 namespace {
 
-// Of the progress, where the borders are faded.
+// Progress after each step, if the borders are cross-faded.
 constexpr double kProjected = 0.1;
 constexpr double kStratified = 0.4;
 constexpr double kRanked = 0.6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What random blending will blend, in one channel and without the bake's transport.
+// The plane that random blending blends, in one channel and without the bake's transport.
 #pragma once
 
 #include "progress_part.h"
@@ -18,13 +18,13 @@ struct GaussianPlane {
   std::vector<float> values;
 };
 
-/// The map projected on the eigenvector of its covariance with the largest eigenvalue: one channel.
+/// Projects the map on the eigenvector of its covariance with the largest eigenvalue: one channel.
 /// Throws std::bad_alloc.
 [[nodiscard]] MapExemplar principalComponent(const MapExemplar& map);
 
-/// The map along the principal axis of its values, where it varies most, Gaussianized by rank; if
-/// not `periodic`, with its borders cross-faded as the bake does. Nothing for a map that varies by
-/// no more than its rounding. Throws std::bad_alloc.
+/// The principal component of the map, Gaussianized by rank. If not `periodic`, its borders are
+/// cross-faded as in the bake. Nothing if the map varies by no more than its rounding. Throws
+/// std::bad_alloc.
 [[nodiscard]] std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic,
                                                          ProgressPart progress = {});
 

@@ -11,21 +11,22 @@
 namespace lichen::suitability {
 namespace {
 
-/// Neighbours on each side, of whose powers the median is taken. Of a lattice with a line at every
-/// fourth frequency, each spread over its four neighbours, 9 x 9 frequencies around a line hold
-/// nine lines, four of them cut at one side and four at two: 5 + 4 * 4 + 4 * 3 = 33 of 81, the
-/// lesser part, so that the median is that of what lies between.
+/// Neighbours on each side that enter the median. With a lattice line at every fourth frequency,
+/// each spread over its four neighbours, the 9 x 9 frequencies around a line hold nine lines. Four
+/// of them are cut at one side and four at two: 5 + 4 * 4 + 4 * 3 = 33 of 81 frequencies. This is
+/// less than half, so the median is the power between the lines.
 constexpr int kReach = 4;
 constexpr int kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
-constexpr float kLineOverMedian = 20.0f; // as the header derives
-/// So that the neighbours do not hold the mean, whose power says nothing.
+constexpr float kLineOverMedian = 20.0f; // derived in the header
+/// Keeps the mean, whose power has no meaning here, out of the neighbours.
 constexpr int kLowestCycles = kReach + 1;
-/// Half of it is the highest frequency. Along each axis those from kLowestCycles to kReach below
-/// that, eight, have all their neighbours, none of them twice as its own mirror image.
+/// Half of it is the highest frequency. Along each axis, the eight frequencies from kLowestCycles
+/// to kReach below the highest have all their neighbours, and no neighbour is its own mirror image.
 constexpr int kSmallestSide = 32;
 static_assert(kSmallestSide / 2 - kReach - kLowestCycles + 1 == 8);
 
-/// Power at the integer frequencies of the full plane and some beyond each border of the half.
+/// Power at the integer frequencies of the full plane, and of some beyond each border of the half
+/// spectrum.
 class PowerPlane {
 public:
   explicit PowerPlane(const HalfSpectrum& spectrum)
@@ -36,7 +37,7 @@ public:
   }
   [[nodiscard]] float at(int u, int v) const {
     v += v < 0 ? height_ : v >= height_ ? -height_ : 0;
-    // The mirror image of a frequency to the left or right of the half that is kept.
+    // A frequency outside the stored half is the mirror image of one inside.
     if (u < 0 || u >= columns_) {
       u = u < 0 ? -u : width_ - u;
       v = v == 0 ? 0 : height_ - v;
@@ -51,8 +52,8 @@ private:
   std::vector<float> power_;
 };
 
-/// Whether a power is above the multiple of the median around it: if most of the powers there are
-/// that much smaller.
+/// Whether the power exceeds the given multiple of the median around it: whether most powers there
+/// are smaller by that factor.
 bool isLine(const PowerPlane& power, int u, int v) {
   const float most = power.at(u, v) / kLineOverMedian;
   int below = 0;
@@ -68,7 +69,7 @@ double latticeShare(const HalfSpectrum& spectrum) {
   if (std::min(spectrum.width, spectrum.height) < kSmallestSide)
     return 0.0;
   const PowerPlane power(spectrum);
-  std::vector<std::array<double, 2>> rows(std::size_t(spectrum.height)); // in lines, and in all
+  std::vector<std::array<double, 2>> rows(std::size_t(spectrum.height)); // in lines, and in total
   tbb::parallel_for(0, spectrum.height, [&](int v) {
     const int signedV = spectrum.signedRow(v);
     auto& [lines, all] = rows[std::size_t(v)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plane (height, width) -> the same, low-passed.
+// Plane (height, width) -> the low-passed plane.
 #include "low_pass.h"
 
 #include "high_pass.h"
@@ -12,7 +12,7 @@
 namespace lichen::suitability {
 namespace {
 
-/// The plane beside its mirror images: periodic, and continuous at the borders.
+/// The plane and its mirror images: periodic, and continuous at the borders.
 Plane mirrored(const Plane& plane) {
   Plane whole{2 * plane.width, 2 * plane.height, {}};
   whole.values.reserve(4 * plane.values.size());

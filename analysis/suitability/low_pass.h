@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Planes without their fast variation.
+// Low-pass filter of one plane.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,14 @@ struct Plane {
   std::vector<float> values; ///< width * height, row-major
 };
 
-/// A period along each axis, pixels.
+/// A period along each axis, in pixels.
 struct Period {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// The plane by lowPassGain(); continued at the borders by itself if `periodic`, else by its mirror
-/// image. Throws std::bad_alloc.
+/// Filters the plane with lowPassGain(). Beyond its borders the plane repeats if `periodic`,
+/// otherwise it is mirrored. Throws std::bad_alloc.
 [[nodiscard]] Plane lowPassed(const Plane& plane, const Period& period, bool periodic);
 
 } // namespace lichen::suitability

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Spectrum of a plane (height, width / 2 + 1) -> coherence of phases across scales.
+// Spectrum of a plane (height, width / 2 + 1) -> phase coherence across scales.
 //
-// Bands are complex: positive along their orientation only, so that modulus and argument are the
-// local amplitude and phase. Source: [PS00], whose steerable pyramid the bands resemble.
+// Bands are complex: they pass only the frequencies on the positive side of their orientation, so
+// modulus and argument are the local amplitude and phase. They resemble the steerable pyramid of
+// their source [PS00].
 #include "phase_coherence.h"
 
 #include <tbb/parallel_for.h>
@@ -16,26 +17,26 @@ namespace lichen::suitability {
 namespace {
 
 constexpr int kOrientations = 4;
-constexpr double kFinestPeriod = 8.0; // pixels: below it is grain, and what JPEG left
+constexpr double kFinestPeriod = 8.0; // pixels; shorter periods hold grain and JPEG artefacts
 constexpr int kFewestPeriods = 8;     // of a coarse band along the shorter side
 
-/// cos^3, [PS00]'s angular profile for four orientations, on the side that is kept.
+/// cos^3, the angular profile of [PS00] for four orientations, on the positive side only.
 double angularGain(double cosine) { return cosine > 0.0 ? cosine * cosine * cosine : 0.0; }
 
-/// One octave to each side of the centre, as a cosine of log2 of the frequency.
+/// A cosine of log2 of the frequency, one octave to each side of the centre.
 double radialGain(double frequency, double centre) {
   const double octaves = std::log2(frequency / centre);
   return std::abs(octaves) < 1.0 ? std::cos(0.5 * std::numbers::pi * octaves) : 0.0;
 }
 
-/// A complex plane, as what two real transforms give.
+/// A complex plane, as the pair of planes from two real transforms.
 struct Band {
   std::vector<float> real;
   std::vector<float> imaginary;
 };
 
-/// The band of `frequency` cycles per pixel, sampled on width x height points: the spectrum's
-/// lower frequencies alone, which hold the whole band.
+/// The band at `frequency` cycles per pixel, sampled on width x height points. Only the spectrum's
+/// lower frequencies are needed; they hold the whole band.
 Band band(const HalfSpectrum& spectrum, double frequency, int orientation, int width, int height) {
   const double angle = std::numbers::pi * orientation / kOrientations;
   const double directionX = std::cos(angle), directionY = std::sin(angle);
@@ -54,7 +55,7 @@ Band band(const HalfSpectrum& spectrum, double frequency, int orientation, int w
         continue;
       const double cosine = (x * directionX + y * directionY) / radius;
       const std::complex<float> value = spectrum.at(u, row);
-      // What is kept of the frequency and of its mirror image makes the real and imaginary parts.
+      // The gains of the frequency and of its mirror image give the real and imaginary parts.
       const double here = angularGain(cosine), mirrored = angularGain(-cosine);
       even.at(u, v) = value * float(0.5 * radial * (here + mirrored));
       odd.at(u, v) = value * std::complex<float>(0.0f, float(-0.5 * radial * (here - mirrored)));
@@ -63,7 +64,7 @@ Band band(const HalfSpectrum& spectrum, double frequency, int orientation, int w
   return {inverseFft(even), inverseFft(odd)};
 }
 
-/// A coherence and the energy that weighs it.
+/// A coherence and the energy that is its weight.
 struct Coherence {
   double value = 0.0;
   double energy = 0.0;
@@ -84,9 +85,10 @@ Coherence coherence(const Band& fine, const Band& coarse) {
   return {norm > 0.0 ? std::abs(correlation) / norm : 0.0, fineEnergy};
 }
 
-/// Samples that carry frequencies up to `highest` cycles per pixel of a side of `side` pixels.
+/// The number of samples along a side of `side` pixels for frequencies up to `highest` cycles per
+/// pixel.
 int samplesFor(int side, double highest) {
-  // One more than twice the highest frequency, so that it is below the Nyquist frequency.
+  // One more than twice the highest frequency, so that it stays below the Nyquist frequency.
   return std::min(side, int(2.0 * highest * side) + 2);
 }
 
@@ -102,12 +104,12 @@ double phaseCoherence(const HalfSpectrum& spectrum) {
     const auto scale = int(part) / kOrientations;
     const auto orientation = int(part) % kOrientations;
     const double frequency = std::exp2(-scale) / kFinestPeriod;
-    // Doubling the coarse phase doubles its frequencies: to those of the fine band.
+    // Doubling the coarse phase doubles its frequencies, which moves them into the fine band.
     const int width = samplesFor(spectrum.width, 2.0 * frequency);
     const int height = samplesFor(spectrum.height, 2.0 * frequency);
     parts[part] = coherence(band(spectrum, frequency, orientation, width, height),
                             band(spectrum, 0.5 * frequency, orientation, width, height));
-    // Bands are sampled on grids of different sizes; transforms are divided by the size.
+    // Bands have grids of different sizes, and transforms are divided by the size.
     parts[part].energy *= double(width) * double(height);
   });
   double sum = 0.0, energy = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A score and what was measured -> a risk in words.
+// Describes a risk in words, from its score and measure.
 #include "risk_of.h"
 
 #include "calibration.h"

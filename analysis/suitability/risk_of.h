@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A score and what was measured -> a risk in words.
+// Describes a risk in words, from its score and measure.
 #pragma once
 
 #include <lichen/suitability.h>
@@ -9,11 +9,12 @@
 
 namespace lichen::suitability {
 
-/// What is measured is said of every exemplar, what comes of it and helps where it is a risk.
+/// The text always contains `measured`; it contains `consequence`, and the risk has `remedy`, only
+/// if the score is a risk.
 [[nodiscard]] Risk riskOf(std::string_view name, double score, const std::string& measured,
                           const std::string& consequence, std::string remedy);
 
-/// "12 %" of 0.12.
+/// "12 %" for 0.12.
 [[nodiscard]] std::string percent(double share);
 
 } // namespace lichen::suitability

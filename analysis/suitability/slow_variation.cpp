@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values (height, width, channels) -> deviation of their slowest variation, by the sums that the
-// discrete Fourier transform has for eight frequencies.
+// Values (height, width, channels) -> standard deviation of their slowest variation, from eight
+// frequencies of the discrete Fourier transform.
 #include "slow_variation.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace lichen::suitability {
 namespace {
 
-constexpr int kSmallestSide = 8; // below it one cycle per side is not slow
+constexpr int kSmallestSide = 8; // on a smaller side, one cycle per side is not slow
 
 using Wave = std::vector<std::complex<double>>;
 
@@ -25,8 +25,8 @@ Wave oneCycle(int side) {
   return wave;
 }
 
-/// Energy at the eight frequencies of one channel, of the transform divided by its size. `across`
-/// and `down` are one cycle.
+/// Energy of one channel at the eight frequencies, of the transform divided by its size. `across`
+/// and `down` are one cycle along each axis.
 double slowEnergy(const MapExemplar& map, std::size_t channel, const Wave& across,
                   const Wave& down) {
   // Frequencies (1, 0), (0, 1), (1, 1), (1, -1); the other four are their conjugates.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundle and options -> image, pixel by pixel through the noise's evaluator.
+// Bundle and options -> image. Evaluates each pixel with the noise's evaluator.
 #include "progress_part.h"
 
 #include <lichen/image_io.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMaxPreviewSide = 1024;
 constexpr double kMiddle = 0.5; // of a mix
-/// Evaluated between two calls of the progress: up to a second's work, rows enough for many
+/// Pixels between two calls of the progress: up to a second's work, with enough rows for many
 /// threads.
 constexpr int kPixelsPerStrip = 1 << 20;
 /// A smaller periodic lattice would need less than three columns and four rows.
@@ -25,7 +25,7 @@ constexpr double kLeastPeriodTiles = 0.5;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
-/// The shortest text that gives the number back.
+/// The shortest text that parses back to the same number.
 std::string text(double number) {
   std::array<char, 32> digits{}; // 24 are enough
   return std::string(digits.data(),
@@ -81,8 +81,8 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   return {};
 }
 
-/// Where the image's top left corner lies from the lattice's whole tile origin. A periodic lattice
-/// begins at 0 and knows no origin: the corner lies inside its first period.
+/// The offset of the image's top left corner from the lattice's integer tile origin. A periodic
+/// lattice starts at 0 and has no origin, so the corner is inside its first period.
 double startOf(double origin, double periodTiles, bool periodic) {
   if (!periodic)
     return origin - std::floor(origin);
@@ -90,7 +90,7 @@ double startOf(double origin, double periodTiles, bool periodic) {
   return start < 0.0 ? start + periodTiles : start;
 }
 
-/// The material of a plane whose coordinates are tiles.
+/// The material on a plane whose coordinates are tiles.
 MaterialNoise onTiles(MaterialNoise material) {
   material.mapping = Mapping::uv;
   material.scale = 1.0;
@@ -99,8 +99,8 @@ MaterialNoise onTiles(MaterialNoise material) {
   return material;
 }
 
-/// As synthesize(), with pixels per tile along each axis; the options are in range. Throws
-/// Interrupted and std::bad_alloc.
+/// Like synthesize(), with pixels per tile along each axis and options in range. Throws Interrupted
+/// and std::bad_alloc.
 Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions& options,
                                    const std::array<double, 2>& pixelsPerTile, std::size_t map) {
   Placement placement;

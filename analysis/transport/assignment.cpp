@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Transport between equal point sets: N points and N points -> a permutation.
-// Multiscale matching of preconditioned points; then two-opt and exact blocks.
+// Transport between point sets of equal size: N points and N points -> a permutation.
+// Multiscale matching of preconditioned points, then two-opt and exact blocks.
 #include "assignment.h"
 
 #include "local_blocks.h"
@@ -14,12 +14,12 @@
 namespace lichen::transport {
 namespace {
 
-/// What the multiscale matching takes, in units of a round of exchanges: 0.15 s and 0.05 s for
-/// 65,536 points (docs/decisions/008-multiscale-transport.md). Of the progress only, to which a
-/// round of exact blocks counts as much.
+/// The time of the multiscale matching in rounds of exchanges, for the progress only: 0.15 s
+/// against 0.05 s at 65,536 points (docs/decisions/008-multiscale-transport.md). A round of exact
+/// blocks counts as one round.
 constexpr double kMultiscaleWork = 3.0;
 
-/// Salts, so that the two kinds of block draw from different streams.
+/// Salts that give the two kinds of block different random streams.
 constexpr std::uint64_t kSwapStream = 2;
 constexpr std::uint64_t kExactStream = 3;
 

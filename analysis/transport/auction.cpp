@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward auction, one bid at a time; N buyers and N sites -> prices and a site for most buyers.
+// Forward auction, one bid at a time: N buyers and N sites -> prices, and a site for most buyers.
 #include "auction.h"
 
 #include <tbb/parallel_for.h>
@@ -15,24 +15,24 @@
 namespace lichen::transport {
 namespace {
 
-/// The last few buyers go from site to site for as long as all the others took together, and their
-/// prices hardly move the dual value: 0.2 % of them are left without a site. Were each ten steps
-/// from its price, the bound would lose 0.02 of a step, beside the half step that it loses anyway.
+/// The share of buyers left without a site. The last buyers move from site to site for as long as
+/// all the others took, and their prices hardly change the dual value. Even if each were ten steps
+/// from its price, the bound would lose 0.02 of a step, against the half step that it loses anyway.
 constexpr double kLeftOver = 0.002;
 
-/// Bids a buyer, on average: photographs take 10 to 30.
+/// Average bids per buyer: photographs take 10 to 30.
 constexpr double kUsualBids = 20.0;
-/// Ten times that, after which the auction ends as it is: any prices give a bound.
+/// Bids per buyer at which the auction stops: ten times the usual. Any prices give a bound.
 constexpr std::size_t kMostBids = 200;
 
-/// Some tenths of a second, after which the caller may end the auction.
+/// Some tenths of a second. The caller can stop the auction only between reports.
 constexpr std::size_t kBidsBetweenReports = 1u << 16u;
 
 struct Choice {
   std::uint32_t place = 0;
   double cost = std::numeric_limits<double>::infinity();
   double nextCost = std::numeric_limits<double>::infinity();
-  double highestCost = -std::numeric_limits<double>::infinity(); ///< on the list
+  double highestCost = -std::numeric_limits<double>::infinity(); ///< on the shortlist
 };
 
 Choice choose(const Point& buyer, const PriceTree& sites, const Shortlist& list) {

@@ -13,11 +13,11 @@
 
 namespace lichen::transport {
 
-/// Buyers bid for their cheapest site until nearly all have one [B88]: raises the prices
-/// in `sites` towards those at which every buyer's cheapest site is another, by at least
-/// `increment` > 0 a bid. As many buyers as sites. Returns the site of each buyer, its cheapest to
-/// within `increment`, or nothing for the few that are left over. Sequential but for the first
-/// searches, so the result does not depend on the number of threads. Throws Interrupted.
+/// Lets buyers bid for their cheapest site until nearly all own one [B88]. Each bid raises a price
+/// in `sites` by at least `increment` > 0, towards prices at which every buyer has a different
+/// cheapest site. There are as many buyers as sites. Returns the site of each buyer, which is its
+/// cheapest to within `increment`, or nothing for the few buyers left over. Only the first searches
+/// run in parallel, so the result does not depend on the number of threads. Throws Interrupted.
 std::vector<std::optional<std::uint32_t>> runAuction(std::span<const Point> buyers,
                                                      PriceTree& sites, double increment,
                                                      const ProgressPart& progress);

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Of the covariance's norm. Similar covariances take under ten steps. The bound is for lines at
-/// nearly right angles, between which the limit hardly matters.
+/// Relative to the covariance's norm. Similar covariances take under ten steps. Only rank-one
+/// covariances at nearly right angles reach the step limit, where the choice hardly matters.
 constexpr double kNoChange = 1e-10;
 constexpr int kMostSteps = 1000;
 
@@ -21,8 +21,8 @@ constexpr int kMostSteps = 1000;
 MatrixXd covarianceBarycenter(std::span<const MatrixXd> covariances,
                               std::span<const double> weights) {
   assert(!covariances.empty() && weights.size() == covariances.size());
-  // From a sum, whose range holds that of every term: what the powers leave out of a rank-deficient
-  // one no term has.
+  // Starts from a sum, whose range contains the range of every term. The directions that power()
+  // drops from a rank-deficient sum are therefore absent from every term.
   MatrixXd result = MatrixXd::Zero(covariances[0].rows(), covariances[0].cols());
   for (std::size_t k = 0; k < covariances.size(); ++k)
     result += weights[k] * covariances[k];

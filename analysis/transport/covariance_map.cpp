@@ -8,9 +8,9 @@
 namespace lichen::transport {
 namespace {
 
-/// (2^-20)^2: float coordinates carry 24 bits, of which sums of many keep about 20.
+/// (2^-20)^2: float coordinates have 24 bits, of which sums of many retain about 20.
 constexpr double kNoVariance = 1e-12;
-/// Of products of two such, what the solver's own rounding leaves of the largest.
+/// For products of two covariances: the rounding of the solver itself, relative to the largest.
 constexpr double kNoProduct = 1e-15;
 
 template <class Matrix>

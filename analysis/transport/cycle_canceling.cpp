@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Negative-cycle cancelling on the complete exchange graph of n points.
-// Edge i -> j, source i taking the target of j, costs <s_i, t_i> - <s_i, t_j>.
+// Cancels negative cycles on the complete exchange graph of n points.
+// Edge i -> j, where source i takes the target of j, costs <s_i, t_i> - <s_i, t_j>.
 #include "cycle_canceling.h"
 
 #include <algorithm>
@@ -12,19 +12,21 @@ namespace {
 /// Rows are padded to whole vectors of 16 floats (AVX-512), so the sweep has no remainder loop.
 constexpr std::size_t kLanes = 16;
 
-/// An improvement below this share of the largest exchange cost is rounding: an exchange is the
+/// Improvements below this share of the largest exchange cost are rounding. An exchange is the
 /// difference of two products of three terms, each rounded by 2^-24 of up to the block's largest
-/// coordinate squared, tens of times the largest exchange in a small block; a path adds several.
+/// coordinate squared, which is tens of times the largest exchange in a small block. A path adds
+/// several exchanges.
 constexpr float kRelativeTolerance = 1e-5f;
 
-/// Rounds of finding and cancelling cycles. No useful bound is known for cycles of any choice
-/// [K67], and rounding could undo what a round has gained. From the worst start, each point at its
-/// farthest target, 20,000 sets of 2 to 64 points took 2.2 rounds a point at most; a start that is
-/// nearly optimal takes few. What is left after the last round is a valid assignment.
+/// Rounds of finding and cancelling cycles. No useful bound is known if cycles are chosen freely
+/// [K67], and rounding could undo the gain of a round. From the worst start, each point at its
+/// farthest target, 20,000 sets of 2 to 64 points took at most 2.2 rounds per point; a nearly
+/// optimal start takes few. After the last round the assignment is valid, if not optimal.
 constexpr std::size_t kMostRoundsPerPoint = 8;
 
-/// One Bellman-Ford sweep: distance[j] <- min(distance[j], distance[i] + exchange[i][j]) for every
-/// i in turn, with the i that gave the value in parent[j]. Returns whether anything changed.
+/// One Bellman-Ford sweep: for each i in order, distance[j] <- min(distance[j], distance[i] +
+/// exchange[i][j]), and parent[j] <- i where this lowers distance[j]. Returns whether anything
+/// changed.
 __attribute__((target_clones("avx512f", "avx2", "default"))) bool
 sweep(const float* exchange, float* distance, std::int32_t* parent, std::size_t count,
       std::size_t stride, float tolerance) {
@@ -84,7 +86,7 @@ bool CycleCanceling::cancelCycles(std::span<const Point> source, std::span<Point
       cost += exchange_[taker * stride_ + cycles_[end]];
     }
     if (cost < 0.0f) {
-      // cycles_[k] is the parent of cycles_[k - 1]: it takes that one's target.
+      // cycles_[k] is the parent of cycles_[k - 1] and takes its target.
       for (std::size_t k = end - 1; k > first; --k) {
         std::swap(target[cycles_[k - 1]], target[cycles_[k]]);
         std::swap(targetIndex[cycles_[k - 1]], targetIndex[cycles_[k]]);
@@ -115,7 +117,7 @@ void CycleCanceling::solve(std::span<const Point> source, std::span<Point> targe
   mark_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     fillRow(source, target, i);
-  // By magnitude: in the worst start no exchange is positive.
+  // Compares magnitudes: from the worst start no exchange is positive.
   const float largest =
       std::abs(*std::max_element(exchange_.begin(), exchange_.end(),
                                  [](float a, float b) { return std::abs(a) < std::abs(b); }));
@@ -124,7 +126,7 @@ void CycleCanceling::solve(std::span<const Point> source, std::span<Point> targe
     std::fill(distance_.begin(), distance_.end(), 0.0f);
     std::fill(parent_.begin(), parent_.end(), -1);
     cycles_.clear();
-    // Without a negative cycle count - 1 sweeps reach the fixed point.
+    // Without a negative cycle, count - 1 sweeps reach the fixed point.
     for (std::size_t round = 0; round < count && cycles_.empty(); ++round) {
       if (!sweep(exchange_.data(), distance_.data(), parent_.data(), count, stride_, tolerance))
         return;

@@ -10,13 +10,13 @@
 
 namespace lichen::transport {
 
-/// Cancels negative cycles until none is left [K67], found by Bellman-Ford sweeps over the
-/// dense exchange graph: where the start is nearly optimal, as after two-opt, few sweeps do.
-/// Holds its working memory, so that one object solves many problems; not thread-safe.
+/// Cancels negative cycles until none is left [K67]. Bellman-Ford sweeps over the dense exchange
+/// graph find them; a nearly optimal start, as after two-opt, needs few sweeps. An object reuses
+/// its working memory for many problems. Not thread-safe.
 class CycleCanceling {
 public:
-  /// Reorders `target` (and `targetIndex` with it) so that sum <source[i], target[i]> is largest,
-  /// up to rounding. The spans have one size n; O(n^2) for each sweep, O(n^4) in all at most.
+  /// Reorders `target`, and `targetIndex` with it, to maximize sum <source[i], target[i]> up to
+  /// rounding. All spans have the same size n. O(n^2) per sweep, at most O(n^4) in all.
   void solve(std::span<const Point> source, std::span<Point> target,
              std::span<std::uint32_t> targetIndex);
 
@@ -24,7 +24,7 @@ private:
   static constexpr std::uint32_t kEndOfCycle = 0xFFFFFFFFu;
 
   void fillRow(std::span<const Point> source, std::span<const Point> target, std::size_t i);
-  /// The disjoint cycles of the parent graph, each negative, one after another in cycles_.
+  /// Writes the disjoint cycles of the parent graph, all negative, one after another to cycles_.
   void findCycles();
   [[nodiscard]] bool cancelCycles(std::span<const Point> source, std::span<Point> target,
                                   std::span<std::uint32_t> targetIndex);

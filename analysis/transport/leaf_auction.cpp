@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Auction over leaves of sites; N buyers, N sites and prices -> most of a matching, and new prices.
-// |x - y|^2 + price = |x|^2 + (|y|^2 + price) - 2 <x, y>: a buyer compares the last two terms.
+// Auction over leaves of sites: N buyers, N sites and prices -> most of a matching, and new prices.
+// |x - y|^2 + price = |x|^2 + (|y|^2 + price) - 2 <x, y>; a buyer compares only the last two terms.
 #include "leaf_auction.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-/// Sites compared at once: a vector of AVX-512, two of AVX2.
+/// Sites compared at once: one AVX-512 vector or two AVX2 vectors.
 constexpr std::size_t kLanes = 16;
 
-/// Bids that a waiting buyer may make, on average, while its group is visited. Unlimited, a group
-/// would raise the prices around it before its neighbours are heard.
+/// Average bids per waiting buyer in one visit to its group. Without a limit, a group would raise
+/// the prices around it before its neighbours bid.
 constexpr int kBidsAVisit = 4;
 
 struct Choice {
@@ -25,7 +25,7 @@ struct Choice {
   float nextCost = kInfinite;
 };
 
-/// The least and the second least of weight - 2 <x, site> over `count` sites, a multiple of kLanes.
+/// The least and second least of weight - 2 <x, site> over `count` sites, a multiple of kLanes.
 __attribute__((target_clones("avx512f", "avx2", "default"))) Choice
 choose(const float* x, const float* y, const float* z, const float* weight, std::size_t count,
        const Point& twice) {
@@ -60,7 +60,7 @@ choose(const float* x, const float* y, const float* z, const float* weight, std:
 
 } // namespace
 
-/// A group's candidates, gathered.
+/// A group's candidates in contiguous arrays.
 struct LeafAuction::Candidates {
   static constexpr std::size_t kMost = kMostLeaves * kLeafSize;
   alignas(64) std::array<float, kMost> x;
@@ -136,7 +136,7 @@ void LeafAuction::visit(std::size_t group, float increment) {
   Candidates candidates(*this, groups_[group]);
   std::array<std::uint32_t, Candidates::kMost> winner;
   winner.fill(kNoPartner);
-  // Never more than the group at once, so the ring does not overflow.
+  // Holds at most the whole group, so the ring buffer does not overflow.
   std::array<std::uint32_t, kGroupSize> queue;
   std::size_t head = 0, tail = 0;
   for (std::uint32_t bits = groups_[group].waiting; bits != 0; bits &= bits - 1)

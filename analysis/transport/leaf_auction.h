@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An auction in which a group of buyers chooses among a few leaves of sites.
+// An auction in which each group of buyers chooses among a few leaves of sites.
 #pragma once
 
 #include "point_arrays.h"
@@ -14,26 +14,26 @@ namespace lichen::transport {
 
 inline constexpr std::uint32_t kNoPartner = std::numeric_limits<std::uint32_t>::max();
 
-/// Auction [B88] with cost |x_i - y_j|^2 between as many buyers x as sites y. Both lie in an order
-/// in which neighbours are close in space (PartitionOrder): kGroupSize successive buyers share
-/// candidates, which are whole leaves of kLeafSize successive sites, so that a bid is a loop over
-/// contiguous floats. Keeps references to the points. Sequential.
+/// Auction [B88] with cost |x_i - y_j|^2 between N buyers x and N sites y. Both are in an order in
+/// which neighbours are close in space (PartitionOrder). kGroupSize successive buyers share their
+/// candidates, which are whole leaves of kLeafSize successive sites, so a bid is a loop over
+/// contiguous floats. Holds references to the points. Sequential.
 class LeafAuction {
 public:
   static constexpr std::size_t kLeafSize = 8;
   static constexpr std::size_t kGroupSize = 32;
-  /// Candidates of a group, at most. 24 leave twice as many buyers without a site on the hardest of
-  /// the benchmark's exemplars, 48 take longer and leave no fewer.
+  /// The most candidate leaves of a group. On the hardest of the benchmark's exemplars, 24 leave
+  /// twice as many buyers without a site; 48 take longer and leave no fewer.
   static constexpr std::size_t kMostLeaves = 32;
 
   LeafAuction(const PointArrays& buyers, const PointArrays& sites, std::span<const float> prices);
 
   [[nodiscard]] std::size_t groupCount() const { return groups_.size(); }
-  /// The first kMostLeaves of `leaves` become the candidates of a group; they are distinct.
+  /// Sets a group's candidates to the first kMostLeaves of `leaves`, which are distinct.
   void setCandidates(std::size_t group, std::span<const std::uint32_t> leaves);
 
-  /// Groups bid in turn, prices rising by `increment` >= 0 at least, until every buyer has a site
-  /// or `rounds` are over.
+  /// Lets groups bid in turn until every buyer has a site or `rounds` are over. Each bid raises a
+  /// price by at least `increment` >= 0.
   void run(float increment, int rounds);
 
   /// The site of each buyer, or kNoPartner.
@@ -42,12 +42,12 @@ public:
   [[nodiscard]] float price(std::size_t site) const {
     return weight_[site] - dot(sites_[site], sites_[site]);
   }
-  /// The least |x - y|^2 + price among a buyer's candidates.
+  /// The least |x - y|^2 + price among the buyer's candidates.
   [[nodiscard]] float leastCost(std::size_t buyer) const;
 
 private:
   struct Group {
-    std::uint32_t waiting = 0; ///< bit k: buyer k of the group has no site
+    std::uint32_t waiting = 0; ///< bit k is set if buyer k of the group has no site
     std::uint32_t leafCount = 0;
     std::uint32_t leaves[kMostLeaves] = {};
   };
@@ -58,7 +58,7 @@ private:
 
   const PointArrays& buyers_;
   const PointArrays& sites_;
-  /// |y|^2 + price; infinite where the last leaf has no site.
+  /// |y|^2 + price; infinite in the empty slots of the last leaf.
   std::vector<float> weight_;
   std::vector<std::uint32_t> siteOf_;
   std::vector<std::uint32_t> buyerOf_;

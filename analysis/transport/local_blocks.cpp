@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Block-wise improvement of a matching; assignment[i] is the target of source i, changed in place.
+// Improves a matching in blocks; assignment[i] is the target of source i and changes in place.
 #include "local_blocks.h"
 
 #include "cycle_canceling.h"
@@ -18,15 +18,15 @@
 namespace lichen::transport {
 namespace {
 
-/// Points below which a part is not worth a task of its own. At ten nanoseconds or more a point,
-/// this many take a hundred times the microsecond that a task does.
+/// Parts with fewer points do not get a task of their own. At ten nanoseconds or more per point,
+/// this many take a hundred times the microsecond that a task costs.
 constexpr std::size_t kTaskSize = 8192;
 
-/// Pairs that are exchanged with each other: in the same time, 64 come nearer to the optimum than
-/// 16 or 32 (docs/decisions/008-multiscale-transport.md).
+/// Pairs per exchange block. In the same time, blocks of 64 come nearer to the optimum than blocks
+/// of 16 or 32 (docs/decisions/008-multiscale-transport.md).
 constexpr std::size_t kSwapBlockSize = 64;
-/// Pairs of which blocks are cut kRoundsInRegion times: what the nearest cache holds, 28 bytes
-/// each.
+/// Pairs per region, which is cut into blocks kRoundsInRegion times. At 28 bytes per pair, a region
+/// fits the first-level cache.
 constexpr std::size_t kRegionSize = 1024;
 constexpr int kRoundsInRegion = 4;
 
@@ -35,7 +35,7 @@ using Frame = std::array<Point, 3>;
 Frame randomFrame(std::uint64_t seed) {
   const Point a = randomDirection(seed, 0);
   const Point b = randomDirection(seed, 1);
-  // A vector orthogonal to a; two random directions are never parallel to float precision.
+  // A vector orthogonal to a. Two random directions are never parallel to float precision.
   const Point cross{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   const float scale = 1.0f / std::sqrt(dot(cross, cross));
   const Point c{cross.x * scale, cross.y * scale, cross.z * scale};
@@ -47,15 +47,15 @@ struct Member {
   std::uint32_t index;
 };
 
-/// The middle of pair `index`, doubled.
+/// Twice the midpoint of pair `index`.
 Member member(const Point& source, const Point& target, const Frame& frame, std::size_t index) {
   const Point middle{source.x + target.x, source.y + target.y, source.z + target.z};
   return {{dot(middle, frame[0]), dot(middle, frame[1]), dot(middle, frame[2])},
           std::uint32_t(index)};
 }
 
-/// Pairs, ordered so that runs of at most blockSize are spatial neighbours; where the runs end
-/// follows from the counts alone.
+/// Pairs in an order in which runs of at most blockSize are spatial neighbours. The ends of the
+/// runs depend only on the counts.
 class BlockPartition {
 public:
   BlockPartition(std::vector<Member> members, std::size_t blockSize)
@@ -124,7 +124,7 @@ BlockPartition partitionOf(const PointPair& points, std::span<const std::uint32_
   return {std::move(members), blockSize};
 }
 
-/// A block's points, gathered.
+/// A block's points in contiguous arrays.
 struct Gathered {
   std::vector<Point> source;
   std::vector<Point> target;
@@ -143,16 +143,17 @@ struct Gathered {
   }
 };
 
-/// Squared relative rounding error of a three-term product of floats, (2^-20)^2 with room to spare.
+/// Squared relative rounding error of a three-term product of floats: (2^-20)^2, a generous bound.
 constexpr float kRoundingOfProduct = 1e-12f;
 
-/// Pairs compared at once: a vector of AVX-512, two of AVX2.
+/// Pairs compared at once: one AVX-512 vector or two AVX2 vectors.
 constexpr std::size_t kLanes = 16;
 
-/// A block's points, one array per coordinate. Unused places are NaN, with which nothing compares.
+/// A block's points, one array per coordinate. Unused elements are NaN, which loses every
+/// comparison.
 struct SwapBlock {
   alignas(64) std::array<float, kSwapBlockSize> sx{}, sy{}, sz{}, tx{}, ty{}, tz{};
-  std::array<std::uint32_t, kSwapBlockSize> targetPlace{}; ///< among the region's pairs
+  std::array<std::uint32_t, kSwapBlockSize> targetPlace{}; ///< index into the region's pairs
 
   void swapTargets(std::size_t i, std::size_t j) {
     std::swap(tx[i], tx[j]);
@@ -162,7 +163,8 @@ struct SwapBlock {
   }
 };
 
-/// The pair with which pair i gains most by exchanging targets, by more than rounding; i if none.
+/// The pair whose exchange of targets with pair i gains most, by more than rounding; i if there is
+/// none.
 __attribute__((target_clones("avx512f", "avx2", "default"))) std::size_t
 bestExchange(const SwapBlock& b, std::size_t i, std::size_t count) {
   alignas(64) float least[kLanes];
@@ -190,7 +192,7 @@ bestExchange(const SwapBlock& b, std::size_t i, std::size_t count) {
   return least[best] < 0.0f ? std::size_t(place[best]) : i;
 }
 
-/// Pairs of a region and room for its blocks.
+/// A region's pairs, and memory for its blocks.
 struct SwapWork {
   Gathered points;
   SwapBlock block;
@@ -223,7 +225,7 @@ struct SwapWork {
       block.tz[k] = points.target[i].z;
       block.targetPlace[k] = i;
     }
-    // Exchanges that rounding alone calls improvements could go in circles: the passes are counted.
+    // The pass limit ends loops of exchanges whose gain is only rounding.
     bool changed = true;
     for (std::size_t pass = 0; changed && pass < n; ++pass) {
       changed = false;
@@ -238,7 +240,7 @@ struct SwapWork {
     write(members);
   }
 
-  /// Puts the block's targets back among the region's.
+  /// Writes the block's targets back to the region.
   void write(std::span<const Member> members) {
     std::array<std::uint32_t, kSwapBlockSize> indices;
     for (std::size_t k = 0; k < members.size(); ++k)

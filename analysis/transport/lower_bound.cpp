@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lower bound of the transport cost; N points, N points and a matching -> a bound, and what its
-// auction matches better.
+// Lower bound of the transport cost: N points, N points and a matching -> a bound, and the
+// auction's own matching.
 #include "lower_bound.h"
 
 #include "auction.h"
@@ -19,23 +19,23 @@
 namespace lichen::transport {
 namespace {
 
-/// Ratio of the steps of successive auctions [epsilon scaling].
+/// Ratio between the steps of successive auctions (epsilon scaling).
 constexpr double kStepRatio = 4.0;
-/// Auctions begin with steps that cover the duality gap in this many: larger ones spoil prices that
-/// are nearly right, smaller ones take long to mend prices that are not.
+/// The first auction's step covers the duality gap per pair in at most this many steps. Larger
+/// steps spoil prices that are nearly right; smaller steps take long to repair prices that are not.
 constexpr double kStepsOfGap = 8.0;
 
-/// precondition() rounds coordinates to float, 2^-24 on each side of a product; and leaves out
-/// directions whose deviations multiply to at most 1e-6 of the largest, in at most two directions
-/// on each of its three floors.
+/// precondition() rounds coordinates to float, 2^-24 on each side of a product. It also drops
+/// directions whose standard deviations multiply to at most 1e-6 of the largest, at most two
+/// directions at each of its three thresholds.
 constexpr double kRounding = 0x1.0p-23;
 constexpr double kLeftOut = 6e-6;
 
-/// The auction's matching has all but few pairs within a step; these rounds exchange the rest. On
-/// the exemplars of lichen-bench more gain less than a thousandth of a per cent.
+/// In the auction's matching all but a few pairs are within a step; these rounds exchange the rest.
+/// On the exemplars of lichen-bench, more rounds gain less than 0.001 %.
 const TransportOptions kMending{.swapRounds = 4, .exactRounds = 8};
-/// Of improveByAuction()'s progress: on photographs of 256 x 256 the auctions take 3 s to 30 s, the
-/// rest 0.5 s.
+/// Share of improveByAuction()'s progress. On 256 x 256 photographs the auctions take 3 s to 30 s,
+/// the rest 0.5 s.
 constexpr double kAuctionOfProgress = 0.9;
 
 /// min_j |x_i - y_j|^2 + price_j for every i.
@@ -46,7 +46,7 @@ std::vector<double> leastCosts(std::span<const Point> buyers, const PriceTree& s
   return costs;
 }
 
-/// At most the cost of every bijection [linear programming duality].
+/// A lower bound on the cost of every bijection (linear programming duality).
 double dualValue(std::span<const Point> buyers, std::span<const Point> targets,
                  std::span<const double> prices) {
   const std::vector<double> costs = leastCosts(buyers, PriceTree(targets, prices));
@@ -65,7 +65,8 @@ struct DualSolution {
   std::vector<std::optional<std::uint32_t>> targetOf;
 };
 
-/// Raises the prices of the pairs' own matching by auctions of falling steps, down to `increment`.
+/// Raises the prices of the pairs' own matching by auctions with decreasing steps, down to
+/// `increment`.
 DualSolution solveDual(const PointPair& pairs, double increment, const ProgressPart& progress) {
   std::vector<double> prices = pricesOfMatching(pairs);
   const double gap = pairsCost(pairs) - dualValue(pairs.source, pairs.target, prices);
@@ -85,7 +86,7 @@ DualSolution solveDual(const PointPair& pairs, double increment, const ProgressP
   return solution;
 }
 
-/// The targets that nobody has, in order, for the sources that have none.
+/// Gives the targets without a source, in order, to the sources without a target.
 std::vector<std::uint32_t> completed(const std::vector<std::optional<std::uint32_t>>& targetOf) {
   std::vector<bool> taken(targetOf.size(), false);
   for (const std::optional<std::uint32_t>& target : targetOf)
@@ -123,7 +124,7 @@ Moments momentsOf(std::span<const Point> points) {
   return m;
 }
 
-/// The squared distance of two means.
+/// The squared distance between two means.
 double squaredDistance(const Moments& a, const Moments& b) {
   const double x = a.meanX - b.meanX, y = a.meanY - b.meanY, z = a.meanZ - b.meanZ;
   return x * x + y * y + z * z;
@@ -136,7 +137,7 @@ double sumOfSquares(std::span<const Point> points) {
   return sum;
 }
 
-/// The bound of a matching, and whom the auction gave which target of the pairs.
+/// The bound of a matching, and the target that the auction gave to each source.
 struct BoundAndAuction {
   TransportBound bound;
   std::vector<std::optional<std::uint32_t>> targetOf;
@@ -161,7 +162,7 @@ BoundAndAuction boundByAuction(std::span<const Point> source, std::span<const Po
   if (!(bound.centredCost > 0.0))
     return result;
 
-  // sum |x - y|^2 = sum |x|^2 + sum |y|^2 - 2 sum <x, y>, about the means; <x, y> = <x', y'>.
+  // sum |x - y|^2 = sum |x|^2 + sum |y|^2 - 2 sum <x, y>, about the means, and <x, y> = <x', y'>.
   PointPair pairs = precondition(source, target);
   const std::vector<Point> targets = std::move(pairs.target);
   pairs.target.clear();
@@ -170,7 +171,7 @@ BoundAndAuction boundByAuction(std::span<const Point> source, std::span<const Po
   DualSolution solution = solveDual(pairs, tolerance * bound.centredCost, progress);
   const double squares = sumOfSquares(pairs.source) + sumOfSquares(pairs.target);
   const double largestProduct = 0.5 * (squares - solution.value);
-  // By Cauchy and Schwarz the errors of all products of a bijection sum up to no more than this.
+  // By Cauchy-Schwarz, this bounds the sum of the errors of all products of a bijection.
   const double slack = (kRounding + kLeftOut) * std::sqrt(from.squares * to.squares);
   const double centred = from.squares + to.squares - 2.0 * (largestProduct + slack);
   bound.lowerBound = meansApart + std::max(0.0, centred / count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prices from a matching: N pairs -> N prices, by a sparse least-squares problem.
+// Prices from a matching: N pairs -> N prices, by sparse least squares.
 #include "matching_prices.h"
 
 #include "price_tree.h"
@@ -19,16 +19,18 @@
 namespace lichen::transport {
 namespace {
 
-/// Neighbours of each target. Sixteen bring the dual value of the prices a tenth nearer, for twice
-/// the memory.
+/// Neighbours per target. Sixteen bring the dual value of the prices a tenth closer, for twice the
+/// memory.
 constexpr std::size_t kNeighbours = 8;
 
-/// What is left are errors within neighbourhoods, which the auction mends: a hundredth of the
-/// tolerance does not shorten it. Prices that are off at a distance have converged by then.
+/// Solver tolerance. The errors left are within neighbourhoods, which the auction repairs; a
+/// tolerance 100 times smaller does not make the auction faster. Price errors over long distances
+/// have converged by then.
 constexpr double kTolerance = 1e-2;
 constexpr int kMostIterations = 500;
 
-/// Of the mean squared distance of neighbours: coincident targets weigh no more than at this.
+/// In units of the mean squared distance between neighbours: limits the weight of coincident
+/// targets.
 constexpr double kLeastDistance = 1e-3;
 
 struct Neighbour {
@@ -36,7 +38,7 @@ struct Neighbour {
   double squaredDistance = 0.0;
 };
 
-/// Up to kNeighbours for each target, and nothing (the target itself) for those that it lacks.
+/// Up to kNeighbours neighbours of each target. Missing ones are the target itself.
 std::vector<std::array<Neighbour, kNeighbours>> neighbours(std::span<const Point> targets) {
   const PriceTree tree(targets, std::vector<double>(targets.size(), 0.0));
   std::vector<std::array<Neighbour, kNeighbours>> result(targets.size());
@@ -52,7 +54,7 @@ std::vector<std::array<Neighbour, kNeighbours>> neighbours(std::span<const Point
   return result;
 }
 
-/// price(b) - price(a) by the trapezoidal rule of grad price(y) = 2 (x - y).
+/// price(b) - price(a), by the trapezoidal rule on grad price(y) = 2 (x - y).
 double priceDifference(const PointPair& pairs, std::size_t a, std::size_t b) {
   const Point& xa = pairs.source[a];
   const Point& xb = pairs.source[b];
@@ -67,15 +69,15 @@ double priceDifference(const PointPair& pairs, std::size_t a, std::size_t b) {
 
 using Neighbourhood = std::array<Neighbour, kNeighbours>;
 
-/// Of every target with each neighbour, with itself, and mirrored.
+/// Entries for each target with each neighbour, their mirror images, and the diagonal.
 std::size_t laplacianEntries(std::size_t count) { return count * (2 * kNeighbours + 1); }
 
-/// The prices whose differences between neighbours are those of the matching, in the least squares.
-/// Index counts the entries of the normal equations.
+/// The prices whose differences between neighbours fit those of the matching best in least squares.
+/// Index is wide enough to count the entries of the normal equations.
 template <class Index>
 Eigen::VectorXd leastSquares(const PointPair& pairs, const std::vector<Neighbourhood>& near,
                              double leastSquaredDistance) {
-  // A graph Laplacian, each edge weighted by the inverse of its squared length.
+  // A graph Laplacian; the weight of each edge is the inverse of its squared length.
   const std::size_t count = near.size();
   std::vector<Eigen::Triplet<double, Index>> entries;
   entries.reserve(laplacianEntries(count));
@@ -121,13 +123,14 @@ std::vector<double> pricesOfMatching(const PointPair& pairs) {
   if (!(meanSquare > 0.0))
     return prices;
 
-  // Wide indices take half as much memory again, and only images above 11,000 x 11,000 need them.
+  // Wide indices take 1.5 times the memory, and only images above 11,000 x 11,000 need them.
   const bool isNarrow = laplacianEntries(count) <= std::numeric_limits<std::int32_t>::max();
   const double leastSquaredDistance = kLeastDistance * meanSquare;
   const Eigen::VectorXd solution =
       isNarrow ? leastSquares<std::int32_t>(pairs, near, leastSquaredDistance)
                : leastSquares<std::int64_t>(pairs, near, leastSquaredDistance);
-  // The Laplacian of far-apart clusters is singular beyond a constant, which rounding may blow up.
+  // With clusters far apart, the Laplacian has more null directions than the constant, and rounding
+  // may make the solution infinite.
   if (solution.allFinite())
     std::copy(solution.begin(), solution.end(), prices.begin());
   return prices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dual prices that go with a matching.
+// Dual prices of a matching.
 #pragma once
 
 #include "precondition.h"
@@ -8,11 +8,11 @@
 
 namespace lichen::transport {
 
-/// Prices of the targets at which the matching of source i to target i is nearly the cheapest, for
-/// N pairs. Where it is optimal and the sets are dense, |x - y|^2 + price(y) is least at the target
-/// y of x, so that grad price(y) = 2 (x - y): the prices are the least-squares solution of its
-/// differences between neighbouring targets. Good within distances of neighbours of the optimal
-/// prices if the matching is good; of any matching, some prices. Finite; O(N^(4/3)).
+/// Prices of the targets at which the matching of source i to target i, of N pairs, is nearly the
+/// cheapest. If the matching is optimal and the sets are dense, |x - y|^2 + price(y) is least at
+/// the target y of x, so grad price(y) = 2 (x - y). The prices fit these differences between
+/// neighbouring targets by least squares. For a good matching they are as close to the optimal
+/// prices as neighbours are to each other; for any other matching they are finite. O(N^(4/3)).
 /// Source: [B91] in docs/theory.md, Brenier's theorem.
 [[nodiscard]] std::vector<double> pricesOfMatching(const PointPair& pairs);
 

@@ -18,27 +18,27 @@ namespace {
 
 constexpr std::size_t kCell = LeafAuction::kLeafSize;
 
-/// Centroids of the coarsest level, at most: every leaf is a candidate there.
+/// The most centroids at the coarsest level, where every leaf is a candidate.
 constexpr std::size_t kCoarsest = LeafAuction::kMostLeaves * kCell;
 
-/// Neighbours of a cell from which prices and candidates are taken: as many as touch one in a
-/// closest packing.
+/// Neighbours of a cell that supply prices and candidates: as many as touch one sphere in a closest
+/// packing.
 constexpr std::size_t kNeighbours = 12;
 
-/// The auction's increment over the mean squared distance of a cell's targets from their centroid,
-/// about the squared distance of neighbours. On the exemplars of lichen-bench half of it gains
-/// nothing and twice of it costs half as much again over the optimum.
+/// The auction's increment in units of the mean squared distance of a cell's targets from their
+/// centroid, which is about the squared distance of neighbours. On the exemplars of lichen-bench,
+/// half of it gains nothing, and twice of it makes the excess over the optimum 1.5 times as large.
 constexpr float kIncrement = 1.0f;
-/// At the coarsest level, which has no prices to start from, increments fall to that in these
-/// steps.
+/// The coarsest level has no prices to start from, so its increments decrease in these steps.
 constexpr std::array<float, 4> kCoarsestSteps{64.0f, 16.0f, 4.0f, 1.0f};
 
-/// Rounds of bids. The prices of cells decide the rest, so their auctions last until nearly all
-/// have a site; points that remain after a few rounds are cheaper to match among themselves.
+/// Rounds of bids. The prices of cells determine the finer levels, so their auctions last until
+/// nearly all have a site. Points that are left after a few rounds are cheaper to match among
+/// themselves.
 constexpr int kRoundsOfCells = 100;
 constexpr int kRoundsOfPoints = 12;
 
-/// A level of the hierarchy: points, or centroids of the cells of the next finer level.
+/// One level of the hierarchy: the points, or the centroids of the next finer level's cells.
 struct Level {
   PointArrays source;
   PointArrays target;
@@ -46,7 +46,7 @@ struct Level {
   [[nodiscard]] std::size_t size() const { return source.size(); }
 };
 
-/// Matching of a level and the dual variables of its sources.
+/// The matching of a level, and the dual variables of its sources.
 struct Solution {
   std::vector<std::uint32_t> targetOf;
   std::vector<float> sourceCost; ///< min_j |x_i - y_j|^2 + price_j
@@ -72,7 +72,7 @@ PointArrays centroids(const PointArrays& points) {
   return result;
 }
 
-/// Mean squared distance of targets from the centroid of their cell.
+/// Mean squared distance of targets from their cell's centroid.
 float spreadOfCells(const PointArrays& targets) {
   const PointArrays middles = centroids(targets);
   double sum = 0.0;
@@ -85,7 +85,7 @@ float spreadOfCells(const PointArrays& targets) {
   return float(sum / double(targets.size()));
 }
 
-/// kNeighbours (or all, if fewer) nearest points of each, the point itself among them.
+/// The kNeighbours nearest points of each point, including itself; all points if there are fewer.
 class Neighbours {
 public:
   explicit Neighbours(const PointArrays& points)
@@ -105,8 +105,8 @@ private:
   std::vector<std::uint32_t> indices_;
 };
 
-/// Prices of the finer level's targets by the c-transform of the cells' dual variables,
-/// max_i (cost of i - |x_i - y|^2), over the sources i matched to the cells around y.
+/// Prices of the finer level's targets, by the c-transform of the cells' dual variables:
+/// max_i (cost of i - |x_i - y|^2) over the sources i matched to the cells around y.
 std::vector<float> carriedOver(const Level& cells, const Solution& coarse,
                                const Neighbours& neighbours, const PointArrays& targets) {
   std::vector<std::uint32_t> sourceOf(cells.size());
@@ -127,7 +127,7 @@ std::vector<float> carriedOver(const Level& cells, const Solution& coarse,
   return prices;
 }
 
-/// Candidates of a group: the cells matched to its cells, and their neighbours, nearest first.
+/// Sets a group's candidates: the cells matched to its cells, then their neighbours, nearest first.
 void setCandidates(LeafAuction& auction, std::size_t group, const Solution& coarse,
                    const Neighbours& neighbours) {
   constexpr std::size_t kCellsOfGroup = LeafAuction::kGroupSize / kCell;
@@ -143,7 +143,7 @@ void setCandidates(LeafAuction& auction, std::size_t group, const Solution& coar
   auction.setCandidates(group, leaves);
 }
 
-/// Matches what an auction left over by a partition of its own.
+/// Matches the points that an auction left over by a partition of their own.
 std::vector<std::uint32_t> completed(const LeafAuction& auction, const Level& level) {
   std::vector<std::uint32_t> targetOf = auction.siteOf();
   std::vector<std::uint32_t> sources, targets;
@@ -186,7 +186,8 @@ Solution solveCoarsest(const Level& level) {
   return solution;
 }
 
-/// The matching of `fine` from that of its cells; the finest level needs no dual variables.
+/// Matches `fine`, starting from the matching of its cells. The finest level needs no dual
+/// variables.
 Solution solveFiner(const Level& cells, const Solution& coarse, const Level& fine, bool isFinest) {
   const Neighbours neighbours(cells.target);
   LeafAuction auction(fine.source, fine.target,

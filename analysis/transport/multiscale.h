@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A nearly optimal matching from coarse to fine.
+// A nearly optimal matching, from coarse to fine.
 #pragma once
 
 #include "precondition.h"
@@ -10,13 +10,13 @@
 
 namespace lichen::transport {
 
-/// Matches cells of points before points: both sets are partitioned alike into cells of 8, the
-/// cells' centroids are matched likewise, and the prices found there start an auction among the
-/// points, in which a buyer chooses among the sites in and around its cell's match. Some tenths of
-/// a per cent above the optimum, most of it within reach of local exchanges. Returns p with source
-/// i matched to target p[i]. O(N log N); the same result for any number of threads.
-/// Sources: multiscale transport with candidates from the coarser solution [S16], auction
-/// [B88].
+/// Matches cells of points before points. The same partition cuts both sets into cells of 8, and
+/// the cells' centroids are matched recursively. The resulting prices start an auction among the
+/// points, in which a buyer chooses among the sites in and around its cell's match. The cost is
+/// some tenths of a per cent above the optimum; local exchanges remove most of that. Returns p,
+/// which matches source i to target p[i]. O(N log N). The result does not depend on the number of
+/// threads.
+/// Sources: multiscale transport with candidates from the coarser solution [S16], auction [B88].
 [[nodiscard]] std::vector<std::uint32_t> multiscaleMatching(const PointPair& points,
                                                             ProgressPart progress);
 

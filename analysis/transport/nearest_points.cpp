@@ -10,13 +10,13 @@
 namespace lichen::transport {
 namespace {
 
-/// Points under a leaf: as many as are compared in the time of a few steps down the tree.
+/// Points per leaf: as many as can be compared in the time of a few steps down the tree.
 constexpr std::size_t kLeafSize = 8;
 
-/// Nodes that wait at once: one a level of the tree.
+/// The most nodes that wait at once: one per tree level.
 constexpr std::size_t kDepth = 64;
 
-/// Far outside any set of points, and its square a float.
+/// Far outside any set of points; its square fits a float.
 constexpr float kFarAway = 1e18f;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of many points, by a tree of boxes over their order.
+// Nearest neighbours among many points, by a tree of boxes over their order.
 #pragma once
 
 #include "point_arrays.h"
@@ -12,7 +12,7 @@
 
 namespace lichen::transport {
 
-/// Fast where points that are close in their order are close in space (PartitionOrder). Keeps a
+/// Fast if points that are close in their order are close in space (PartitionOrder). Holds a
 /// reference to the points.
 class NearestPoints {
 public:
@@ -20,8 +20,8 @@ public:
 
   explicit NearestPoints(const PointArrays& points);
 
-  /// Fills `nearest` with the indices of the nearest points, the nearest first; returns how many
-  /// there are: nearest.size(), at most kMostWanted, or all. Thread-safe.
+  /// Fills `nearest` with the indices of the nearest points, nearest first. Returns how many it
+  /// found: the least of nearest.size(), kMostWanted and the number of points. Thread-safe.
   std::size_t find(const Point& at, std::span<std::uint32_t> nearest) const;
 
 private:

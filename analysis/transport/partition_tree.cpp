@@ -12,12 +12,12 @@
 namespace lichen::transport {
 namespace {
 
-/// Points below which a subtree is not worth a task of its own. At ten nanoseconds or more a point,
-/// this many take a hundred times the microsecond that a task does.
+/// Subtrees with fewer points do not get a task of their own. At ten nanoseconds or more per point,
+/// this many take a hundred times the microsecond that a task costs.
 constexpr std::size_t kTaskSize = 8192;
 
-/// Steps of the power iteration for a split's direction: any direction makes a valid split, one
-/// near the principal axis makes round cells.
+/// Power iterations for a split's direction. Any direction makes a valid split; one near the
+/// principal axis makes round cells.
 constexpr int kPowerSteps = 8;
 
 struct KeyedPoint {
@@ -30,7 +30,7 @@ bool byKeyThenIndex(const KeyedPoint& a, const KeyedPoint& b) {
   return a.key < b.key || (a.key == b.key && a.index < b.index);
 }
 
-/// Sums from which the covariance of points follows.
+/// Sums that determine the covariance of points.
 struct Sums {
   double count = 0.0;
   std::array<double, 3> first{};
@@ -50,13 +50,13 @@ struct Sums {
     second[5] += z * z;
   }
 
-  /// The direction of the largest variance, roughly; some direction where there is none.
+  /// About the direction of largest variance; an arbitrary direction if there is no variance.
   [[nodiscard]] Point principalAxis() const {
     const auto& [sx, sy, sz] = first;
     const double xx = second[0] - sx * sx / count, xy = second[1] - sx * sy / count,
                  xz = second[2] - sx * sz / count, yy = second[3] - sy * sy / count,
                  yz = second[4] - sy * sz / count, zz = second[5] - sz * sz / count;
-    // Starts along no axis and no diagonal, lest it be orthogonal to the principal axis of sets
+    // The start is along no axis or diagonal, so it is not orthogonal to the principal axis of sets
     // that are aligned with the axes.
     std::array<double, 3> v{0.74, 0.52, 0.43};
     for (int step = 0; step < kPowerSteps; ++step) {
@@ -103,7 +103,8 @@ private:
     std::nth_element(begin, middle, end, byKeyThenIndex);
   }
 
-  /// Splits the cells [firstLeaf, lastLeaf), a power of two of them; the last may be absent.
+  /// Splits the cells [firstLeaf, lastLeaf); their number is a power of two, and the last may be
+  /// empty.
   void split(std::size_t firstLeaf, std::size_t lastLeaf) {
     const std::size_t begin = firstLeaf * leafSize_;
     const std::size_t end = std::min(lastLeaf * leafSize_, source_.size());

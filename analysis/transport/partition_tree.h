@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One binary partition of two point sets at once.
+// One binary partition of two point sets.
 #pragma once
 
 #include "point.h"
@@ -11,18 +11,18 @@
 
 namespace lichen::transport {
 
-/// Two sets in an order in which their runs correspond: the points source[k] and target[k] with k
-/// in [r * leafSize, (r + 1) * leafSize) fill cell r of both sets, and cells that are close in the
-/// order are close in space.
+/// Orders of two sets whose cells correspond: source[k] and target[k] with k in [r * leafSize, (r +
+/// 1) * leafSize) are the points of cell r in each set. Cells that are close in the order are close
+/// in space.
 struct PartitionOrder {
   std::vector<std::uint32_t> source;
   std::vector<std::uint32_t> target;
 };
 
-/// Halves both sets along one direction, that of the largest variance of the two together, and the
-/// halves likewise down to cells of `leafSize` points: binary-partition matching [G25 section 4],
-/// whose directions are random there. With a leaf size of 1 it matches points. Both sets have one
-/// size. The same result for any number of threads.
+/// Halves both sets across the direction in which the two together vary most, then halves each
+/// half, down to cells of `leafSize` points: binary-partition matching [G25] section 4, which draws
+/// random directions instead. A leaf size of 1 matches points. Both sets have the same size. The
+/// result does not depend on the number of threads.
 [[nodiscard]] PartitionOrder partitionOrder(std::span<const Point> source,
                                             std::span<const Point> target, std::size_t leafSize);
 

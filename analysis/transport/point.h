@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What transport moves.
+// The points that transport matches.
 #pragma once
 
 namespace lichen {
 
-/// A point of R^3; a problem of fewer dimensions leaves the rest 0.
+/// A point of R^3. Problems of fewer dimensions set the other coordinates to 0.
 struct Point {
   float x = 0.0f;
   float y = 0.0f;

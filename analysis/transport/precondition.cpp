@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed-form linear map between two covariances; inputs N points each -> N points each.
+// Closed-form linear map between two covariances: two sets of N points -> two sets of N points.
 #include "precondition.h"
 
 #include "covariance_map.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// k-d tree with a lower bound of the prices under each node; N points and prices -> the cheapest.
-// Prices of near-optimal duals slope: |x - y|^2 + price has its least far from x, and a bound by
-// the lowest price alone prunes little (60 against 5 microseconds a search at N = 65,536). So each
-// node has a linear bound, which a box distance from a shifted point evaluates.
+// k-d tree with a lower bound of the prices under each node: N points and prices -> the cheapest.
+// Near-optimal dual prices slope: |x - y|^2 + price has its minimum far from x, and a bound by the
+// lowest price alone prunes little (60 against 5 microseconds per search at N = 65,536). Each node
+// therefore has a linear bound, which reduces to a box distance from a shifted point.
 #include "price_tree.h"
 
 #include <Eigen/Dense>
@@ -15,19 +15,19 @@
 namespace lichen::transport {
 namespace {
 
-/// Sites in a leaf, at most: as many as are scanned in the time of one step down the tree.
+/// The most sites in a leaf: as many as can be scanned in the time of one step down the tree.
 constexpr std::size_t kLeafSize = 8;
 
-/// Added to the diagonal of the fit of slopes, in units of its trace. Any slope gives a true bound:
-/// this keeps the solution finite where sites lie in a plane or on a line, and shortens the slope
-/// of a round cell, with a third of the trace along each axis, by 0.3 %.
+/// Added to the diagonal of the slope fit, in units of its trace. Any slope gives a valid bound.
+/// This term keeps the solution finite if the sites lie in a plane or on a line; it shortens the
+/// slope of a round cell, with a third of the trace along each axis, by 0.3 %.
 constexpr double kRidge = 1e-3;
 
 std::array<float, 3> coordinates(const Point& p) { return {p.x, p.y, p.z}; }
 
 } // namespace
 
-/// Keeps the kWanted cheapest sites seen, cheapest first.
+/// The kWanted cheapest sites so far, cheapest first.
 template <std::size_t kWanted>
 struct PriceTree::Search {
   Vector at;
@@ -38,8 +38,8 @@ struct PriceTree::Search {
     cost.fill(std::numeric_limits<double>::infinity());
   }
 
-  /// No site under the node is cheaper than this: the least of (y - x)^2 + slope y over the box,
-  /// axis by axis, lies at x - slope / 2 or at the border.
+  /// A lower bound on the cost of all sites under the node. The minimum of (y - x)^2 + slope y over
+  /// the box is separate per axis; it is at x - slope / 2 or at the border.
   [[nodiscard]] double lowerBound(const Node& node) const {
     double sum = node.residual + node.lowestRise;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -160,7 +160,7 @@ void PriceTree::visit(Search<kWanted>& search, std::size_t node) const {
 
 Shortlist PriceTree::cheapest(const Point& x, double limit) const {
   Search<Shortlist::kCapacity> search(x);
-  // One above: sites at the limit itself are still wanted.
+  // The next value above the limit, so that sites exactly at the limit still count.
   search.cost.fill(std::nextafter(limit, std::numeric_limits<double>::infinity()));
   visit(search, 1);
   if (sites_.size() <= Shortlist::kCapacity)
@@ -180,8 +180,8 @@ double PriceTree::cost(const Point& x, std::uint32_t place) const {
 
 void PriceTree::setPrice(std::uint32_t place, double price) {
   sites_[place].price = price;
-  // The leaf that holds the place: rounding down in leafBegin makes the quotient one too low at
-  // most.
+  // The leaf that contains the position. leafBegin rounds down, so the quotient is at most one too
+  // low.
   std::size_t leaf = std::size_t(place) * leafCount_ / sites_.size();
   if (leafBegin(leaf + 1) <= place)
     ++leaf;

@@ -13,11 +13,10 @@
 
 namespace lichen::transport {
 
-/// The sites that are cheapest for one buyer, cheapest first, and a cost that no other site is
-/// below; that stays so while prices only rise. With fewer than kCapacity sites all of them are
-/// listed.
+/// The cheapest sites for one buyer, cheapest first, and a cost below which no other site is. The
+/// list stays valid while prices only rise. With fewer than kCapacity sites it holds all of them.
 struct Shortlist {
-  /// Tuned on photographs of 256 x 256: 8 searches more often, 32 scans longer, both slower.
+  /// Tuned on 256 x 256 photographs: 8 searches more often and 32 scans longer; both are slower.
   static constexpr std::size_t kCapacity = 16;
   std::array<std::uint32_t, kCapacity> places{};
   std::size_t count = 0;
@@ -25,15 +24,14 @@ struct Shortlist {
 };
 
 /// Finds the sites j with the least |x - y_j|^2 + price_j exactly, in double precision, while
-/// prices change. A site is known by its place in the tree, so that neighbours lie together in
-/// memory.
+/// prices change. A site's index is its position in the tree, so neighbours are close in memory.
 class PriceTree {
 public:
-  /// At least one site, finite, and a price for each. Fast while prices stay near those given.
+  /// Takes at least one finite site, and one price per site. Fast while prices stay near these.
   PriceTree(std::span<const Point> sites, std::span<const double> prices);
 
-  /// About O(log N). Thread-safe while no price changes. A search is the faster the lower `limit`:
-  /// a cost that at least Shortlist::kCapacity sites are known not to exceed, or all there are.
+  /// About O(log N). Thread-safe while no price changes. A lower `limit` makes the search faster;
+  /// it is a cost that at least Shortlist::kCapacity sites, or all sites, are known not to exceed.
   [[nodiscard]] Shortlist cheapest(const Point& x,
                                    double limit = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] double leastCost(const Point& x) const;
@@ -42,7 +40,7 @@ public:
   [[nodiscard]] double price(std::uint32_t place) const { return sites_[place].price; }
   /// O(log N).
   void setPrice(std::uint32_t place, double price);
-  /// The index, among the sites given, of the one at a place.
+  /// The index of a site in the constructor's `sites`, from its position in the tree.
   [[nodiscard]] std::uint32_t siteAt(std::uint32_t place) const { return order_[place]; }
 
 private:
@@ -59,14 +57,14 @@ private:
       return dx * dx + dy * dy + dz * dz + price;
     }
   };
-  /// Node k has the children 2 k and 2 k + 1; the root is 1; the leaves are the last leafCount_.
-  /// Every site under it has a price of at least slope . y + residual + lowestRise.
+  /// Node k has the children 2 k and 2 k + 1; the root is 1; the last leafCount_ nodes are the
+  /// leaves. Every site y under a node has a price of at least slope . y + residual + lowestRise.
   struct Node {
     std::array<float, 3> low;
     std::array<float, 3> high;
     Vector slope;
-    double residual;   ///< of the first prices
-    double lowestRise; ///< above the first prices
+    double residual;   ///< from the first prices
+    double lowestRise; ///< least rise above the first prices
   };
   template <std::size_t kWanted>
   struct Search;
@@ -81,9 +79,9 @@ private:
   void visit(Search<kWanted>& search, std::size_t node) const;
 
   std::size_t leafCount_ = 1;
-  std::vector<std::uint32_t> order_; ///< the site at each place
-  std::vector<Site> sites_;          ///< by place: leaf after leaf
-  std::vector<double> firstPrice_;   ///< by place
+  std::vector<std::uint32_t> order_; ///< the site at each position in the tree
+  std::vector<Site> sites_;          ///< by position in the tree, leaf after leaf
+  std::vector<double> firstPrice_;   ///< by position in the tree
   std::vector<Node> nodes_;
 };
 

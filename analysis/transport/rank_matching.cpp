@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on a line -> each source's target.
+// Points on a line -> the target of each source.
 #include "rank_matching.h"
 
 #include "tie_order.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transport between points on a line.
+// Optimal transport between points on a line.
 #pragma once
 
 #include "point.h"
@@ -9,12 +9,12 @@
 
 namespace lichen::transport {
 
-/// For each source the target of the same rank, by the first coordinates, and by index where they
-/// are equal: the optimal transport on a line. N log N.
+/// Returns, for each source, the target of the same rank in the first coordinate; the index breaks
+/// ties. This is the optimal transport on a line. O(N log N).
 [[nodiscard]] std::vector<Point> matchedByRank(const std::vector<Point>& sources,
                                                const std::vector<Point>& targets);
 
-/// As above, for sources whose indices in ascending order are `order`.
+/// Like matchedByRank(), for sources that `order` lists in ascending order.
 [[nodiscard]] std::vector<Point> matchedInOrder(const std::vector<std::uint32_t>& order,
                                                 const std::vector<Point>& targets);
 

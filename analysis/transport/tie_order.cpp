@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values and scores (one each a pixel) -> pixels in order.
+// Values and scores, one of each per pixel -> pixels in order.
 #include "tie_order.h"
 
 #include <tbb/parallel_for.h>
@@ -11,8 +11,7 @@
 namespace lichen::transport {
 namespace {
 
-/// Integers that are ordered as the numbers are, and by index where those are equal: sorted faster
-/// than pairs.
+/// An integer that sorts by value, then by index. Integers sort faster than pairs.
 std::uint64_t sortKey(float value, std::uint32_t index) {
   constexpr std::uint32_t kSign = 1u << 31u;
   const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f); // -0 is 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orders on a line, and the freedom that they leave: that of pixels of equal value.
+// Ascending orders of values, and orders in which scores break the ties.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace lichen::transport {
 
-/// Indices by value, and by index where values are equal: N log N.
+/// Indices by ascending value; the index breaks ties. O(N log N).
 [[nodiscard]] std::vector<std::uint32_t> ascendingOrder(std::span<const float> values);
 
-/// Pixels in the order of their values, which stays.
+/// The fixed order of pixels by value, whose ties a score can break.
 class TieOrder {
 public:
   explicit TieOrder(std::span<const float> values);
 
-  /// The pixels by value, by score where values are equal, and then by index.
+  /// The pixels by value, then by score, then by index.
   [[nodiscard]] std::vector<std::uint32_t> by(std::span<const float> scores) const;
 
 private:
-  std::vector<std::uint32_t> order_; ///< of pixels, by value and then by index
-  std::vector<std::uint32_t> ties_;  ///< where in it each value begins, and the end
+  std::vector<std::uint32_t> order_; ///< the pixels, by value and then by index
+  std::vector<std::uint32_t> ties_;  ///< the first position of each value in order_, and the end
 };
 
 } // namespace lichen::transport

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The methods that comparison and report know, in the order of Method.
+// The methods that comparison and report support, in the order of Method.
 #include "texton_report.h"
 #include "tiling_report.h"
 

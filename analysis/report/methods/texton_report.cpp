@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which such a
-// noise tends to, and a picture of the texton.
+// A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which is the
+// limit of texton noise, and a picture of the texton.
 #include "texton_report.h"
 
 #include <algorithm>
@@ -28,12 +28,12 @@ Measure modelErrorMeasure(const KernelComparison& kernels) {
           {}};
 }
 
-/// The step of textons at a weight.
+/// The step of a mix that is nearest to a weight.
 std::size_t stepAt(const Noise& noise, double weight) {
   return std::size_t(std::lround(weight * double(noise.as<TextonShape>().steps - 1)));
 }
 
-/// A map as it is at a step of a mix.
+/// A map at one step of a mix.
 NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   NoiseMap here = map;
   if (step > 0) {
@@ -44,7 +44,8 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   return here;
 }
 
-/// The coefficients of a texton, of a mix the first: grey is 0, the range that of the largest.
+/// The coefficients of a texton, or of a mix's first texton. Grey is 0; the largest coefficient
+/// sets the range.
 Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
@@ -97,7 +98,7 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   return {};
 }
 
-/// Those of tiling, but in place of the Gaussian image a Gaussian texture as large as the result.
+/// As for tiling, but with a Gaussian texture as large as the result instead of the Gaussian image.
 double TextonReport::picturePixels() const { return 10.0; }
 
 Result<JsonTree> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How results of texton noise [GLM17] are judged, and what the page shows of its data.
+// How the report judges texton noise [GLM17] and shows its data.
 #pragma once
 
 #include "method_report.h"

@@ -7,18 +7,19 @@
 namespace lichen {
 namespace {
 
-/// A result of 4096 x 4096 RGB takes 200 MB; more pixels tell no more.
+/// A 4096 x 4096 RGB result takes 200 MB; more pixels do not add information.
 constexpr int kLargestSide = 4096;
 
-/// Of the exemplar, in texels.
+/// The exemplar's size in texels.
 struct Extents {
   int width = 0;
   int height = 0;
 };
 
-/// The exemplars that the lattice is looked for in. Of large ones not every texel is evaluated;
-/// those that are keep their footprint, since a coarser one would show another noise, whose
-/// averaged texels are less Gaussian: its contrast follows the lattice three times as much.
+/// Options of the result that is searched for the lattice. A result of large exemplars evaluates
+/// only some texels, but with their full-resolution footprint. A coarser footprint would give a
+/// different noise, whose averaged texels are less Gaussian: its contrast follows the lattice three
+/// times as much.
 SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
   const int width = kLatticeExemplars * exemplar.width;
   const int height = kLatticeExemplars * exemplar.height;
@@ -30,7 +31,7 @@ SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exempla
 
 LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar) {
   const double stride = options.stride;
-  const double firstTexel = 0.5 - 0.5 * stride; // a view's pixels have their centres in the middle
+  const double firstTexel = 0.5 - 0.5 * stride; // a view's pixel centres are at half-integers
   return {{},
           stride / exemplar.width,
           stride / exemplar.height,
@@ -38,7 +39,7 @@ LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar
           firstTexel / exemplar.height};
 }
 
-/// How far the noise shows the lattice of its tiles.
+/// How visible the lattice of the noise's tiles is.
 Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wide,
                                const Extents& exemplar, const MapLook& look) {
   const Result<LinearImage> result = synthesize(bundle, wide);
@@ -47,7 +48,7 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
   return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
 }
 
-/// The finest level of the Gaussian image with no more pixels than a square of `side`.
+/// The finest mip level of the Gaussian image with at most side^2 pixels.
 Result<JsonTree> gaussianPicture(const Table& table, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
@@ -58,15 +59,15 @@ Result<JsonTree> gaussianPicture(const Table& table, int side) {
     ++level;
   const std::vector<float> texels = decodeLevel(table, level);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth is unused
+  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth channel is unused
   LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
     std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
   return pictureJson(twoAsRedGreen(std::move(image)));
 }
 
-/// All slabs of a separable table, one below the other: a row for each axis, with what its values
-/// give where the others are at their mean.
+/// All slabs of a separable table, one below the other. Each has a row per axis, with the colours
+/// that the axis's values give while the other axes are at their mean.
 LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t channels) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
@@ -83,7 +84,7 @@ LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t ch
   return image;
 }
 
-/// All slabs of a joint table: one below the other, their slices side by side.
+/// All slabs of a joint table, one below the other. The slices of a slab are side by side.
 LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
@@ -122,7 +123,8 @@ Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& 
   return {};
 }
 
-/// The exemplar, the exemplar before it was flattened, a result of two by two, the Gaussian image.
+/// The pictures: the exemplar, the exemplar before flattening, a result of 2 x 2 exemplars, and the
+/// Gaussian image.
 double TilingReport::picturePixels() const { return 7.0; }
 
 Result<JsonTree> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,

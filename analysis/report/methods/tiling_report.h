@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How results of tiling and blending [HN18] are judged, and what the page shows of its data.
+// How the report judges tiling and blending [HN18] and shows its data.
 #pragma once
 
 #include "method_report.h"
