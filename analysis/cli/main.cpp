@@ -123,8 +123,7 @@ int run(int argc, char** argv) {
     verbs.emplace_back(added, verb.add(*added, shared));
     addSharedOptions(*added, shared);
   }
-  app.footer(
-      "'lichen VERB --help' has the options of a verb."); // verbs added later would inherit it
+  app.footer("'lichen VERB --help' has the options of a verb."); // later verbs would inherit it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // --help and --version
