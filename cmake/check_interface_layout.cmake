@@ -1,12 +1,13 @@
-# cmake -P: reads the layout of the interface's structs from a probe's SPIR-V and writes OUTPUT, a
-# C++ header of static_asserts on offsets, sizes and types. Needs SPIRV_CROSS, SPIRV, OUTPUT.
+# Run with cmake -P. Reads the layout of the interface's structs from a probe's SPIR-V and writes
+# OUTPUT, a C++ header of static_asserts on offsets, sizes and types. Parameters: SPIRV_CROSS,
+# SPIRV, OUTPUT.
 execute_process(COMMAND ${SPIRV_CROSS} ${SPIRV} --reflect
                 OUTPUT_VARIABLE json RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "spirv-cross cannot reflect ${SPIRV}")
 endif()
 
-# Every struct of the interface in the module; std140 and std430 give one type each.
+# Handles every struct of the interface in the module; std140 and std430 give one type each.
 string(CONCAT text "// Written by check_interface_layout.cmake from the probe's SPIR-V.\n#pragma once\n"
            "#include <lichen_interface.h>\n#include <cstddef>\n#include <type_traits>\n")
 set(structs 0)
@@ -14,7 +15,7 @@ string(JSON types GET "${json}" types)
 string(JSON type_count LENGTH "${types}")
 math(EXPR last_type "${type_count} - 1")
 
-# The C++ spelling of a reflected type, and its size in bytes.
+# Returns the C++ spelling of a reflected type, and its size in bytes.
 function(describe type cpp size)
   if(type STREQUAL "float" OR type STREQUAL "int" OR type STREQUAL "uint")
     set(${cpp} "${type}" PARENT_SCOPE)
@@ -56,7 +57,7 @@ foreach(i RANGE ${last_type})
       "static_assert(offsetof(lichen::shader::${name}, ${member}) == ${offset});\n"
       "static_assert(std::is_same_v<decltype(lichen::shader::${name}::${member}), ${cpp}>);\n")
   endforeach()
-  # Members are contiguous, so that nothing in C++ lies beyond the last one.
+  # Members are contiguous, so the last one must end where the C++ struct ends.
   string(APPEND text "static_assert(sizeof(lichen::shader::${name}) == ${offset} + ${size});\n")
 endforeach()
 if(structs LESS 3)

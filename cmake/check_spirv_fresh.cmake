@@ -1,5 +1,6 @@
-# cmake -P: fails unless spirv/ is what its sources give. The sources' hash is always checked, the
-# bytes where the compiler is the manifest's. SPIRV_VAL may be empty.
+# Run with cmake -P. Fails unless spirv/ matches its sources. Always compares the hash of the
+# sources; compares the bytes only if the compiler is the one in the manifest. SPIRV_VAL may be
+# empty.
 include(${CMAKE_CURRENT_LIST_DIR}/spirv_manifest.cmake)
 set(cure "build the target regenerate_spirv and commit spirv/")
 lichen_glslang_version(version)

@@ -1,6 +1,6 @@
-# lichen::command_options: how all programs declare and refuse options and show progress. Compiled
-# once: the parser's headers take longer to compile than the programs' own files. There is no analysis
-# in it, so programs without the analysis library have it too.
+# lichen::command_options: how all programs declare options, reject bad values and show progress. A
+# library, because the parser's headers take longer to compile than the programs' own files. It does
+# not use lichen::analysis, so programs without that library can link it.
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 set(folder ${PROJECT_SOURCE_DIR}/analysis/cli)

@@ -1,14 +1,16 @@
-# GLSL -> SPIR-V, one way for the committed files in spirv/ and for shaders built with their user.
+# GLSL -> SPIR-V, with the same flags for the committed files in spirv/ and for shaders that are
+# compiled into a program.
 find_program(LICHEN_GLSLANG glslangValidator)
 mark_as_advanced(LICHEN_GLSLANG)
 
-# spirv-opt is never run: it can change an image, and the SPIR-V is what is pinned.
+# Never run spirv-opt: it can change an image, and the tests pin the SPIR-V.
 set(LICHEN_GLSLANG_FLAGS -V --target-env vulkan1.0)
 
-# lichen_embed_shaders(TARGET SOURCES a.vert b.frag ... [DEFINES NAME=VALUE ...]): an interface
-# library with a header for each source, a.vert.h, that holds `const uint32_t a_vert[]`. The include
-# path is shaders_glsl/. Recompiled when any included file changes. With VARIANT v the header is
-# a.vert.v.h and the array a_vert_v, so that one program can hold several of a shader.
+# lichen_embed_shaders(TARGET SOURCES a.vert b.frag ... [DEFINES NAME=VALUE ...] [VARIANT v]):
+# creates an interface library with one header per source: a.vert.h, which holds `const uint32_t
+# a_vert[]`. The include path is shaders_glsl/. A change in any included file recompiles the shader.
+# With VARIANT v the header is a.vert.v.h and the array a_vert_v, so that one program can hold
+# several variants of a shader.
 function(lichen_embed_shaders target)
   if(NOT LICHEN_GLSLANG)
     message(FATAL_ERROR "glslangValidator is needed for ${target}: install glslang-tools")
@@ -42,7 +44,7 @@ function(lichen_embed_shaders target)
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_headers)
   target_include_directories(${target} SYSTEM INTERFACE ${folder})
-  # For tests of all of them: the files in that folder, and the arrays in each.
+  # For tests of all shaders: the headers in that folder, and the array in each.
   set_target_properties(${target} PROPERTIES
     LICHEN_SHADER_HEADERS "${headers}" LICHEN_SHADER_ARRAYS "${variables}")
 endfunction()

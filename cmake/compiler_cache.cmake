@@ -1,15 +1,15 @@
-# Compiles through ccache where it is installed. Its settings are given here, not in a person's
-# environment: with them a second checkout in another folder finds everything that this one compiled.
+# Compiles through ccache if it is installed. The settings are here and not in the user's
+# environment, so that a second checkout in another folder reuses everything that this one compiled.
 find_program(LICHEN_CCACHE ccache)
 mark_as_advanced(LICHEN_CCACHE)
 if(NOT LICHEN_CCACHE OR CMAKE_CXX_COMPILER_LAUNCHER)
   return()
 endif()
 set(launcher ${CMAKE_COMMAND} -E env
-  CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} # paths of the checkout count relative to the build folder,
-  CCACHE_NOHASHDIR=1                   # which does not count itself
+  CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} # paths become relative to the build folder,
+  CCACHE_NOHASHDIR=1                   # which is not part of the hash
   CCACHE_COMPILERCHECK=content
-  # What ccache asks for with precompiled headers, whose times differ from checkout to checkout.
+  # ccache needs these for precompiled headers, whose file times differ between checkouts.
   CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
   ${LICHEN_CCACHE})
 set(CMAKE_C_COMPILER_LAUNCHER ${launcher})

@@ -1,12 +1,12 @@
-# Puts a page's style and script into it, and the page into a C++ source as a string.
-# Called with -DPAGE=... -DSTYLE=... -DSCRIPT=... -DOUTPUT=... -P.
+# Inserts the style and the script into a page, and writes the page to a C++ source as a string. Run
+# with cmake -DPAGE=... -DSTYLE=... -DSCRIPT=... -DOUTPUT=... -P.
 cmake_minimum_required(VERSION 3.25) # leaves @NAME@ alone
 file(READ ${PAGE} page)
 file(READ ${STYLE} style)
 file(READ ${SCRIPT} script)
 
-# The base64 (section 4 of RFC 4648) of a SHA-256 digest, which has 32 bytes: eleven times three
-# bytes but for the last, which "=" stands for.
+# Converts a SHA-256 digest (32 bytes, given in hex) to base64 (RFC 4648 section 4). Eleven groups
+# of three bytes: the last group has one padding byte, whose digit is replaced by "=".
 function(base64_of_sha256 hex output)
   set(digits "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
   set(text "")
@@ -22,7 +22,7 @@ function(base64_of_sha256 hex output)
   set(${output} "${text}=" PARENT_SCOPE)
 endfunction()
 
-# The page's policy allows the style and the script that have these hashes, and nothing else.
+# The page's Content-Security-Policy allows only the style and the script with these hashes.
 foreach(part style script)
   string(SHA256 hex "${${part}}")
   base64_of_sha256(${hex} ${part}_hash)

@@ -1,4 +1,4 @@
-# cmake -P: writes spirv/*.spv and spirv/MANIFEST. Run by the target regenerate_spirv.
+# Run with cmake -P, by the target regenerate_spirv. Writes spirv/*.spv and spirv/MANIFEST.
 include(${CMAKE_CURRENT_LIST_DIR}/spirv_manifest.cmake)
 lichen_glslang_version(version)
 set(manifest "# Written by the target regenerate_spirv, never by hand.\n")

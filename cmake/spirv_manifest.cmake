@@ -1,11 +1,11 @@
-# Shared by the scripts that write and that check spirv/, which are given GLSLANG, FLAGS and SOURCES
-# (separated by spaces; the sources relative to SOURCE_DIR), SOURCE_DIR (shaders_glsl/), SPIRV_DIR
+# Included by the scripts that write and check spirv/. Parameters: GLSLANG, FLAGS and SOURCES
+# (separated by spaces; SOURCES relative to SOURCE_DIR), SOURCE_DIR (shaders_glsl/), SPIRV_DIR
 # (spirv/) and WORK_DIR.
 set(flags "${FLAGS}")
 separate_arguments(FLAGS)
 separate_arguments(SOURCES)
 
-# Compiles SOURCE (relative to SOURCE_DIR) to OUTPUT; sets HASH to one of all files that went in.
+# Compiles SOURCE (relative to SOURCE_DIR) to OUTPUT. Sets HASH to a hash of all files that it read.
 function(lichen_compile_spirv source output hash)
   execute_process(
     COMMAND ${GLSLANG} --quiet ${FLAGS} --depfile ${output}.d -o ${output} ${source}
@@ -33,7 +33,7 @@ function(lichen_compile_spirv source output hash)
   set(${hash} ${all} PARENT_SCOPE)
 endfunction()
 
-# The first line of the compiler's version.
+# Returns the first line of the compiler's version text.
 function(lichen_glslang_version version)
   execute_process(COMMAND ${GLSLANG} --version OUTPUT_VARIABLE text)
   string(REGEX MATCH "Glslang Version: [^\n]*" line "${text}")

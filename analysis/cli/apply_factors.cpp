@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials and a noise -> the factors that multiply it; see apply_factors.h.
+// Materials and a noise -> the material factors that multiply the noise; see apply_factors.h.
 // Source: glTF 2.0 specification, sections 5.19 and 5.22.
 #include "apply_factors.h"
 
@@ -14,19 +14,19 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kColors = 3; // of a factor's components, before alpha
-/// Below it less than a tenth of the noise's variation is left.
+constexpr std::size_t kColors = 3; // components of a factor without alpha
+/// A smaller factor leaves less than a tenth of the noise's variation.
 constexpr float kLeastFactor = 0.1f;
 
 struct Factor {
-  const char* parent; ///< of the material, or "" for itself
+  const char* parent; ///< object within the material; "" for the material itself
   const char* key;
   MapTarget target;
   MapChannel channel;
-  std::vector<double> preset; ///< where the material has no such factor
+  std::vector<double> preset; ///< the value if the material does not set the factor
 };
 
-/// Those that multiply a channel of the noise.
+/// Returns the factors that multiply a channel of the noise.
 std::vector<Factor> factorsOf(const Noise& noise) {
   constexpr const char* kMetallicRoughness = "pbrMetallicRoughness";
   std::vector<Factor> factors{
@@ -52,7 +52,7 @@ std::vector<Factor> factorsOf(const Noise& noise) {
   return factors;
 }
 
-/// The components of a material's factor; the preset also where they are no numbers.
+/// Returns the components of a material's factor; the preset if they are absent or not numbers.
 std::vector<double> valueOf(const json& material, const Factor& factor) {
   const json::json_pointer place((*factor.parent != '\0' ? "/" + std::string(factor.parent) : "") +
                                  "/" + factor.key);
@@ -66,7 +66,7 @@ std::vector<double> valueOf(const json& material, const Factor& factor) {
   return list.get<std::vector<double>>();
 }
 
-/// Without alpha, which is no part of the look that is spoken of.
+/// Returns the components without alpha, which the notes do not cover.
 std::span<const double> colorsOf(const std::vector<double>& value) {
   return std::span(value).first(std::min(value.size(), kColors));
 }
@@ -76,7 +76,8 @@ bool isOne(const std::vector<double>& value) {
   return std::all_of(colors.begin(), colors.end(), [](double each) { return each == 1.0; });
 }
 
-/// "0.8", "[0.5,0.25,0.125,1]": what floats were written as, not the doubles they became.
+/// Returns "0.8" or "[0.5,0.25,0.125,1]". Prints floats, as the file stores them, not the doubles
+/// they were converted to.
 std::string textOf(const std::vector<double>& value) {
   const std::vector<float> written(value.begin(), value.end());
   return written.size() == 1 ? fmt::format("{}", written.front())

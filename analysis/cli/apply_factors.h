@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factors of materials, which multiply a noise: what `lichen apply` says of them and does.
+// `lichen apply`: the material factors that multiply a noise, and the notes about them.
 #pragma once
 
 #include "command.h"
@@ -12,14 +12,14 @@
 
 namespace lichen::cli {
 
-/// Notes on the factors of materials that change the look of a noise, and on materials without
-/// light: one note of each kind. Factors that are set to 1 change nothing, but other viewers show
-/// an emissive one.
+/// Describes, with at most one note of each kind, the material factors that change the look of the
+/// noise and the materials that receive no light. If `areSetToOne`, the factors do not change the
+/// noise, but other viewers show an emissive factor of 1.
 [[nodiscard]] std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                                       std::span<const std::size_t> materials,
                                                       const Noise& noise, bool areSetToOne);
 
-/// Sets the factors that multiply a map of the noise to 1, but for the alpha of a colour.
+/// Sets every factor that multiplies a map of the noise to 1, except the alpha of a colour.
 void setFactorsToOne(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
 } // namespace lichen::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's meshes -> frames and notes; see apply_frames.h.
+// Meshes of a scene -> tangent frames and notes; see apply_frames.h.
 #include "apply_frames.h"
 
 #include "options.h"
@@ -13,9 +13,9 @@
 namespace lichen::cli {
 namespace {
 
-/// X,Y,Z that is no zero vector.
+/// X,Y,Z, not the zero vector.
 Accepted<Vector3> axis() {
-  constexpr double kMost = 1e6; // of a direction, of which only ratios count
+  constexpr double kMost = 1e6; // only the ratios of the components matter
   constexpr std::size_t kNumbers = 3;
   const Accepted<std::vector<double>> list = numbers({-kMost, kMost}, kNumbers);
   return {"X,Y,Z", fmt::format("X,Y,Z with numbers from {} to {}, not all 0", -kMost, kMost),
@@ -28,9 +28,9 @@ Accepted<Vector3> axis() {
           }};
 }
 
-/// Where the directions cannot be smooth, on one line.
+/// Lists the points where the direction field is singular, on one line.
 std::string placesOf(const std::vector<FrameSingularity>& singularities) {
-  constexpr std::size_t kMostNamed = 4; // all that most meshes have
+  constexpr std::size_t kMostNamed = 4; // most meshes have at most four
   std::vector<std::string> places;
   for (const FrameSingularity& singularity : singularities) {
     const auto [x, y, z] = singularity.position;
@@ -44,7 +44,7 @@ std::string placesOf(const std::vector<FrameSingularity>& singularities) {
 
 std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes) {
   std::vector<std::string> notes, smoothed;
-  const MeshFrames* singular = nullptr; // the first of them
+  const MeshFrames* singular = nullptr; // the first mesh with a singularity
   std::size_t singularMeshes = 0;
   for (const MeshFrames& frames : meshes) {
     if (frames.hasNewNormals)
@@ -76,7 +76,8 @@ bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
   return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
 }
 
-/// Whose normal texture will have other tangents than those of its texture coordinates.
+/// Notes the materials whose normal texture will use the noise's tangents instead of those of its
+/// texture coordinates.
 std::vector<std::string> notesOnNormals(const GltfScene& scene,
                                         std::span<const std::size_t> materials) {
   std::vector<std::string> turned;
@@ -94,7 +95,8 @@ std::vector<std::string> notesOnNormals(const GltfScene& scene,
       scene.path().string(), shortList(turned), turned.size() == 1 ? "its" : "their")};
 }
 
-/// What a grain does not steer: a note for each material, which may have thousands of meshes.
+/// Notes the meshes that --grain does not affect: one note per material, which may have thousands
+/// of meshes.
 std::vector<std::string> notesOnGrain(const GltfScene& scene,
                                       std::span<const std::size_t> materials) {
   std::vector<std::string> notes;

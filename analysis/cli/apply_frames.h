@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of --mapping surface: the option that steers them, and what is said of them.
+// `lichen apply --mapping surface`: the option --grain, and the tangent frames it gives to meshes.
 #pragma once
 
 #include "command.h"
@@ -18,14 +18,15 @@ namespace lichen::cli {
 
 void addFrameOptions(CLI::App& verb, std::optional<Vector3>& grain);
 
-/// The meshes that were given a frame, and notes on those and on what they change.
+/// The meshes that received frames, and notes on them and on what the frames change.
 struct AddedFrames {
   std::vector<MeshFrames> meshes;
   std::vector<std::string> notes;
 };
 
-/// Gives the meshes that have one of the materials what the mapping of a noise needs: nothing but
-/// for `surface`. Errors: usage for a grain with another mapping; those of addSurfaceFrames().
+/// Adds the tangent frames that `surface` needs to the meshes that use one of the materials; any
+/// other mapping needs none. Errors: usage for a grain with another mapping; the errors of
+/// addSurfaceFrames().
 [[nodiscard]] Result<AddedFrames>
 addFrames(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise,
           Mapping mapping, const std::optional<Vector3>& grain, const SharedOptions& shared);

@@ -14,7 +14,7 @@
 namespace lichen::cli {
 namespace {
 
-/// The one material of a name, or of an index.
+/// Returns the only material with this name, or the material with this index.
 Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& wanted) {
   const auto refuse = [&](const std::string& what) {
     return Error{ErrorKind::usage,
@@ -82,7 +82,7 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
 Result<ChosenMaterials> shadedMaterials(const GltfScene& scene, ChosenMaterials chosen,
                                         std::vector<std::string>& notes) {
   std::vector<std::string> others;
-  std::string first; // that is shaded otherwise
+  std::string first; // reason for the first skipped material
   std::erase_if(chosen.indices, [&](std::size_t material) {
     const nlohmann::json& described = scene.document()["materials"][material];
     for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"})
@@ -112,7 +112,7 @@ Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, con
                                                std::vector<std::string>& notes) {
   std::vector<std::size_t> fit;
   std::vector<std::string> others;
-  std::string first; // that is without the attribute
+  std::string first; // the first material without the attribute
   for (const std::size_t material : chosen.indices) {
     const std::vector<PrimitivePlace>& places = scene.primitivesOf(material);
     const auto without = std::find_if(places.begin(), places.end(), [&](PrimitivePlace place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which materials of a scene `lichen apply` gives the noise.
+// `lichen apply --material`: which materials of a scene receive the noise.
 #pragma once
 
 #include "command.h"
@@ -12,31 +12,33 @@
 namespace lichen::cli {
 
 struct ChosenMaterials {
-  std::vector<std::size_t> indices; ///< each once, in the scene's order
-  bool areAll = false;              ///< of the scene, none of them named
+  std::vector<std::size_t> indices; ///< unique, in the scene's order
+  bool areAll = false;              ///< --material selected every material, not single ones
 };
 
-/// Those that --material names: all, each of one name, or one by its index. Errors: usage for what
-/// names none or several, badInput for a scene without materials.
+/// Finds the materials for --material: all of them, the one with a given name, or the one with a
+/// given index. Errors: usage if a value matches no material or several, badInput if the scene has
+/// no materials.
 [[nodiscard]] Result<ChosenMaterials> findMaterials(const GltfScene& scene,
                                                     const std::vector<std::string>& wanted);
 
-/// Those that are shaded by glTF's metallic-roughness model, whose textures a noise takes the place
-/// of. Where all of the scene were asked for, the others are left out with a note. Errors: badInput
-/// for one that was named, or where none is left.
+/// Returns the materials that use glTF's metallic-roughness model, whose textures a noise can
+/// replace. If the user chose all materials, the others are skipped with a note. Errors: badInput
+/// if a material that the user named uses another model, or if no material remains.
 [[nodiscard]] Result<ChosenMaterials>
 shadedMaterials(const GltfScene& scene, ChosenMaterials chosen, std::vector<std::string>& notes);
 
-/// Those of which all primitives have the attribute, which `option` needs. Where all of the scene
-/// were asked for, the others are left out with a note. Errors: badInput for one that was named, or
-/// where none is left; `instead` names what is accepted.
+/// Returns the materials for which every primitive has the attribute that `option` needs. If the
+/// user chose all materials, the others are skipped with a note. Errors: badInput if a material
+/// that the user named has a primitive without the attribute, or if no material remains; `instead`
+/// tells the user what would work.
 [[nodiscard]] Result<std::vector<std::size_t>>
 materialsWith(const std::string& attribute, const GltfScene& scene, const ChosenMaterials& chosen,
               const std::string& option, const std::string& instead,
               std::vector<std::string>& notes);
 
-/// Those of which no mesh needs other tangents than the frame's; as materialsWith() where some do.
-/// `bringsNormals` as checkFrames() has it. Errors: badInput.
+/// Returns the materials whose meshes can use the frame's tangents, and skips or refuses the others
+/// as materialsWith() does. `bringsNormals` is the parameter of checkFrames(). Errors: badInput.
 [[nodiscard]] Result<std::vector<std::size_t>> materialsWithFrames(const GltfScene& scene,
                                                                    const ChosenMaterials& chosen,
                                                                    bool bringsNormals,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of a scene -> faults and notes; see apply_meshes.h.
+// Meshes of a scene -> errors and notes; see apply_meshes.h.
 #include "apply_meshes.h"
 
 #include <fmt/format.h>
@@ -11,12 +11,12 @@
 namespace lichen::cli {
 namespace {
 
-/// " and 3 others" behind the first of some.
+/// Returns " and 3 others" for a group of 4; empty for a group of 1.
 std::string andOthers(std::size_t count) {
   return count < 2 ? "" : fmt::format(" and {} other{}", count - 1, count == 2 ? "" : "s");
 }
 
-/// The first of some primitives, and how many there are.
+/// The first primitive of a group, and the number of primitives in it.
 struct Group {
   std::string first;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen apply` says of the meshes of a scene before it gives their materials a noise.
+// `lichen apply`: checks the meshes of a scene before their materials receive a noise.
 #pragma once
 
 #include "command.h"
@@ -12,9 +12,9 @@
 
 namespace lichen::cli {
 
-/// Reads the vertices of all meshes. A fault in what has one of the materials is an error,
-/// badInput; one elsewhere in the scene, which stays as it is, a note; vertices that are compressed
-/// a note too, since other viewers may read them.
+/// Reads the vertices of all meshes. Invalid vertices are a badInput error if the primitive uses
+/// one of the materials; otherwise the primitive stays as it is and gets a note. Compressed
+/// vertices, which only some viewers can read, get a note too.
 [[nodiscard]] Result<void> checkMeshes(GltfScene& scene, std::span<const std::size_t> materials,
                                        std::vector<std::string>& notes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options -> the weight of a mix; see apply_mix.h.
+// Options -> the mix weight of a material; see apply_mix.h.
 #include "apply_mix.h"
 
 #include <lichen/files.h>
@@ -35,7 +35,7 @@ Accepted<std::array<double, 4>> twoPlaces() {
       }};
 }
 
-/// The sources of the weight that were given, by their options.
+/// Returns the options that the user gave and that choose a source of the weight.
 std::vector<std::string> sourcesOf(const MixOptions& options) {
   std::vector<std::string> sources;
   const auto add = [&](bool isGiven, const char* option) {
@@ -49,7 +49,7 @@ std::vector<std::string> sourcesOf(const MixOptions& options) {
   return sources;
 }
 
-/// Whether options go together, and with the noise.
+/// Checks that the options fit each other and the noise.
 Result<void> check(const MixOptions& options, const Noise& noise) {
   const std::vector<std::string> sources = sourcesOf(options);
   if (!isMix(noise))
@@ -64,7 +64,7 @@ Result<void> check(const MixOptions& options, const Noise& noise) {
   return {};
 }
 
-/// Whether all that has one of the materials has an attribute.
+/// Checks that every primitive of the materials has the attribute.
 Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t> materials,
                             const std::string& attribute, const char* option) {
   for (const std::size_t material : materials)
@@ -78,7 +78,8 @@ Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t>
   return {};
 }
 
-/// Of noise on texture coordinates these are looked for anyway.
+/// Checks that the primitives have the texture coordinates of the direction. For the mapping uv the
+/// caller checks them in any case.
 Result<void> checkDirection(const GltfScene& scene, std::span<const std::size_t> materials,
                             const MaterialNoise& use, const char* whose) {
   if (use.mapping == Mapping::uv)
@@ -86,7 +87,8 @@ Result<void> checkDirection(const GltfScene& scene, std::span<const std::size_t>
   return checkAttribute(scene, materials, fmt::format("TEXCOORD_{}", use.texCoord), whose);
 }
 
-/// The scene's texture that was named by its index, or a new one of a file, which has the channel.
+/// Returns the scene's texture with the index `wanted`, or a new texture from the image file
+/// `wanted`, which must have the channel.
 Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene& scene) {
   std::size_t index = 0;
   const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
@@ -123,7 +125,8 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
                       });
 }
 
-/// Whether a texture repeats along u and v. One that was added does not.
+/// Returns whether a texture repeats along u and along v. A texture that this command added does
+/// not.
 std::array<bool, 2> repeats(const GltfScene& scene, std::size_t texture) {
   constexpr std::uint64_t kRepeat = 10497, kClampToEdge = 33071; // [glTF 2.0, section 5.26]
   const nlohmann::json& document = scene.document();
@@ -145,10 +148,10 @@ std::array<bool, 2> repeats(const GltfScene& scene, std::size_t texture) {
   return {isRepeated("wrapS"), isRepeated("wrapT")};
 }
 
-/// A note where texture coordinates lead out of the mask.
+/// Adds a note if texture coordinates lie outside the mask.
 Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materials,
                            std::size_t texture, std::vector<std::string>& notes) {
-  constexpr float kSlack = 0.001f; // what exporters round, far below a texel
+  constexpr float kSlack = 0.001f; // rounding errors of exporters, far below a texel
   std::string first;
   std::size_t count = 0;
   for (const std::size_t material : materials)
@@ -157,7 +160,7 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
       if (!read)
         return read.error();
       if (!read.value())
-        continue; // compressed
+        continue; // compressed vertices
       const auto& [least, most] = *read.value();
       const auto leaves = [&](std::size_t axis) {
         return least[axis] < -kSlack || most[axis] > 1.0f + kSlack;
@@ -177,7 +180,7 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
   return {};
 }
 
-/// As chosenMix().
+/// chosenMix() when the user gave options.
 Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
                            std::span<const std::size_t> materials, GltfScene& scene,
                            std::vector<std::string>& notes) {
@@ -245,7 +248,7 @@ Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const
     return givenMix(options, use, materials, scene, notes);
   }
   if (use.mix.source == MixSource::texture)
-    return MixWeight{}; // of another file
+    return MixWeight{}; // its texture belongs to another file
   if (use.mix.source == MixSource::direction && isMix(noise))
     if (Result<void> there = checkDirection(scene, materials, use, "the direction of its mix");
         !there)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a material of a scene takes the weight of a mix from: the options of `lichen apply`.
+// `lichen apply`: the options that choose the source of a material's mix weight.
 #pragma once
 
 #include "options.h"
@@ -16,8 +16,8 @@ namespace lichen::cli {
 
 struct MixOptions {
   std::optional<double> weight;
-  std::optional<std::array<double, 4>> direction; ///< start and end
-  std::string texture;                            ///< a file, or the index of one of the scene's
+  std::optional<std::array<double, 4>> direction; ///< u, v of the start, then of the end
+  std::string texture; ///< a file name, or the index of a texture in the scene
   std::optional<int> colorSet;
   std::optional<int> channel;
 
@@ -28,10 +28,10 @@ struct MixOptions {
 
 void addMixOptions(CLI::App& verb, MixOptions& options);
 
-/// The source that was chosen, or without one that of `use`, whose mapping and texture coordinates
-/// are as they will be. A file becomes a texture of the scene; a mesh that reaches beyond it is
-/// noted. Errors: usage for options that do not go together or with the noise, badInput where the
-/// scene or the file is not what they need.
+/// Returns the source that the options choose; without options, the source of `use`, whose mapping
+/// and texture coordinates must be final. An image file becomes a texture of the scene, and texture
+/// coordinates outside that image get a note. Errors: usage for options that contradict each other
+/// or do not fit the noise, badInput if the scene or the file does not have what the options need.
 [[nodiscard]] Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise,
                                           const MaterialNoise& use,
                                           std::span<const std::size_t> materials, GltfScene& scene,

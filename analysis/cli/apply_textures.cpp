@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials and a noise -> the textures that stay; see apply_textures.h.
+// Materials and a noise -> the textures that remain; see apply_textures.h.
 #include "apply_textures.h"
 
 #include "apply_materials.h"
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A texture of a material and the channels of a noise that take its place.
+/// A texture of a material, and the channels of a noise that can replace it.
 struct Slot {
   const char* place; ///< a JSON pointer into the material
   MapTarget target;
@@ -44,7 +44,8 @@ bool takesWholePlaceOf(const Noise& noise, const Slot& slot) {
   });
 }
 
-/// The textures of a material that are still seen beside the noise, or without one all of them.
+/// Adds the textures of a material that remain visible beside the noise; all of them if `noise` is
+/// null.
 void addTextures(const json& value, const std::string& pointer, const Noise* noise, bool hasAlpha,
                  std::set<std::size_t>& textures) {
   if (!value.is_structured())
@@ -60,7 +61,7 @@ void addTextures(const json& value, const std::string& pointer, const Noise* noi
     addTextures(member, pointer + "/" + key, noise, hasAlpha, textures);
 }
 
-/// The images of a texture, those that an extension names too.
+/// Adds the images of a texture, including those that extensions reference.
 void addImages(const json& texture, std::set<std::size_t>& images) {
   for (const auto& [key, member] : texture.items())
     if (key == "source" && member.is_number_unsigned())
@@ -69,7 +70,7 @@ void addImages(const json& texture, std::set<std::size_t>& images) {
       addImages(member, images);
 }
 
-/// Images that a viewer of the noise shows.
+/// Returns the images that a viewer of the noise shows.
 std::set<std::size_t> imagesInUse(const GltfScene& scene, std::span<const std::size_t> materials,
                                   const Noise& noise, const MixWeight& mix) {
   std::set<std::size_t> textures, images;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What textures of materials are still seen beside a noise.
+// `lichen apply`: the textures of materials that stay visible beside a noise.
 #pragma once
 
 #include <lichen/gltf_scene.h>
@@ -10,14 +10,15 @@
 
 namespace lichen::cli {
 
-/// A note on the textures that stay, in part too, since the noise lacks channels of theirs; none
-/// where none does. They lie as before, not as the noise does.
+/// Returns one note on the textures that remain, wholly or in part, because the noise does not have
+/// all their channels; empty if none remains. They keep their own texture coordinates and do not
+/// follow the noise's mapping.
 [[nodiscard]] std::vector<std::string>
 notesOnTextures(const GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
-/// An image whose file is absent and that nothing shows, since the noise takes the place of all
-/// textures that use it, keeps its URI in a .glb too, with a note. For another absent image
-/// GltfScene::write() fails. `mix` is that of the materials.
+/// Keeps the URI, in a .glb too, of each image whose file is missing and that is no longer shown
+/// because the noise replaces every texture that uses it. Each such image gets a note.
+/// GltfScene::write() fails for any other missing image. `mix` is the mix weight of the materials.
 void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> materials,
                          const Noise& noise, const MixWeight& mix, std::vector<std::string>& notes);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of the kernel -> bytes. Sources: proc(5); Linux, Documentation/admin-guide/cgroup-v2.rst
-// and cgroup-v1/memory.rst.
+// Files of the kernel -> available bytes. Sources: proc(5); Linux,
+// Documentation/admin-guide/cgroup-v2.rst and cgroup-v1/memory.rst.
 #include "available_memory.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ Bytes least(Bytes a, Bytes b) { return a && b ? std::min(*a, *b) : a ? a : b; }
 
 std::uint64_t difference(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0; }
 
-/// The number in a file of nothing else; nothing for "max".
+/// Returns the number in a file that contains nothing else; nothing for "max".
 Bytes numberIn(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::uint64_t number = 0;
   return file >> number ? Bytes(number) : std::nullopt;
 }
 
-/// The number behind a key that begins a line.
+/// Returns the number after a key at the start of a line.
 Bytes numberOf(const std::string& key, const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string word;
@@ -39,17 +39,17 @@ Bytes numberOf(const std::string& key, const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-/// The names of a version's files.
+/// The file names of a control group version.
 struct GroupFiles {
   const char* limit;
   const char* used;
-  const char* cache; ///< in memory.stat; file pages that the kernel would take back first
+  const char* cache; ///< in memory.stat: file pages that the kernel reclaims first
 };
 constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes",
                                "total_inactive_file"};
 constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
 
-/// What a group and those around it have left.
+/// Returns the least memory left in a group and its ancestors.
 Bytes leftIn(const std::filesystem::path& root, std::string group, const GroupFiles& files) {
   Bytes left;
   for (;; group.erase(group.rfind('/'))) {
@@ -63,7 +63,7 @@ Bytes leftIn(const std::filesystem::path& root, std::string group, const GroupFi
   }
 }
 
-/// Lines "number:controllers:group", of version 2 "0::group".
+/// Parses lines "number:controllers:group"; version 2 writes "0::group".
 Bytes leftInGroups(const std::filesystem::path& proc, const std::filesystem::path& cgroup) {
   std::ifstream file(proc / "self/cgroup");
   Bytes left;
@@ -81,7 +81,7 @@ Bytes leftInGroups(const std::filesystem::path& proc, const std::filesystem::pat
   return left;
 }
 
-/// What is left of the process's address space, where that is limited.
+/// Returns what is left of the process's address space; nothing if it is not limited.
 Bytes leftInAddressSpace([[maybe_unused]] const std::filesystem::path& proc) {
 #if defined(__linux__)
   rlimit limit{};

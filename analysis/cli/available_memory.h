@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory the system would give this process.
+// The memory that the system can still give this process.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,10 @@
 
 namespace lichen::cli {
 
-/// Bytes, or nothing where the system does not say: on Linux the least of MemAvailable, of what the
-/// process's control group (version 1 or 2) and those around it have left, and of the limit on its
-/// address space. `proc` and `cgroup` are where the kernel shows them.
+/// Returns bytes, or nothing if the system does not report them. On Linux: the minimum of
+/// MemAvailable, the memory left in the process's control group (version 1 or 2) and its ancestors,
+/// and what is left of the limit on the address space. `proc` and `cgroup` are the mount points of
+/// the kernel's files.
 [[nodiscard]] std::optional<std::uint64_t>
 availableMemory(const std::filesystem::path& proc = "/proc",
                 const std::filesystem::path& cgroup = "/sys/fs/cgroup");

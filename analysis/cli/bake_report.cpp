@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bake's outcome -> text or JSON.
+// A finished bake -> text or JSON.
 #include "bake_report.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen bake` says when it is done.
+// The closing report of `lichen bake`.
 #pragma once
 
 #include "bake_risks.h"
@@ -14,17 +14,17 @@
 
 namespace lichen::cli {
 
-/// A bake that succeeded.
+/// A successful bake.
 struct BakeOutcome {
   std::string output;
-  const Bundle& bundle; ///< of one noise
+  const Bundle& bundle; ///< holds one noise
   std::vector<std::string> notes;
   std::vector<MapRisk> risks;
-  const nlohmann::ordered_json& ofMethod; ///< members that the method adds
+  const nlohmann::ordered_json& ofMethod; ///< JSON members of the method
   double seconds = 0.0;
 };
 
-/// One line, or with --json one object, on standard output.
+/// Prints one line to standard output, or one JSON object with --json.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);
 
 } // namespace lichen::cli

@@ -29,7 +29,7 @@ Accepted<Flattening> flattening() {
 
 namespace {
 
-/// What the user is told of --flatten auto.
+/// Returns the note on the decision of --flatten auto.
 std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
   switch (choice.reason) {
   case FlatteningChoice::Reason::mended:
@@ -62,7 +62,7 @@ Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening
   if (!told.automatic) {
     Flattened flattened{{}, told.periodPixels};
     for (const MapExemplar& map : maps)
-      if (map.target != MapTarget::opacity) // flatten() leaves it as it is
+      if (map.target != MapTarget::opacity) // flatten() does not change opacity
         flattened.maps.push_back(map.target);
     notes.push_back(
         flattened.maps.empty()

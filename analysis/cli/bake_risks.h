@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bake says of its exemplar before it begins, and what it does about it if told to.
+// The risks that a bake reports before it starts, and the flattening that removes some of them.
 #pragma once
 
 #include "command.h"
@@ -21,20 +21,20 @@ namespace lichen::cli {
 /// --flatten none|auto|PERIOD.
 struct Flattening {
   bool automatic = false;
-  double periodPixels = 0.0; ///< of the first map; 0 for none
+  double periodPixels = 0.0; ///< pixels of the first map; 0 for none
 
   [[nodiscard]] bool isWanted() const { return automatic || periodPixels > 0.0; }
 };
 [[nodiscard]] Accepted<Flattening> flattening();
 
-/// The maps that were flattened, and by which period, pixels of the first map.
+/// The flattened maps, and the cut-off period in pixels of the first map.
 struct Flattened {
   std::vector<MapTarget> maps;
   double periodPixels = 0.0;
 };
 
-/// Flattens the maps as told; `auto` as flattenAutomatically(). What was done, or why nothing, is
-/// in a sentence of `notes`.
+/// Flattens the maps as --flatten asks; `auto` calls flattenAutomatically(). Adds a sentence to
+/// `notes` that says what was flattened, or why nothing was.
 [[nodiscard]] Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps,
                                               const Flattening& told, Periodic periodic,
                                               const SharedOptions& options,
@@ -42,26 +42,26 @@ struct Flattened {
 
 using AssessMap =
     std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;
-/// The risks of each map by `assess`, in their order, with a progress line.
+/// Assesses each map with `assess`, in order, and shows a progress line.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
                                                                 const SharedOptions& options,
                                                                 const AssessMap& assess);
 
-/// A risk and the map that runs it most.
+/// A risk, and the map where it is greatest.
 struct MapRisk {
   MapTarget map{};
   Risk risk;
 };
 
-/// Each risk once: as the first map has it, the base colour if there is one, which is what people
-/// see; or as another has it of the highest level, where that is above the first one's.
+/// Returns each risk once, for the map where its level is highest. On a tie the first map wins: it
+/// is the base colour if there is one, which people see first.
 [[nodiscard]] std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
                                                 std::span<const std::vector<Risk>> risks);
 
-/// A line for each risk that is one; with the map's name where there are several.
+/// One line for each risk above level none; names the map if `severalMaps`.
 [[nodiscard]] std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps);
 
-/// All of them.
+/// All risks, including those of level none.
 [[nodiscard]] nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks);
 
 } // namespace lichen::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks and lines that verbs share.
+// Checks and output that the verbs share.
 #include "command.h"
 
 #include <lichen/escaped.h>
@@ -45,7 +45,7 @@ std::string toText(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-// fmt::print throws where a stream takes no more.
+// Not fmt::print, which throws if the stream cannot be written.
 void printLine(const std::string& text) { std::fputs((text + "\n").c_str(), stdout); }
 
 void say(const SharedOptions& options, const std::string& line) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the verbs of the command line share: how they are declared, run and ended.
+// The parts that all verbs share: how they are declared, how they run and how they end.
 #pragma once
 
 #include <lichen/json_tree.h>
@@ -19,20 +19,21 @@ class App;
 
 namespace lichen::cli {
 
-/// Exit codes beside those of ErrorKind.
+/// Exit codes in addition to those of ErrorKind.
 inline constexpr int kDone = 0;
-inline constexpr int kFound = 1; ///< check or compare found something
+inline constexpr int kFound = 1; ///< check or compare reports a problem
 
-/// Options that every verb has.
+/// The options of every verb.
 struct SharedOptions {
   bool json = false;
   bool quiet = false;
-  int threads = 0;         ///< 0: as many as there are processors
-  std::string commandLine; ///< the whole, as a shell takes it
+  int threads = 0;         ///< 0: one per processor
+  std::string commandLine; ///< all arguments, quoted for a POSIX shell
 };
 
-/// Declares the options of a verb. When the verb was given, the returned function runs it: the exit
-/// code, or the error that ended it. `shared`, whose options main.cpp declares, outlives both.
+/// Declares the options of a verb. If the user chose the verb, main.cpp calls the returned
+/// function, which runs it and returns the exit code or an error. main.cpp declares the options in
+/// `shared`, which must outlive both.
 using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addApply(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
@@ -43,28 +44,28 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addMix(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);
 
-/// What is under the options of a verb that writes a bundle for others to use.
+/// The footer in the help of each verb that writes a bundle for other tools.
 inline constexpr const char* kDroppedByOthers =
     "Tools that rewrite glTF files, such as Blender and optimizers, drop the noise: run 'lichen "
     "apply' last.";
 
-/// What can be refused before the work is done: a name with none of the two extensions (usage), a
-/// folder that is absent (environment).
+/// Finds errors in the output path before the work starts. Errors: usage if the name has neither of
+/// the two extensions, environment if the folder does not exist.
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
                                        const std::array<std::string, 2>& extensions);
 
-/// The members of an object and those of another behind them, as part of a report with --json.
+/// Returns `object` with the members of `more` appended, for a report with --json.
 [[nodiscard]] nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more);
-/// "a, b, c, d and 23 others": the first four, which a message has room for.
+/// Returns "a, b, c, d and 23 others": the first four items, to keep a message short.
 [[nodiscard]] std::string shortList(std::vector<std::string> items);
-/// Indented JSON; bytes that are not UTF-8, as file names may have, are replaced.
+/// Returns indented JSON. Replaces bytes that are not UTF-8, which file names may contain.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 
-/// `text` and a line's end on standard output. Where that takes no more, main.cpp finds out.
+/// Prints `text` and a newline to standard output. main.cpp detects write errors.
 void printLine(const std::string& text);
-/// One line on standard output unless `quiet` or `json`.
+/// Prints one line to standard output unless `quiet` or `json`.
 void say(const SharedOptions& options, const std::string& line);
-/// One line on standard error unless `quiet`.
+/// Prints one line to standard error unless `quiet`.
 void note(const SharedOptions& options, const std::string& line);
 
 } // namespace lichen::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen apply: a noise on the materials of an existing scene.
+// lichen apply: adds a noise to materials of an existing scene.
 #include "apply_factors.h"
 #include "apply_frames.h"
 #include "apply_materials.h"
@@ -48,7 +48,7 @@ struct Arguments {
   std::string output;
 };
 
-/// What was done, for the report.
+/// The result, for the report.
 struct Outcome {
   AppliedNoise noise;
   std::vector<std::string> materials;
@@ -56,7 +56,7 @@ struct Outcome {
   std::vector<std::string> notes;
 };
 
-/// BUNDLE:NAME, split at the last colon where a file is in front of it and none is the whole.
+/// Splits BUNDLE:NAME at the last colon, if the part before it is a file and the whole text is not.
 std::pair<std::string, std::string> splitNoise(const std::string& text) {
   std::error_code ignored;
   const std::size_t colon = text.rfind(':');
@@ -66,8 +66,8 @@ std::pair<std::string, std::string> splitNoise(const std::string& text) {
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
-/// The parameters of the first material of the bundle that uses the noise, which the user has seen
-/// it with.
+/// Returns the parameters of the bundle's first material that uses the noise, since the user has
+/// seen the noise with them; the options override them.
 MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Arguments& arguments) {
   MaterialNoise use;
   for (const std::optional<MaterialNoise>& material : bundle.materials)
@@ -84,12 +84,12 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.seed = arguments.seed.value_or(use.seed);
   use.contrast = arguments.contrast.value_or(use.contrast);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
-  EvaluationOptions none; // a material has none
+  EvaluationOptions none; // a material stores none
   arguments.methods[std::size_t(bundle.noises[noise].method())]->replace(use, none);
   return use;
 }
 
-/// Whether the noise's method has the mapping at all.
+/// Checks that the noise's method supports the mapping.
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method(), mapping))
     return {};
@@ -109,7 +109,7 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
                                   : ", or a noise that is baked with " + alternatives(methods))};
 }
 
-/// Whether the mapping has what the options set: places in space, and planes.
+/// Checks that --space and --plane-sharpness fit the mapping.
 Result<void> checkMappingOptions(const Arguments& arguments) {
   if (arguments.space && !isInSpace(arguments.mapping))
     return Error{ErrorKind::usage,
@@ -124,7 +124,7 @@ Result<void> checkMappingOptions(const Arguments& arguments) {
   return {};
 }
 
-/// Whether the options are those of the noise's method.
+/// Checks that the user gave no options of another method than the noise's.
 Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) {
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, noise.method());
   if (!foreign)
@@ -135,7 +135,7 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
                            nameOf(noise.method()))};
 }
 
-/// That the noise has another name in the scene than in its bundle.
+/// Adds a note if the noise is renamed in the scene.
 void noteName(const std::string& scene, const std::string& name, const AppliedNoise& applied,
               std::vector<std::string>& notes) {
   if (applied.name == name)
@@ -165,7 +165,7 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
 }
 
-/// Those that have what the mapping needs, or can be given it.
+/// Returns the materials that have, or can be given, what the mapping needs.
 Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
                                                    const ChosenMaterials& chosen,
                                                    const Noise& noise, const MaterialNoise& use,
@@ -183,10 +183,10 @@ Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
 
 struct ChosenNoise {
   Bundle bundle;
-  std::size_t index = 0; ///< of its noises
+  std::size_t index = 0; ///< index of the noise in its bundle
 };
 
-/// The noise that was named, whose method has what was asked for.
+/// Returns the noise that the user named, after checking that its method supports the options.
 Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
   if (name.empty() && file.size() < arguments.noise.size())
@@ -208,7 +208,7 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   return ChosenNoise{std::move(bundle).value(), index.value()};
 }
 
-/// What changes the look of the noise that a user may not have meant.
+/// Notes on unexpected changes to the look of the noise.
 std::vector<std::string> notesOnLook(const Arguments& arguments, const GltfScene& scene,
                                      std::span<const std::size_t> materials, const Noise& noise) {
   std::vector<std::string> notes = notesOnFactors(scene, materials, noise, arguments.setsFactors);
@@ -246,7 +246,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!mix)
     return mix.error();
   use.mix = mix.value();
-  // The frames of a surface are made of the same vertices, with refusals of their own.
+  // Frames for `surface` read the same vertices and report their own errors.
   if (use.mapping != Mapping::surface)
     if (Result<void> sound = checkMeshes(scene, materials.value(), outcome.notes); !sound)
       return sound.error();

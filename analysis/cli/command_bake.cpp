@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen bake: a photograph to a glTF with the noise and a scene to look at it.
+// lichen bake: photograph -> glTF file with the noise and a preview scene.
 #include "bake_report.h"
 #include "bake_risks.h"
 #include "command.h"
@@ -34,7 +34,7 @@ struct Arguments {
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
   Method method{};
-  int bits = 0;                                            ///< of the tables' channels
+  int bits = 0;                                            ///< per channel of the tables
   std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
@@ -43,7 +43,7 @@ struct Arguments {
   [[nodiscard]] const BakeOptions& chosen() const { return *methods[std::size_t(method)]; }
 };
 
-/// Refuses options of another method than the one that was chosen.
+/// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments) {
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
@@ -53,13 +53,13 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
                            nameOf(foreign->method), nameOf(arguments.method))};
 }
 
-/// What is said of a bake beside its report; in JSON a part of that.
+/// The notes of a bake: printed as they arise, or part of the JSON report.
 class Notes {
 public:
   explicit Notes(const SharedOptions& options) : options_(options) {}
 
   void add(std::string line) { lines_.push_back(std::move(line)); }
-  /// Says what was added since the last time.
+  /// Prints the notes that were added since the last call.
   void say() {
     for (; said_ < lines_.size(); ++said_)
       if (!options_.json)
@@ -73,14 +73,14 @@ private:
   std::size_t said_ = 0;
 };
 
-/// An exemplar as it is baked, and what is known of it before the work.
+/// The exemplar as it will be baked, with its risks.
 struct Judged {
   std::string name;
   std::vector<MapExemplar> maps;
-  Periodic borders{};                      ///< as told, or as decided before a resampling
-  std::vector<std::vector<Risk>> assessed; ///< of each map
+  Periodic borders{};                      ///< from --periodic, or decided before resampling
+  std::vector<std::vector<Risk>> assessed; ///< one per map
   std::vector<MapRisk> risks;              ///< leadingRisks()
-  std::vector<ExemplarOrigin> origins;     ///< of each map
+  std::vector<ExemplarOrigin> origins;     ///< one per map
 };
 
 Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
@@ -154,7 +154,7 @@ Result<int> run(Arguments& arguments) {
   if (!exemplar)
     return exemplar.error();
   const std::vector<MapExemplar>& maps = exemplar.value().maps;
-  notes.say(); // before the work: the user may rather have another photograph
+  notes.say(); // before the work: the user may prefer another photograph
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);

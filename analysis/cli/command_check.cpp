@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen check: our extension against its schema, index ranges, table headers and sizes.
+// lichen check: validates our extension: its schema, index ranges, table headers and sizes.
 #include "command.h"
 #include "options.h"
 

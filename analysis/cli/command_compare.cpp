@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen compare: a result, or a bundle's noise, against its exemplar.
+// lichen compare: compares a result, or a bundle's noise, with its exemplar.
 #include "command.h"
 #include "exemplar_options.h"
 #include "noise_choice.h"
@@ -32,7 +32,8 @@ struct Arguments {
   ExemplarOptions asBaked;
 };
 
-/// The measures of one map, and of a texton's other spots.
+/// The measures of one map; for a texton, also its comparison with other kernels of the same
+/// support.
 struct MapMeasures {
   MapTarget map = MapTarget::baseColor;
   std::vector<Measure> measures;
@@ -46,10 +47,10 @@ bool isBundle(const std::string& path) {
   return extension == ".glb" || extension == ".gltf";
 }
 
-/// An exemplar as it was baked.
+/// The exemplar, read as the bake read it.
 struct AsBaked {
-  MaterialSet set; ///< of its maps the one that was asked for, or all
-  int width = 0;   ///< pixels of the widest map, and of the highest
+  MaterialSet set; ///< the maps to compare: one or all
+  int width = 0;   ///< pixels of the widest map; height: of the highest
   int height = 0;
 };
 
@@ -75,7 +76,8 @@ Result<AsBaked> readAsBaked(const Arguments& arguments) {
   return baked;
 }
 
-/// An image is the base colour. Both are shown in the encoding of the one with more range.
+/// Compares an image with the base colour. Both are converted to the encoding with the greater
+/// range.
 Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
                                               const std::vector<MapExemplar>& exemplars) {
   const MapExemplar& exemplar = exemplars.front();
@@ -102,13 +104,13 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   return std::vector{MapMeasures{exemplar.target, std::move(measures).value(), {}}};
 }
 
-/// A note where an exemplar does not have the size of what the noise's map was baked from, which
-/// for some methods is that of the largest map.
+/// Adds a note if an exemplar differs in size from the one that the map was baked from. Methods
+/// that enlarge maps bake all of them at the size of the largest map.
 void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) {
   for (const MapExemplar& map : exemplar.set.maps) {
     const std::optional<std::size_t> place = findMap(noise, map.target);
     if (!place)
-      continue; // compareNoise() refuses it
+      continue; // compareNoise() reports the error
     const bool isEnlarged = enlargesMaps(noise.method());
     const int hasWidth = isEnlarged ? exemplar.width : map.width;
     const int hasHeight = isEnlarged ? exemplar.height : map.height;
@@ -167,7 +169,7 @@ std::string lineOf(const Measure& measure, std::size_t nameWidth) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// A table: the texton beside other spots of its support.
+/// Returns a table that compares the texton with other kernels of the same support.
 std::vector<std::string> linesOf(const KernelComparison& kernels) {
   constexpr const char* kRow = "{:<22} {:>11} {:>8} {:>14}";
   std::vector<std::string> lines{
@@ -186,7 +188,7 @@ std::vector<std::string> linesOf(const KernelComparison& kernels) {
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
             const std::vector<std::string>& notes) {
   for (const std::string& text : notes)
-    if (!arguments.shared.json) // in JSON they are part of the report
+    if (!arguments.shared.json) // the JSON report contains the notes
       note(arguments.shared, text);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   nlohmann::ordered_json kernelList = nlohmann::ordered_json::array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen inspect: what a bundle holds and what it costs.
+// lichen inspect: shows the contents of a bundle and their cost.
 #include "command.h"
 #include "methods/method_command.h"
 #include "noise_choice.h"
@@ -30,7 +30,7 @@ struct Arguments {
   std::string bundle;
 };
 
-/// The parameters of the noise's first material, or the format's defaults.
+/// Returns the parameters of the first material that uses the noise, or the format's defaults.
 MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
   for (const std::optional<MaterialNoise>& use : bundle.materials)
     if (use && use->noise == noise)
@@ -45,7 +45,7 @@ int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map
   return commandOf(described).fetches(bundle, described, map, useOf(bundle, noise));
 }
 
-/// Per channel of the image that the shader fetches from.
+/// Returns the bits per channel of the image that the shader samples.
 int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   return formatName(commandOf(bundle.noises[noise]).imageOf(bundle, map).format).bits;
 }
@@ -57,7 +57,7 @@ int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   return sum;
 }
 
-/// The file's size and, of a .gltf, the buffers in files beside it, as far as those are there.
+/// Returns the size of the file and, for a .gltf, of the buffers in separate files that exist.
 Result<std::size_t> bytesOnDisk(const std::string& path) {
   const Result<std::vector<std::byte>> file = readFile(path);
   if (!file)
@@ -68,7 +68,7 @@ Result<std::size_t> bytesOnDisk(const std::string& path) {
   if (container == nullptr || !container->document.contains("buffers"))
     return sum;
   for (const nlohmann::json& buffer : container->document["buffers"]) {
-    // Buffers without tables were not looked at when the bundle was read.
+    // Reading the bundle did not validate buffers without tables.
     if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
       continue;
     const auto relative = pathOfUri(buffer["uri"].get_ref<const std::string&>());
@@ -193,7 +193,7 @@ std::string size(std::size_t bytes) {
   return kib < kKibi ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / kKibi);
 }
 
-/// "mix along (0, 0) to (0, 1)".
+/// Returns "mix along (0, 0) to (0, 1)".
 std::string mixOf(const MixWeight& mix) {
   switch (mix.source) {
   case MixSource::constant:
@@ -209,7 +209,8 @@ std::string mixOf(const MixWeight& mix) {
   return "";
 }
 
-/// What differs from the format's defaults, after mapping and seed, which always matter.
+/// Returns mapping and seed, which always matter, and the parameters that differ from the format's
+/// defaults.
 std::string parametersOf(const MaterialNoise& use) {
   const MaterialNoise defaults;
   std::string text =

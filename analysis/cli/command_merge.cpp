@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen merge: the noises of several bundles in one, with a scene to look at them.
+// lichen merge: combines the noises of several bundles in one, with a preview scene.
 #include "command.h"
 #include "options.h"
 #include "preview_images.h"
@@ -37,7 +37,7 @@ Result<MergedBundle> readAndMerge(const std::vector<std::string>& paths) {
   return mergeBundles(inputs);
 }
 
-/// Whether the preview's meshes have the texture coordinates that the materials use.
+/// Checks that the preview's meshes have the texture coordinates that the materials use.
 Result<void> checkTexCoords(const Bundle& bundle, PreviewShape shape) {
   for (std::size_t m = 0; m < bundle.materials.size() && shape != PreviewShape::none; ++m)
     if (const int texCoord = bundle.materials[m]->texCoord; texCoord != 0)
@@ -93,7 +93,7 @@ Result<int> run(const Arguments& arguments) {
     return written.error();
   progress.erase();
   for (const std::string& text : merged.value().notes)
-    if (!arguments.shared.json) // in JSON they are part of the report
+    if (!arguments.shared.json) // the JSON report contains the notes
       note(arguments.shared, text);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(arguments, merged.value(), seconds.count());

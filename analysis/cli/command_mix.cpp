@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen mix: photographs to a glTF with a noise that changes from one to the next.
+// lichen mix: photographs -> glTF file with a noise that blends from one to the next.
 #include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
@@ -22,9 +22,9 @@
 namespace lichen::cli {
 namespace {
 
-/// The heading of what weights have no use for.
+/// The heading of the options that --weights excludes.
 constexpr const char* kPathGroup = "Path";
-/// More than any that is useful: of 10^6 to 1 the lesser does not show.
+/// Larger than any useful weight: at 10^6 to 1 the smaller one is invisible.
 constexpr NumberRange kWeightRange{0.0, 1e6};
 
 struct Arguments {
@@ -43,7 +43,7 @@ struct Arguments {
   const CLI::App* verb = nullptr;
 };
 
-/// What was read, and what is to be said of it.
+/// The images, and the notes on them.
 struct Inputs {
   std::vector<MixedExemplar> exemplars;
   std::vector<std::string> names; ///< without folder and extension
@@ -86,7 +86,7 @@ Result<Inputs> readInputs(const Arguments& arguments) {
   return inputs;
 }
 
-/// What helps against a risk, in which a mix has no such option: its methods are textons alone.
+/// Adapts a remedy to `lichen mix`, which always uses textons and has no --method.
 std::string ofBake(std::string line) {
   constexpr std::string_view kMethod = "--method tiling";
   if (const std::size_t at = line.find(kMethod); at != std::string::npos)
@@ -94,9 +94,9 @@ std::string ofBake(std::string line) {
   return line;
 }
 
-/// Adds where noise of textons is wrong for an input.
+/// Adds notes on the inputs for which texton noise looks wrong.
 Result<void> judge(const Arguments& arguments, Inputs& inputs) {
-  int widest = 0; // to which the others are refined
+  int widest = 0; // the other inputs are refined to this width
   for (const MixedExemplar& exemplar : inputs.exemplars)
     for (const MapExemplar& map : exemplar.maps)
       widest = std::max(widest, map.width);
@@ -112,13 +112,14 @@ Result<void> judge(const Arguments& arguments, Inputs& inputs) {
   return {};
 }
 
-/// "moss-rock", or as told.
+/// Returns "moss-rock", or the value of --name.
 std::string nameOfMix(const Arguments& arguments, const std::vector<std::string>& names) {
   return arguments.name.empty() ? asUtf8(fmt::format("{}", fmt::join(names, "-"))) : arguments.name;
 }
 
 Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake) {
-  // Texture coordinates that the ball and the ground before it show: the ball's middle is 0.5.
+  // Texture coordinates visible on the ball and on the ground in front of it; the centre of the
+  // ball has 0.5.
   constexpr std::array<double, 2> kPreviewStart{-1.0, 0.0};
   constexpr std::array<double, 2> kPreviewEnd{2.0, 0.0};
   BundleFile file;

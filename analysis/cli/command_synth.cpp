@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen synth: an image of a noise, from the bundle alone.
+// lichen synth: bundle -> image of a noise.
 #include "command.h"
 #include "methods/method_command.h"
 #include "noise_choice.h"
@@ -29,7 +29,7 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::array<int, 2> size{};
-  // In place of the material's.
+  // These override the material's values.
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
   std::optional<std::array<double, 2>> mix;
@@ -38,7 +38,7 @@ struct Arguments {
   const CLI::App* verb = nullptr;
 };
 
-/// "0.3", or "0,1" from the left to the right.
+/// "0.3", or "0,1" for weights from left to right.
 Accepted<std::array<double, 2>> mixWeights() {
   constexpr std::size_t kBorders = 2;
   const Accepted<std::vector<double>> list = numbers(kMixWeightRange, kBorders);
@@ -51,7 +51,7 @@ Accepted<std::array<double, 2>> mixWeights() {
           }};
 }
 
-/// Finds the noise and the map that were named, and the pattern.
+/// Finds the noise and the map that the user named, and the pattern parameters.
 Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   const Result<std::size_t> noise = findNoise(bundle, arguments.bundle, arguments.noise);
   if (!noise)
@@ -86,13 +86,13 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   return {};
 }
 
-/// What a core texture of the map holds.
+/// Writes the map as a core texture stores it.
 Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearImage values) {
   const std::filesystem::path output = arguments.output;
   const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
   const MapTarget target = arguments.synthesis.map;
   LinearImage texture =
-      coreTexture(noise.maps[*findMap(noise, target)], std::move(values)); // which was made
+      coreTexture(noise.maps[*findMap(noise, target)], std::move(values)); // the synthesized map
   if (output.extension() == ".exr")
     return writeImage(output, texture);
   const Result<std::vector<std::byte>> png = encodeCoreTexture(target, std::move(texture));

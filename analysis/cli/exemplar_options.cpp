@@ -14,7 +14,8 @@
 namespace lichen::cli {
 namespace {
 
-/// Of the maps the `m`th, as they are. Takes it from the originals, unless they were not kept.
+/// Describes how map `m` was made. Moves its unflattened original out of `originals`, unless that
+/// is empty.
 ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
                         const std::vector<MapExemplar>& maps, std::vector<MapExemplar>& originals) {
   ExemplarOrigin origin;
@@ -32,7 +33,7 @@ ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Fla
   return origin;
 }
 
-/// Of each map, where options say how many.
+/// Returns the pixels per map, if --size or --crop determine them.
 std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
   const auto product = [](int a, int b) { return std::uint64_t(a) * std::uint64_t(b); };
   if (options.set.size)

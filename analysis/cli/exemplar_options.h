@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How files become exemplars: the options that bake and compare share, so that what was baked is
-// what a result is compared with.
+// Files -> exemplars: the options that `bake` and `compare` share, so that a comparison reads
+// exactly the exemplar that was baked.
 #pragma once
 
 #include "bake_risks.h"
@@ -18,24 +18,24 @@
 namespace lichen::cli {
 
 struct ExemplarOptions {
-  MaterialSetOptions set; ///< but for the crop
+  MaterialSetOptions set; ///< `crop` below replaces its crop
   std::optional<std::array<int, 4>> crop;
   Flattening flattening;
-  bool keepsOriginals = false; ///< of maps that are flattened
-  BakeMemory bakeMemory;       ///< of the method that bakes them; none for a comparison
+  bool keepsOriginals = false; ///< whether to return the maps before flattening
+  BakeMemory bakeMemory;       ///< of the method that bakes; zeros for a comparison
 };
 
-/// Exemplars, and how they came from their files.
+/// Exemplars, and how each was made from its file.
 struct ReadExemplar {
   MaterialSet set;
-  std::vector<ExemplarOrigin> origins; ///< of each map
+  std::vector<ExemplarOrigin> origins; ///< one per map
 };
 
-/// --crop, --size, --normal, --alpha, --flatten and --periodic of a verb.
+/// Declares --crop, --size, --normal, --alpha, --flatten and --periodic.
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options);
 
-/// Reads the files, as readMaterialSet() does, and flattens their maps as told. What was done is
-/// in sentences of the set's notes.
+/// Reads the files with readMaterialSet() and flattens the maps as the options ask. The notes of
+/// the set describe both.
 [[nodiscard]] Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
                                                 const ExemplarOptions& options,
                                                 const SharedOptions& shared);

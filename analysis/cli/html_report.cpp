@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bake -> the record that the report is made of -> a file.
+// A bake -> a BakeRecord -> the HTML file.
 #include "html_report.h"
 
 #include "progress_line.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --report of `lichen bake`: the HTML page beside the bundle.
+// `lichen bake --report`: the HTML page about a bake.
 #pragma once
 
 #include "command.h"
@@ -17,10 +17,10 @@
 
 namespace lichen::cli {
 
-/// What the steps of a bake take.
+/// The duration of each step of a bake.
 class StepTimes {
 public:
-  /// Ends the step that began where the last one ended.
+  /// Ends the step that began at the last call, or at construction.
   void end(const std::string& step);
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& steps() const { return steps_; }
   [[nodiscard]] double sum() const; ///< seconds
@@ -30,23 +30,24 @@ private:
   std::vector<std::pair<std::string, double>> steps_;
 };
 
-/// What the page tells of a bake besides the bundle.
+/// What the page shows in addition to the bundle.
 struct ReportedBake {
   std::vector<std::string> inputs;
   std::string output;
-  const Bundle& bundle; ///< of one noise and one material
+  const Bundle& bundle; ///< one noise, one material
   std::span<const MapExemplar> exemplars;
-  std::span<const std::vector<Risk>> risks;                   ///< of each exemplar
-  std::span<const ExemplarOrigin> origins;                    ///< the same
-  std::span<const std::pair<std::string, std::string>> facts; ///< of the method
+  std::span<const std::vector<Risk>> risks;                   ///< one list per exemplar
+  std::span<const ExemplarOrigin> origins;                    ///< one per exemplar
+  std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
   std::vector<std::string> notes;
-  std::vector<std::pair<std::string, double>> timings; ///< of StepTimes
+  std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()
 };
 
-/// Refuses a name without .html, or in a folder that is absent; not the empty one, for no report.
+/// Errors: usage for a name without .html or .htm, environment for a folder that does not exist. An
+/// empty path, which means no report, is valid.
 [[nodiscard]] Result<void> checkReportPath(const std::string& path);
 
-/// Measures the noise, shows how far that is, and writes the page; nothing for an empty path.
+/// Measures the noise, with a progress line, and writes the page. Does nothing if `path` is empty.
 [[nodiscard]] Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
                                            const SharedOptions& options);
 

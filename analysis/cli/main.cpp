@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen: the verbs, and how each way of ending becomes an exit code and one line.
+// lichen: the verb table. Converts each outcome to an exit code and one line.
 #include "command.h"
 #include "options.h"
 
@@ -44,19 +44,20 @@ std::string verbNames() {
 }
 
 int fail(const Error& error) {
-  // Nothing is left to do where this cannot be written, so nothing may be thrown either.
+  // Ignores write errors and throws nothing: no fallback remains.
   std::fputs(("lichen: " + escaped(error.message) + "\n").c_str(), stderr);
   return int(error.kind);
 }
 
-/// The exit code, unless what was said did not reach standard output, as on a full disk.
+/// Returns the exit code, or an error if the output did not reach standard output, as on a full
+/// disk.
 int flushed(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
     return code;
   return fail({ErrorKind::resources, "standard output: cannot be written"});
 }
 
-/// An error in the words of the command line, with where to read more.
+/// Reports a usage error, and where to read more.
 int failUsage(const CLI::App& app, const std::string& message) {
   const auto given = app.get_subcommands();
   return fail(
@@ -64,7 +65,7 @@ int failUsage(const CLI::App& app, const std::string& message) {
                                      given.empty() ? "" : given.front()->get_name() + " ")});
 }
 
-/// What is wrong with arguments that nothing has taken.
+/// Returns the message for arguments that no option accepted.
 std::string unexpected(const CLI::App& app) {
   const std::string first = app.remaining(true).front();
   if (first.starts_with("-"))
@@ -74,8 +75,8 @@ std::string unexpected(const CLI::App& app) {
              : first + ": one argument too many";
 }
 
-/// An option with too few values or a flag with one, of which the parser says
-/// "--option: 1 required TYPE missing" and "flag was given a disallowed flag override".
+/// Returns the message for an option with too few values, or a flag with a value. CLI11 reports
+/// these as "--option: 1 required TYPE missing" and "flag was given a disallowed flag override".
 std::string mismatched(const std::string& text) {
   const std::size_t colon = text.find(':');
   return colon != std::string::npos ? text.substr(0, colon) + ": a value is missing"
@@ -89,7 +90,7 @@ void addSharedOptions(CLI::App& verb, SharedOptions& options) {
            "Threads to use; 0 for one a processor");
 }
 
-/// The arguments as a POSIX shell takes them.
+/// Returns the arguments, quoted for a POSIX shell.
 std::string commandLine(int argc, char** argv) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                       "0123456789_@%+=:,./-";
@@ -111,7 +112,7 @@ int run(int argc, char** argv) {
                "lichen"};
   app.set_version_flag("--version", "lichen " LICHEN_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this page and exit");
-  app.require_subcommand(0, 1); // none is refused below: CLI11 would not name an unknown one
+  app.require_subcommand(0, 1); // 0 is refused below: with 1, CLI11 would not name an unknown verb
   app.formatter(helpFormatter());
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   SharedOptions shared;
@@ -122,7 +123,7 @@ int run(int argc, char** argv) {
     verbs.emplace_back(added, verb.add(*added, shared));
     addSharedOptions(*added, shared);
   }
-  app.footer("'lichen VERB --help' has the options of a verb."); // verbs added later would have it
+  app.footer("'lichen VERB --help' has the options of a verb."); // later verbs would inherit it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // --help and --version
@@ -150,11 +151,11 @@ int run(int argc, char** argv) {
 } // namespace lichen::cli
 
 int main(int argc, char** argv) {
-  // A last net: libraries report lack of memory by exceptions.
+  // A last resort: libraries report lack of memory by exceptions.
   try {
     return lichen::cli::flushed(lichen::cli::run(argc, argv));
   } catch (const std::bad_alloc&) {
-    std::fputs("lichen: not enough memory\n", stderr); // needs none itself
+    std::fputs("lichen: not enough memory\n", stderr); // allocates nothing
     return int(lichen::ErrorKind::resources);
   } catch (const std::exception& error) {
     return lichen::cli::fail({lichen::ErrorKind::environment, error.what()});

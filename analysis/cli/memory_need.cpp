@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels -> bytes, as measured; see memory_need.h.
+// Pixels -> bytes, by measured factors; see memory_need.h.
 #include "memory_need.h"
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 namespace lichen::cli {
 namespace {
 
-/// Bytes a pixel of a file that is read: its bytes and its pixels as floats, measured at the peak
-/// of `lichen bake` beside the program's own 25 MB.
+/// Bytes per pixel of a file while it is read: the file's bytes and the pixels as floats. Measured
+/// at the peak of `lichen bake`, without the program's own 25 MB.
 constexpr double kRead = 28.0;
 
 } // namespace

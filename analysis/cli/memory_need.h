@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What images need before they are decoded, against what the system has.
+// Checks, before images are decoded, that the system has the memory they need.
 #pragma once
 
 #include <lichen/result.h>
@@ -10,22 +10,23 @@
 
 namespace lichen::cli {
 
-/// Bytes a pixel that a method needs to bake an exemplar; 0 where nothing is baked.
+/// Bytes per pixel that a method needs to bake an exemplar; 0 if nothing is baked.
 struct BakeMemory {
-  double map = 0.0;     ///< of each map
-  double largest = 0.0; ///< and once, of the largest map
+  double map = 0.0;     ///< for each map
+  double largest = 0.0; ///< once more for the largest map
 };
 
-/// Adds up what the images of one exemplar need, and refuses the first one that is too much.
+/// Sums the memory for the images of one exemplar and refuses the first image that exceeds it.
 class MemoryNeed {
 public:
-  /// `keptPixels` are those of each map once it is cut or resampled; nothing where it stays as it
-  /// is. `available` is in bytes; nothing: every image is accepted.
+  /// `keptPixels` is the pixel count of each map after cropping or resampling; nothing if maps keep
+  /// their size. `available` is in bytes; nothing means no limit.
   MemoryNeed(const BakeMemory& bake, std::optional<std::uint64_t> keptPixels,
              std::optional<std::uint64_t> available)
       : bake_(bake), keptPixels_(keptPixels), available_(available) {}
 
-  /// Of the file `name`. Errors: resources, with what is needed and what there is.
+  /// Adds the image of the file `name`. Errors: resources, with the needed and the available
+  /// memory.
   [[nodiscard]] Result<void> add(const std::string& name, int width, int height);
 
 private:
@@ -33,7 +34,7 @@ private:
   std::optional<std::uint64_t> keptPixels_;
   std::optional<std::uint64_t> available_;
   std::uint64_t read_ = 0; ///< pixels of all images so far
-  std::uint64_t kept_ = 0; ///< likewise, of their maps
+  std::uint64_t kept_ = 0; ///< pixels of all maps so far, after cropping or resampling
   std::uint64_t largestKept_ = 0;
 };
 

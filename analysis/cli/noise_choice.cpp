@@ -9,8 +9,8 @@
 namespace lichen::cli {
 namespace {
 
-/// The ignored noise that was meant, or null: the one that was named, unless a known one has that
-/// name too; without a name, the file's first.
+/// Returns the ignored noise that the user means, or null: the one with the name `wanted`, unless a
+/// known noise has that name too; without a name, the first noise of the file if it is ignored.
 const IgnoredNoise* ignoredNoiseMeant(const Bundle& bundle, const std::string& wanted) {
   const auto isWanted = [&](const auto& noise) { return noise.name == wanted; };
   if (!wanted.empty() && std::any_of(bundle.noises.begin(), bundle.noises.end(), isWanted))

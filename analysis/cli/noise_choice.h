@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which noise of a bundle a verb works on.
+// Which noise of a bundle a verb uses.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -9,21 +9,22 @@
 
 namespace lichen::cli {
 
-/// The place of `wanted` among `names`, the first if it is empty. The message of a refusal begins
-/// with `option` and says what `owner` has.
+/// Returns the index of `wanted` in `names`; 0 if `wanted` is empty. Errors: usage; the message
+/// starts with `option` and lists the names that `owner` has.
 [[nodiscard]] Result<std::size_t> placeOf(const std::string& wanted,
                                           const std::vector<std::string>& names,
                                           const std::string& option, const std::string& owner);
 
-/// That a file has no noise, of any revision: badInput.
+/// The badInput error for a file that has no noise of any revision.
 [[nodiscard]] Error noNoiseIn(const std::string& file);
 
-/// The noise of that name, the first for no name. `file` is what messages call the bundle.
+/// Returns the index of the noise with this name; of the first noise if `wanted` is empty. Messages
+/// call the bundle `file`.
 [[nodiscard]] Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
                                             const std::string& wanted);
 
-/// The first material that uses the noise, so that its pattern is shown; the defaults where none
-/// does.
+/// Returns the first material that uses the noise, for its pattern, or default parameters if no
+/// material does.
 [[nodiscard]] MaterialNoise materialOf(const Bundle& bundle, std::size_t noise);
 
 } // namespace lichen::cli

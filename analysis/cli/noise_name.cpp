@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// UTF-8 of any text; see noise_name.h.
+// Any text -> valid UTF-8; see noise_name.h.
 #include "noise_name.h"
 
 #include "command.h"
@@ -9,7 +9,7 @@
 namespace lichen::cli {
 
 std::string asUtf8(const std::string& text) {
-  constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD, as toText() puts it
+  constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD, which toText() inserts
   std::string valid = nlohmann::json::parse(toText(text));
   if (valid == text)
     return text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names that are given to noises, by the user or after files.
+// Names of noises, from the user or from file names.
 #pragma once
 
 #include "options.h"
@@ -8,10 +8,10 @@
 
 namespace lichen::cli {
 
-/// Bytes that are not UTF-8, of which names in JSON consist, become underscores.
+/// Replaces bytes that are not UTF-8 with underscores, since JSON strings must be UTF-8.
 [[nodiscard]] std::string asUtf8(const std::string& text);
 
-/// --name of the verbs that bake.
+/// The option --name of the verbs that bake.
 [[nodiscard]] Accepted<std::string> nameText();
 
 } // namespace lichen::cli

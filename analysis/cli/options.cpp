@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of options -> values, and the page that --help prints.
+// Texts of options -> values, and the text that --help prints.
 #include "options.h"
 
 #include <CLI/App.hpp>
@@ -14,7 +14,7 @@
 namespace lichen::cli {
 namespace {
 
-/// Wide enough for most placeholders; descriptions of longer ones begin on the next line.
+/// Wide enough for most placeholders; after a longer one the description starts on the next line.
 constexpr std::size_t kLeftColumn = 32;
 
 template <class Number>
@@ -26,7 +26,7 @@ std::optional<Number> parseNumber(std::string_view text) {
   return value;
 }
 
-/// As above, in [smallest, largest]; not a number is in no range.
+/// As above, in [smallest, largest]; NaN lies outside every range.
 template <class Number>
 std::optional<Number> parseNumber(std::string_view text, Number smallest, Number largest) {
   const std::optional<Number> value = parseNumber<Number>(text);
@@ -39,7 +39,7 @@ Accepted<Number> numberBetween(const std::string& kind, Number smallest, Number 
           [=](const std::string& text) { return parseNumber(text, smallest, largest); }};
 }
 
-/// Two numbers with a character between them.
+/// Parses two numbers with a separator between them.
 template <class Number>
 std::optional<std::array<Number, 2>> parsePair(std::string_view text, char separator,
                                                Number smallest, Number largest) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Options whose text is read by rules of our own, so that help and messages speak of options and
-// not of the parser's types. Its headers are not included: each file that does compiles all its
-// validators again, which takes longer than a verb.
+// Options that parse their own text, so that help and messages describe the option and not CLI11's
+// types. This header does not include CLI11: every file that does compiles all its validators
+// again, which takes longer than compiling a verb.
 #pragma once
 
 #include <lichen/bundle_writer.h>
@@ -24,34 +24,36 @@ class Option;
 
 namespace lichen::cli {
 
-/// What the text of an option may be.
+/// What an option accepts.
 template <class Value>
 struct Accepted {
-  std::string placeholder; ///< as help shows it: "N", "auto|yes|no"
-  std::string sentence;    ///< as a message names it: "a number from 0 to 4", "auto, yes or no"
-  std::function<std::optional<Value>(const std::string& text)> read; ///< nothing: not accepted
+  std::string placeholder; ///< in the help: "N", "auto|yes|no"
+  std::string sentence;    ///< in messages: "a number from 0 to 4", "auto, yes or no"
+  std::function<std::optional<Value>(const std::string& text)> read; ///< nothing if invalid
 };
 
-/// "a", "a or b", "a, b or c".
+/// Returns "a", "a or b", or "a, b or c".
 [[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
 
-/// A number in these bounds.
+/// A number in [smallest, largest], or in `range`.
 [[nodiscard]] Accepted<int> wholeNumber(int smallest, int largest);
 [[nodiscard]] Accepted<double> number(NumberRange range);
-/// Any 32 bits.
+/// Any unsigned 32-bit number.
 [[nodiscard]] Accepted<std::uint32_t> seedNumber();
-/// "none" -> 0, "4" -> 4 steps of a turn, "free" -> as many as there are.
+/// "none" -> 0 (no rotation), "4" -> 4 angles per full rotation, "free" -> the maximum number of
+/// angles.
 [[nodiscard]] Accepted<std::uint32_t> tileRotation();
-/// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Sides in [1, largest].
+/// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Both sides in [1, largest].
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
-/// "10,-2.5" -> {10.0, -2.5}. Both in `range`.
+/// "10,-2.5" -> {10.0, -2.5}. Both numbers in `range`.
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
 /// "0.2,0.5,0.3" -> {0.2, 0.5, 0.3}: 1 to `most` numbers in `range`.
 [[nodiscard]] Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most);
-/// "16,0,256,128" -> {16, 0, 256, 128}: a corner from 0 and a size from 1 to `largest`.
+/// "16,0,256,128" -> {16, 0, 256, 128}: x and y from 0, width and height from 1, all at most
+/// `largest`.
 [[nodiscard]] Accepted<std::array<int, 4>> pixelRectangle(int largest);
 
-/// The same for an option whose absence means something.
+/// The same for an option whose absence has a meaning.
 template <class Value>
 [[nodiscard]] Accepted<std::optional<Value>> optional(Accepted<Value> accepted) {
   const auto read = [read = accepted.read](const std::string& text) {
@@ -81,28 +83,28 @@ template <class Value>
           }};
 }
 
-/// An option that has been declared, and what else can be said of it.
+/// A declared option, with the properties that can still be set.
 class Option {
 public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  /// The parse fails without it.
+  /// Makes the parse fail if the option is absent.
   const Option& required() const;
-  /// The heading of help under which it stands.
+  /// Sets the heading under which the help lists the option.
   const Option& group(const std::string& heading) const;
 
 private:
   CLI::Option* option_;
 };
 
-/// Declares an option of which `take` reads the text; where it returns false, the parse ends with
+/// Declares an option whose text `take` reads. If `take` returns false, the parse ends with
 /// CLI::ValidationError("NAME TEXT: SENTENCE is accepted").
 Option addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
                      const std::string& sentence, std::function<bool(const std::string& text)> take,
                      const std::string& preset, const std::string& help);
 
-/// Declares an option of a verb. `value`, which must outlive the parse, is set to what `preset`
-/// says, unless that is empty, and to what the user says.
+/// Declares an option of a verb. Sets `value` to `preset`, unless that is empty, and then to the
+/// user's value. `value` must outlive the parse.
 template <class Value>
 Option addValue(CLI::App& verb, const std::string& name, Value& value,
                 const Accepted<Value>& accepted, const std::string& preset,
@@ -118,24 +120,24 @@ Option addValue(CLI::App& verb, const std::string& name, Value& value,
   return addReadOption(verb, name, accepted.placeholder, accepted.sentence, take, preset, help);
 }
 
-/// An option or argument that is taken as it stands.
+/// Declares an option or argument whose text is used unchanged.
 Option addText(CLI::App& verb, const std::string& name, std::string& value,
                const std::string& placeholder, const std::string& help);
 
-/// As above, for an argument that may be given again and again.
+/// As above, for an argument that may be repeated.
 Option addTexts(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                 const std::string& placeholder, const std::string& help);
 
-/// An option without a value, which sets `flag`.
+/// Declares an option without a value; it sets `flag` to true.
 void addFlag(CLI::App& verb, const std::string& name, bool& flag, const std::string& help);
 
-/// --preview of the verbs that write a scene.
+/// Declares --preview, for the verbs that write a scene.
 void addPreviewShape(CLI::App& verb, PreviewShape& shape);
 
-/// The first option of this group that was given, or nothing.
+/// Returns the first option of this group that the user gave, or nothing.
 [[nodiscard]] std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group);
 
-/// Help with placeholders in the left column, defaults and requirements in the right one.
+/// Formats the help: placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();
 
 } // namespace lichen::cli

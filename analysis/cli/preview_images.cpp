@@ -11,7 +11,8 @@
 namespace lichen::cli {
 namespace {
 
-/// Exemplars along a side of the preview image: enough that its repetition is not the exemplar's.
+/// Exemplar widths along a side of the preview image: enough that the image repeats less often than
+/// the exemplar would.
 constexpr int kTilesPerPreview = 2;
 
 LinearImage white() {
@@ -20,7 +21,7 @@ LinearImage white() {
   return image;
 }
 
-/// RGB of `color`, white where that is empty, with `opacity` for alpha.
+/// Returns the RGB of `color`, or white if that is empty, with `opacity` as alpha.
 LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
   LinearImage result(opacity.width, opacity.height, 4);
   for (std::size_t i = 0; i < opacity.pixelCount(); ++i) {
@@ -37,7 +38,7 @@ Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& m
   std::map<MapTarget, LinearImage> textures;
   for (const NoiseMap& map : bundle.noises[material.noise].maps) {
     if (map.target == MapTarget::height)
-      continue; // core materials have none
+      continue; // core materials have no height texture
     Result<LinearImage> values = synthesizePreview(bundle, material, map.target, kTilesPerPreview);
     if (!values)
       return values.error();
@@ -45,8 +46,8 @@ Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& m
   }
   if (const auto opacity = textures.find(MapTarget::opacity); opacity != textures.end())
     textures[MapTarget::baseColor] = withAlpha(textures[MapTarget::baseColor], opacity->second);
-  // White uses the scene's texture coordinates, which the noise needs and the Khronos validator
-  // would find unused.
+  // The white texture uses the scene's texture coordinates; otherwise the Khronos validator would
+  // report them as unused, although the noise needs them.
   if (textures.empty())
     textures[MapTarget::baseColor] = white();
 

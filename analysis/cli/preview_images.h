@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the core slots of a baked material show.
+// The images for the core texture slots of a baked material.
 #pragma once
 
 #include <lichen/bundle_writer.h>
 
 namespace lichen::cli {
 
-/// Tileable images of the maps of a material's noise for the core material, in the material's
-/// pattern, as large as the noise's widest map asks for.
+/// Returns tileable images of the noise's maps for the core material, evaluated with the material's
+/// parameters. The widest map of the noise determines their size.
 [[nodiscard]] Result<PreviewImages> previewImages(const Bundle& bundle,
                                                   const MaterialNoise& material);
 

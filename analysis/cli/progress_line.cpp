@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Progress over a terminal's line, with the control codes that every terminal has.
-// A terminal that takes no more is no reason to stop the work: the writes' results are ignored.
+// Draws progress over a line of a terminal, with control codes that every terminal supports. Write
+// errors are ignored: a closed terminal must not stop the work.
 #include "progress_line.h"
 
 #include <fmt/core.h>
@@ -12,9 +12,9 @@ namespace lichen::cli {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kQuietStart = 1s; // what is done sooner needs no line
+constexpr auto kQuietStart = 1s; // shorter work needs no line
 constexpr auto kInterval = 200ms;
-/// Before a hundredth is done, an estimate of the rest would jump.
+/// Below this fraction, the estimate of the time left would jump.
 constexpr double kLeastForEstimate = 0.01;
 
 std::string duration(double seconds) {

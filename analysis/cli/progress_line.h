@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells on a terminal how far an operation is that lasts.
+// Shows the progress of a long operation on a terminal.
 #pragma once
 
 #include "command.h"
@@ -11,8 +11,9 @@
 
 namespace lichen::cli {
 
-/// One line on standard error, written again and again: "bake: 42 %, 13 s left". Only where that is
-/// a terminal, only after the first second, and never with --quiet. Gone when the object is.
+/// One line on standard error that is overwritten as the work proceeds: "bake: 42 %, 13 s left".
+/// Appears only on a terminal, only after the first second, and never with --quiet. The destructor
+/// erases it.
 class ProgressLine {
 public:
   ProgressLine(std::string operation, const SharedOptions& options);
@@ -20,17 +21,17 @@ public:
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { erase(); }
 
-  /// Shows a part in [0, 1] of the work and the time that the rest will take.
+  /// Shows the finished share of the work, in [0, 1], and the estimated time left.
   void show(double fraction);
-  /// What an operation tells its progress to. The line outlives it.
+  /// Returns the callback for an operation. This object must outlive it.
   [[nodiscard]] Progress asProgress();
-  /// Makes room for other lines.
+  /// Erases the line, so that other lines can be printed.
   void erase();
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// The line, if it is time for one.
+  /// Writes the line, unless the last one is too recent.
   void write(const std::string& text);
 
   std::string operation_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables and statistics -> words.
+// Tables and statistics -> text.
 #include "table_words.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words for tables and statistics, as `inspect` shows them.
+// Text for tables and statistics, as `inspect` prints them.
 #pragma once
 
 #include <lichen/bundle.h>

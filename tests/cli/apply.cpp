@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen apply` makes of a scene and a noise.
+// `lichen apply`: the scene it writes for a scene and a noise.
 #include "apply_run.h"
 
 #include <lichen/bundle.h>
@@ -54,7 +54,7 @@ TEST_CASE("materials are named, counted or all") {
   CHECK(uses("wood") == "x-");
   CHECK(uses("1") == "-x");
   CHECK(uses("all") == "xx");
-  scene.json["materials"][0]["name"] = "1"; // a name comes before an index
+  scene.json["materials"][0]["name"] = "1"; // names take precedence over indices
   CHECK(uses("1") == "x-");
   scene.json["materials"][1]["name"] = "1";
   const std::string path = writeScene(workplace, scene);
@@ -123,7 +123,7 @@ TEST_CASE("a noise of a bundle is named behind a colon") {
     return applied(workplace, scene, workplace.path(noise),
                    "0")["extensions"][kExtension]["noises"][0]["name"];
   };
-  CHECK(nameOfNoise("b:th.glb") == "one"); // a colon of the file's own
+  CHECK(nameOfNoise("b:th.glb") == "one"); // the file name itself contains a colon
   CHECK(nameOfNoise("b:th.glb:two") == "two");
   checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
                 "-o", workplace.path("x.glb")},
@@ -168,7 +168,7 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
                     "-o", workplace.path("x.glb")},
                    int(ErrorKind::badInput), words);
     const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
-    CHECK(other.code == 0); // what is at fault stays as it is
+    CHECK(other.code == 0); // the faulty primitive stays as it is
     CHECK_THAT(other.errors,
                Catch::Contains(words.back()) && Catch::Contains("it stays without the noise"));
   };
@@ -238,7 +238,7 @@ TEST_CASE("vertices that are compressed get the noise, with a note") {
   const std::size_t view = scene.json["accessors"][position]["bufferView"];
   scene.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
   noted(scene, "EXT_meshopt_compression");
-  scene = sound; // of an accessor whose values are replaced in part
+  scene = sound; // a sparse accessor
   const std::size_t values = scene.addView(std::as_bytes(std::span<const float>()));
   scene.json["bufferViews"][values]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
   scene.json["accessors"][position]["sparse"]["values"]["bufferView"] = values;
@@ -267,7 +267,7 @@ TEST_CASE("the report tells frames, singularities and what multiplies the noise"
     sum += singularity["index"].get<int>();
   CHECK(sum == 2);
   CHECK(report["notes"].size() == 2);
-  std::ostringstream place; // three digits, as in the note
+  std::ostringstream place; // three digits, as the note prints
   place << std::setprecision(3) << '(' << frames["singularities"][0]["position"][0].get<double>();
   CHECK_THAT(apply(workplace, scene, wool, "glass", {"--mapping", "surface"}).errors,
              Catch::Contains("singular triangle") && Catch::Contains(place.str()));
@@ -330,7 +330,7 @@ TEST_CASE("an emissive factor that is set to 1 without a texture is noted") {
   };
   CHECK(noted());
   scene.json["materials"][0]["emissiveFactor"] = {1.0, 1.0, 1.0};
-  CHECK_FALSE(noted()); // it glowed before
+  CHECK_FALSE(noted()); // it was emissive before
 }
 
 TEST_CASE("textures that the noise has no map for are named, as they stay") {
@@ -385,7 +385,7 @@ TEST_CASE("what a material may change without another bake is what the options s
                              "--sharpness", "4", "--tile-rotation", "free"}));
   const MaterialNoise use = *readBundle(workplace.path("out.glb")).value().materials[0];
   CHECK(use.scale == 2.0);
-  CHECK(use.rotation == Approx(1.5707963267948966).epsilon(1e-12)); // a quarter turn in radians
+  CHECK(use.rotation == Approx(1.5707963267948966).epsilon(1e-12)); // 90 degrees, in radians
   CHECK(use.seed == 7);
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
@@ -437,7 +437,7 @@ TEST_CASE("the space of a mapping is the option's, then the bundle's, and inspec
   CHECK(spaceIn(applied(workplace, scene, made, "0", {"--mapping", "triplanar"})) == "object");
   CHECK(spaceIn(applied(workplace, scene, made, "0",
                         {"--mapping", "triplanar", "--space", "world"})) == "none");
-  CHECK(spaceIn(applied(workplace, scene, made, "0")) == "none"); // of the mapping uv
+  CHECK(spaceIn(applied(workplace, scene, made, "0")) == "none"); // with the mapping uv
   checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--space", "object", "-o",
                 workplace.path("x.glb")},
                int(ErrorKind::usage), {"--space object", "uv", "--mapping triplanar or surface"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames that `lichen apply` gives meshes for noise on surfaces.
+// The tangent frames that `lichen apply` adds to meshes for noise on surfaces.
 #include "apply_run.h"
 
 #include <lichen/files.h>
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The first three components of a float attribute in the binary chunk of a .glb.
+/// Returns the first three components of a float attribute in the binary chunk of a .glb.
 std::vector<std::array<float, 3>> vectorsOf(const std::string& file, PrimitivePlace place,
                                             const std::string& name) {
   const GltfScene scene = GltfScene::open(file).value();
@@ -69,11 +69,11 @@ TEST_CASE("surface noise gets a frame where there is none") {
       CHECK(std::abs(dot(normals[v], tangents[v])) < 1e-6);
     }
   }
-  // Smooth normals of a tetrahedron point from its middle to its corners.
+  // Smooth normals of a tetrahedron point from its centre to its corners.
   const auto normals = vectorsOf(workplace.path("out.glb"), {0, 1}, "NORMAL");
   CHECK(normals[0][0] == Approx(1.0 / std::sqrt(3.0)));
   CHECK(normals[1][1] == Approx(-1.0 / std::sqrt(3.0)));
-  // The square is flat: one direction.
+  // The square is flat, so all tangents are equal.
   const auto tangents = vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT");
   for (const auto& tangent : tangents)
     CHECK(dot(tangent, tangents[0]) == Approx(1.0));
@@ -86,7 +86,7 @@ TEST_CASE("tangents that a mesh has are its frame") {
   auto& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
   attributes["TANGENT"] =
       scene.addFloats({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, "VEC4", 4);
-  scene.json["materials"][0]["normalTexture"] = {{"index", 0}}; // which they belong to
+  scene.json["materials"][0]["normalTexture"] = {{"index", 0}}; // which uses the tangents
   const json document =
       applied(workplace, writeScene(workplace, scene), wool, "wood", {"--mapping", "surface"});
   CHECK(document["meshes"] == json(scene.json["meshes"]));
@@ -130,7 +130,7 @@ TEST_CASE("noise with normals of its own needs no tangents of a normal texture")
   workplace.write("bumps/normal.png", smooth(16));
   const std::string bumps =
       bake(workplace, workplace.path("bumps"), "bumps.glb", {"--method", "texton"});
-  const std::string wool = writeTexton(workplace); // a height, no normals
+  const std::string wool = writeTexton(workplace); // a height map, no normal map
   example::TinyScene scene = example::tableScene();
   scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
   const std::string path = writeScene(workplace, scene);
@@ -153,7 +153,7 @@ TEST_CASE("the grain is an axis along which the noise lies where a mesh has no t
   example::TinyScene scene = example::tableScene();
   const std::string path = writeScene(workplace, scene);
   (void)applied(workplace, path, wool, "wood", {"--mapping", "surface", "--grain", "3,-4,5"});
-  // The square is flat, its normal z: the axis' part in it is (0.6, -0.8, 0).
+  // The square is flat with normal z: the axis projects to (0.6, -0.8, 0).
   for (const auto& tangent : vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT"))
     CHECK(dot(tangent, {0.6f, -0.8f, 0.0f}) == Approx(1.0));
   const auto refused = [&](const Arguments& more, const std::vector<std::string>& words) {

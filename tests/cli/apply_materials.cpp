@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen apply` makes of scenes whose materials have more than noise takes the place of.
+// `lichen apply` on materials with more features than a noise replaces.
 #include "apply_run.h"
 
 #include <lichen/gltf_scene.h>
@@ -33,10 +33,10 @@ TEST_CASE("an absent image is no matter to a .glb where the noise takes its plac
         {"apply", write(), "--noise", moss, "--material", "wood", "-o", workplace.path("x.glb")},
         int(ErrorKind::badInput), {"scene.gltf: /images/0/uri", "old bark.png"});
   };
-  scene.json["materials"][1]["emissiveTexture"] = {{"index", 0}}; // without the noise
+  scene.json["materials"][1]["emissiveTexture"] = {{"index", 0}}; // the material without the noise
   refused();
   scene.json["materials"][1].erase("emissiveTexture");
-  scene.json["materials"][0]["alphaMode"] = "BLEND"; // by the texture's alpha
+  scene.json["materials"][0]["alphaMode"] = "BLEND"; // blends by the texture's alpha
   refused();
   scene.json["materials"][0].erase("alphaMode");
   scene.json["materials"][0]["extensions"]["KHR_materials_sheen"]["sheenColorTexture"] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs of `lichen apply`, on scenes and noises that it writes.
+// Runs `lichen apply` on scenes and noises that it writes.
 #pragma once
 
 #include "command_run.h"
@@ -17,7 +17,7 @@ inline constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
                           const std::string& noise, const std::string& material,
                           const Arguments& more = {}, const std::string& output = "out.glb");
 
-/// The document of what `apply` wrote, which `check` finds sound.
+/// Runs `lichen apply`, requires that `lichen check` accepts the result, and returns its document.
 [[nodiscard]] nlohmann::json applied(const Workplace& workplace, const std::string& scene,
                                      const std::string& noise, const std::string& material,
                                      const Arguments& more = {},

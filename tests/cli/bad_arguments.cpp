@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every wrong argument and every bad file: one line with the cure, and DESIGN.md's exit code.
+// Every wrong argument and every bad file gives one line with the remedy, and the exit code that
+// DESIGN.md specifies.
 #include "command_run.h"
 #include "image_samples.h"
 
@@ -17,7 +18,7 @@ constexpr int kUsage = int(ErrorKind::usage);
 constexpr int kBadInput = int(ErrorKind::badInput);
 constexpr int kEnvironment = int(ErrorKind::environment);
 
-/// A small image and its bundle, made once for all the tests of this file.
+/// A small image and its bundle, made once for all tests of this file.
 struct Made {
   Workplace workplace;
   std::string image = workplace.write("stone.png", smooth(16));

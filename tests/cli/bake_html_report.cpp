@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page that `lichen bake --report` writes, as text; tests/cli/report_page looks at it.
+// The text of the page that `lichen bake --report` writes; tests/cli/report_page renders it.
 #include "checkout_paths.h"
 #include "command_run.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kDataStart = "<script type=\"application/json\" id=\"data\">";
 
-/// The page's data.
+/// Returns the data embedded in the page.
 nlohmann::json dataOf(const std::string& page) {
   const std::size_t start = page.find(kDataStart);
   REQUIRE(start != std::string::npos);
@@ -35,7 +35,7 @@ std::string reportOf(const Workplace& workplace, const std::string& input,
   return workplace.read("report.html");
 }
 
-/// Width and height of a picture: bytes 16 to 23 of a PNG, of which the data URI has the base64.
+/// Returns the width and height of a picture: bytes 16 to 23 of the PNG in the base64 data URI.
 std::array<unsigned, 2> extentsOf(const nlohmann::json& picture) {
   const std::string uri = picture.at("png");
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -75,7 +75,7 @@ TEST_CASE("a report holds the measures that compare finds, and nothing from else
   }
   static const std::regex address("[a-z]+://[^\"' ]+");
   for (std::sregex_iterator at(page.begin(), page.end(), address), end; at != end; ++at)
-    CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a vocabulary
+    CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a namespace, not a link
 }
 
 TEST_CASE("a report of textons shows the Gaussian version and the spots that compare tells of") {
@@ -100,7 +100,8 @@ TEST_CASE("a report of textons shows the Gaussian version and the spots that com
 
 TEST_CASE("compare finds the measures of the report when it is told what the bake was told") {
   const Workplace workplace;
-  // Light from one side, which flattening removes, and a normal map whose green points down.
+  // Light from one side, which flattening removes, and a normal map whose green channel points
+  // down.
   SrgbImage lit = speckled(80, 64, 4);
   for (int y = 0; y < lit.height; ++y)
     for (int x = 0; x < lit.width; ++x)
@@ -148,7 +149,7 @@ TEST_CASE("a report says what was done to an exemplar, and shows it as it was be
         nlohmann::json{"cropped", "without variation slower than 16 pixels"});
   CHECK(extentsOf(maps[0].at("original")) == std::array{48u, 40u});
   CHECK(maps[0]["original"] != maps[0]["exemplar"]);
-  CHECK(maps[1].at("target") == "opacity"); // which flattening leaves as it is
+  CHECK(maps[1].at("target") == "opacity"); // flattening does not change opacity
   CHECK(maps[1].at("steps") == nlohmann::json{"cropped"});
   CHECK(maps[1].at("original").is_null());
 }
@@ -166,7 +167,7 @@ TEST_CASE("the time that a bake prints is the whole, with that of its report") {
       sum += step.at("seconds").get<double>();
   CHECK(timings.back().at("name") == "In all");
   CHECK(timings.back().at("seconds").get<double>() == Approx(sum));
-  CHECK(printed >= sum); // and has the writing of the page too
+  CHECK(printed >= sum); // includes the time to write the page
 }
 
 TEST_CASE("each histogram of a report counts every pixel once") {
@@ -202,7 +203,7 @@ TEST_CASE("a report is the same every time but for its times") {
   const auto withoutTimes = [&](const char* threads) {
     nlohmann::json data = dataOf(reportOf(workplace, input, {"--threads", threads}));
     data.erase("timings");
-    data.erase("command"); // has the number of threads
+    data.erase("command"); // contains the number of threads
     return data;
   };
   CHECK((withoutTimes("1") == withoutTimes("2")));
@@ -228,7 +229,7 @@ TEST_CASE("a report shows narrow exemplars as they are, beside a result that is 
     int width, height;
     std::array<unsigned, 2> result;
   };
-  // Two exemplars long, and half as wide.
+  // The result is two exemplars along its longer side, and half as wide.
   for (const auto& [width, height, result] :
        {Shape{300, 2, {600, 300}}, Shape{3, 200, {200, 400}}}) {
     const Workplace workplace;

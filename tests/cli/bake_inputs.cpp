@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every kind of image that DESIGN.md section 7 accepts: it bakes, the bundle is clean, and an image
-// made from it has the exemplar's colour.
+// Every kind of image that DESIGN.md section 7 accepts: it bakes, the bundle passes `check`, and an
+// image synthesized from it has the exemplar's mean colour.
 #include "command_run.h"
 #include "image_samples.h"
 
@@ -19,12 +19,13 @@ using namespace lichen::cli_test;
 
 namespace {
 
-/// Of a mean over 128 x 128 pixels of speckles with a standard deviation of 0.13 and an area of 4
-/// texels: its own is 0.13 / sqrt(128 * 128 / 4) = 0.002. 8-bit codes add half of 1/255. Of more
-/// pixels, or of thinner exemplars, which repeat more often, it is smaller.
+/// Tolerance of a mean over 128 x 128 pixels of speckles with a standard deviation of 0.13 and an
+/// area of 4 texels: the standard error is 0.13 / sqrt(128 * 128 / 4) = 0.002, and 8-bit codes add
+/// half of 1/255. More pixels, or narrower exemplars, which repeat more often, give a smaller
+/// error.
 constexpr double kMeanTolerance = 0.01;
 
-/// Bakes, checks and synthesizes; `mean` is the exemplar's, in sRGB code.
+/// Bakes, checks and synthesizes. `mean` is the exemplar's mean colour in sRGB code values.
 void checkColour(const Workplace& workplace, const std::string& input,
                  const std::vector<double>& mean) {
   INFO(input);
@@ -58,7 +59,7 @@ std::vector<nlohmann::json> notesOf(const Workplace& workplace, const std::strin
   return nlohmann::json::parse(ended.output).at("notes");
 }
 
-/// Whether a note tells of what blending does to the exemplar: "cloudiness (mild): ...".
+/// Returns whether a note describes a risk: "cloudiness (mild): ...".
 bool isRisk(const nlohmann::json& note) {
   const auto text = note.get<std::string>();
   return text.find(" (mild") != std::string::npos || text.find(" (severe") != std::string::npos;
@@ -139,8 +140,8 @@ TEST_CASE("an EXR of light above 1 keeps its mean light") {
   double got = 0.0;
   for (const float value : image.values)
     got += double(value) / double(image.values.size());
-  // Of light, whose standard deviation is about its mean: a standard error of 1 / sqrt(18000), or
-  // 0.75 %. 4 of them, alpha 6e-5.
+  // Linear light, whose standard deviation is about its mean: the standard error is 1 /
+  // sqrt(18000), or 0.75 %. The tolerance is 4 standard errors, alpha 6e-5.
   CHECK(got == Approx(mean).epsilon(0.03));
 }
 
@@ -172,7 +173,7 @@ TEST_CASE("light beyond the range of tables is noted, and baked as the most that
   REQUIRE(runLichen({"synth", workplace.path("sun.glb"), "-o", workplace.path("s.exr"), "--size",
                      "64x64"})
               .code == 0);
-  // An image with a value that is not finite would be refused.
+  // readImage() refuses values that are not finite.
   CHECK(readImage(workplace.path("s.exr")));
 }
 
@@ -242,8 +243,8 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
 
 TEST_CASE("a photograph is baked upright") {
   const Workplace workplace;
-  // The rows of the stored picture from the bottom up are columns of the upright one: 6 is a turn
-  // to the right.
+  // The rows of the stored picture, from the bottom up, are the columns of the upright one:
+  // orientation 6 is a rotation to the right.
   samples::Png stored{.width = 16, .height = 24, .colourType = 0};
   samples::Bytes file = samples::makePng(stored);
   samples::insertPngChunk(file, "eXIf", samples::exifBlock(6, true));
@@ -262,7 +263,7 @@ TEST_CASE("a photograph is baked upright") {
 
 TEST_CASE("an exemplar that tiles does so at another size, where its borders stand out more") {
   const Workplace workplace;
-  // Grain hides a slope of 16 pixels at the borders, until it is averaged away.
+  // Grain hides a ramp of 16 pixels at the borders until it is averaged out.
   constexpr int kSide = 128, kSlope = 16;
   SrgbImage image(kSide, kSide, 1);
   std::uint32_t state = 1;

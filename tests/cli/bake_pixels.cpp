@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What --crop, --size and --alpha do to the pixels before they are baked.
+// The effect of --crop, --size and --alpha on the pixels before they are baked.
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kUsage = int(ErrorKind::usage);
 constexpr int kBadInput = int(ErrorKind::badInput);
 
-/// The bundle of a bake of `inputs`; the report in `report`, if that is wanted.
+/// Bakes `inputs` and returns the bundle; stores the report in `report` unless it is null.
 std::string bundleOf(const Workplace& workplace, Arguments inputs, const Arguments& more,
                      json* report = nullptr) {
   inputs.insert(inputs.begin(), "bake");
@@ -41,7 +41,8 @@ SrgbImage part(const SrgbImage& image, int x0, int y0, int width, int height) {
   return result;
 }
 
-/// Half of it opaque and greenish, in blobs; the rest, and all its codes of red, invisible.
+/// An image that is half opaque and greenish, in blobs; the rest, and all its red codes, is
+/// invisible.
 SrgbImage leaves(int side) {
   const SrgbImage blobs = smoothGrey(side);
   SrgbImage image(side, side, 4);
@@ -119,8 +120,8 @@ TEST_CASE("--size averages light, and of normals the slopes") {
   workplace.write("set/normal.png", encodePng(bumps, 16).value());
   bundleOf(workplace, {workplace.path("set")}, {"--size", "8"});
   const std::string bundle = workplace.path("out.glb");
-  // The cubic leaves less than a hundredth of the squares, whose frequency is four times that of
-  // the result.
+  // The cubic filter leaves less than a hundredth of the squares, whose frequency is four times the
+  // sampling frequency of the result.
   constexpr double kLeft = 0.01;
   const SrgbImage color = synth(workplace, bundle, {"--size", "8"});
   for (const float value : color.values)
@@ -150,8 +151,9 @@ TEST_CASE("--alpha opacity makes a map of alpha, whose mean holds at every dista
     const SrgbImage opacity =
         synth(workplace, workplace.path("out.glb"),
               {"--map", "opacity", "--size", "256", "--texels-per-tile", std::to_string(texels)});
-    // 64 tiles at the nearest, of blobs of a third of a tile and a deviation of 0.45: 0.45 /
-    // sqrt(64 * 9) = 0.019. Two of them, and half a code of 8 bits.
+    // At least 64 tiles of blobs a third of a tile wide, with a standard deviation of 0.45: the
+    // standard error is 0.45 / sqrt(64 * 9) = 0.019. The margin is two of them, and half an 8-bit
+    // code.
     CHECK(meanOf(opacity)[0] == Approx(meanAlpha(image)).margin(0.04));
   }
 }
@@ -170,7 +172,7 @@ TEST_CASE("colours that nobody has seen do not come to light") {
   const std::string input = workplace.write("leaves_diff.png", encodePng(image, 8).value());
   CHECK(mostRed({input}, {}) > 0.5f);
   CHECK(mostRed({input}, {"--alpha", "opacity"}) < 0.02f);
-  // Opacity of a file of its own does the same.
+  // A separate opacity file has the same effect.
   SrgbImage alpha(32, 32, 1);
   for (std::size_t i = 0; i < alpha.values.size(); ++i)
     alpha.values[i] = image.values[4 * i + 3];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bake says of its exemplar's risks, and what --flatten does.
+// The risks that a bake reports for its exemplar, and the effect of --flatten.
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// Grain on light from one side: a pixel's hash, and a ramp.
+/// Grain on light from one side: a hash per pixel plus a ramp.
 SrgbImage slope(int width = kSide, int height = kSide) {
   SrgbImage image(width, height, 1);
   std::uint32_t state = 1;

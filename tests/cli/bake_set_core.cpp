@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a viewer without the extension sees of a material set that `lichen bake` made.
+// What a viewer without our extension shows for a material set from `lichen bake`.
 #include "set_run.h"
 
 #include <lichen/image_io.h>
@@ -18,15 +18,15 @@ using nlohmann::json;
 
 namespace {
 
-/// What a viewer without our extension sees of a GLB.
+/// The core material of a GLB, as a viewer without our extension reads it.
 struct CoreMaterial {
   json material;
-  std::vector<SrgbImage> images; ///< of texture i, which has image i
-  bool hasTangents = false;      ///< some primitive has them
+  std::vector<SrgbImage> images; ///< image i, which texture i uses
+  bool hasTangents = false;      ///< at least one primitive has them
 };
 
 CoreMaterial coreMaterialOf(const std::string& glb) {
-  // A header of 12 bytes, then two chunks with headers of 8: the JSON and the buffer.
+  // A GLB header of 12 bytes, then two chunks with headers of 8 bytes: the JSON and the buffer.
   const auto wordAt = [&](std::size_t at) {
     std::uint32_t word = 0;
     std::memcpy(&word, &glb[at], sizeof word);
@@ -49,7 +49,7 @@ CoreMaterial coreMaterialOf(const std::string& glb) {
   return core;
 }
 
-/// The texture that `info` refers to is `wanted` everywhere.
+/// Checks that every pixel of the texture that `info` references is `wanted`.
 void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wanted) {
   const SrgbImage& image = core.images.at(info.at("index").get<std::size_t>());
   REQUIRE(std::size_t(image.channels) == wanted.size());
@@ -57,7 +57,7 @@ void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wante
   for (std::size_t i = 0; i < image.values.size(); ++i)
     largest =
         std::max(largest, std::abs(double(image.values[i]) - double(wanted[i % wanted.size()])));
-  CHECK(largest < 1.5 / 255.0); // a table's rounding and PNG's
+  CHECK(largest < 1.5 / 255.0); // rounding by the table and by PNG
 }
 
 } // namespace
@@ -75,7 +75,7 @@ TEST_CASE("the core material of a set has every map in its slot") {
   const CoreMaterial core = coreMaterialOf(workplace.read("set.glb"));
   CHECK(core.material.at("alphaMode") == "BLEND");
   const json& pbr = core.material.at("pbrMetallicRoughness");
-  CHECK(pbr.at("metallicFactor") == 0.0); // there is no such map
+  CHECK(pbr.at("metallicFactor") == 0.0); // there is no metallic map
   CHECK(pbr.at("roughnessFactor") == 1.0);
   CHECK(core.material.at("emissiveFactor") == json({1.0, 1.0, 1.0}));
   CHECK_FALSE(core.material.contains("occlusionTexture"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `lichen bake` of material sets: which file is which map, what each map holds, and what is
-// refused. Maps of one value come back exactly, so most sets here are made of those.
+// `lichen bake` of material sets: which file is which map, what each map stores, and which sets are
+// refused. Uniform maps survive a bake exactly, so most sets here use them.
 #include "set_run.h"
 
 #include <lichen/image_io.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kBadInput = int(ErrorKind::badInput);
 
-/// Target -> channels of a report.
+/// Returns target -> channels from a report.
 std::map<std::string, std::vector<std::string>> mapsOf(const json& report) {
   std::map<std::string, std::vector<std::string>> maps;
   for (const json& map : report.at("maps"))
@@ -27,7 +27,7 @@ std::map<std::string, std::vector<std::string>> mapsOf(const json& report) {
   return maps;
 }
 
-/// The mean of a map of set.glb, as `lichen synth` writes it in PNG.
+/// Returns the mean of a map of set.glb, from the PNG that `lichen synth` writes.
 std::vector<double> meanOfMap(const Workplace& workplace, const std::string& map) {
   return meanOf(synth(workplace, workplace.path("set.glb"), {"--map", map, "--size", "64"}));
 }
@@ -38,7 +38,7 @@ void checkValue(const Workplace& workplace, const std::string& map, const Pixel&
   REQUIRE(found.size() == wanted.size());
   for (std::size_t c = 0; c < wanted.size(); ++c)
     CHECK(found[c] ==
-          Approx(double(wanted[c])).margin(1.5 / 255.0)); // a table's rounding and PNG's
+          Approx(double(wanted[c])).margin(1.5 / 255.0)); // rounding by the table and by PNG
 }
 
 bool hasNote(const json& report, const std::string& words) {
@@ -100,7 +100,7 @@ TEST_CASE("synth writes heights in 16 bits, and other maps in 8") {
   const std::string height = workplace.write("stone_height.png", smoothGrey(16));
   const std::string bundle = workplace.path("stone.glb");
   REQUIRE(runLichen({"bake", color, height, "-o", bundle, "--transport", "fast"}).code == 0);
-  constexpr std::size_t kBitDepth = 24; // of PNG's header, the byte after width and height
+  constexpr std::size_t kBitDepth = 24; // offset in a PNG file: the byte after width and height
   for (const auto& [map, bits] : {std::pair{"baseColor", 8}, {"height", 16}}) {
     synth(workplace, bundle, {"--map", map, "--size", "16"});
     CHECK(int(workplace.read("synth.png")[kBitDepth]) == bits);
@@ -120,10 +120,10 @@ TEST_CASE("an EXR of a map has normals as a normal map has them, and data as it 
     return std::get<LinearImage>(readImage(workplace.path("v.exr")).value().pixels).values;
   };
   const std::vector<float> normals = valueOf("normal");
-  for (std::size_t c = 0; c < 3; ++c) // kNormal is of unit length but for its rounding
+  for (std::size_t c = 0; c < 3; ++c) // kNormal has unit length, up to rounding
     CHECK(normals[c] == Approx(kNormal[c]).margin(0.5 / 255.0));
   const std::vector<float> orm = valueOf("occlusionRoughnessMetallic");
-  CHECK(orm[0] == 1.0f); // absent
+  CHECK(orm[0] == 1.0f); // no occlusion map
   CHECK(orm[1] == Approx(code(102)).margin(0.5 / 255.0));
   CHECK(orm[2] == 1.0f);
 }
@@ -187,7 +187,7 @@ TEST_CASE("the EXR of a noise's normals bakes to the same normals") {
 TEST_CASE("normals of which most point into the surface are refused, fewer are noted") {
   const Workplace workplace;
   const std::string rough = workplace.write("rough.png", flat({code(102)}));
-  SrgbImage normals = flat(kNormal); // of 16 pixels
+  SrgbImage normals = flat(kNormal); // 16 pixels
   for (int i = 0; i < 9; ++i)
     normals.values[std::size_t(3 * i + 2)] = code(20);
   const std::string input = workplace.write("normal.png", normals);
@@ -301,7 +301,7 @@ TEST_CASE("several files are a set") {
   CHECK(both.at("name") == "oak_bark");
   CHECK(mapsOf(both).count("baseColor") == 1);
   CHECK(mapsOf(both).at("occlusionRoughnessMetallic") == std::vector<std::string>{"roughness"});
-  // Only whole words are a name: not stone_di.
+  // Only whole words count as a map name: not stone_di.
   const json stone = baked(workplace, {workplace.write("stone_diff.png", flat(kColor)),
                                        workplace.write("stone_disp.png", flat({code(102)}))});
   CHECK(stone.at("name") == "stone");
@@ -355,7 +355,7 @@ TEST_CASE("images of every kind and size work inside a set") {
   const json report = baked(workplace, {workplace.path("set")});
   CHECK(mapsOf(report) == kEveryMap);
   CHECK(hasNote(report, "color.png has an alpha channel that is not all opaque; it is ignored"));
-  CHECK_FALSE(hasNote(report, "--alpha opacity")); // there is one
+  CHECK_FALSE(hasNote(report, "--alpha opacity")); // the set has an opacity map
   CHECK(hasNote(report, "emissive.exr has values above 1"));
   CHECK(hasNote(report, "ao.png, metal.png, rough.png differ in size"));
   for (const auto& [target, channels] : kEveryMap) {
@@ -400,7 +400,8 @@ TEST_CASE("an exact bake of a set says which maps were moved before they were ma
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const float* pixel = color.pixel(x, y);
-      // Slopes that follow how far the colour is from the middle, which blends would not.
+      // Slopes that depend on the distance of the colour from mid-grey, a relation that blending
+      // does not preserve.
       for (int c = 0; c < 2; ++c)
         normal.pixel(x, y)[c] = 0.4f + 0.4f * std::abs(pixel[c] - 0.5f) + 0.1f * pixel[2];
       normal.pixel(x, y)[2] = code(240);

@@ -32,7 +32,7 @@ std::string textOf(const std::filesystem::path& path) {
   return text;
 }
 
-/// A terminal that a program writes to and we read.
+/// A pseudo-terminal: the program writes to it, and the test reads it.
 struct Terminal {
   int ours = -1;
   int theirs = -1;
@@ -44,7 +44,7 @@ Terminal openTerminal() {
   return terminal;
 }
 
-/// What is written until the last program that has the terminal ends; closes it.
+/// Reads until the last program that has the terminal open ends, then closes it.
 std::string readTerminal(const Terminal& terminal) {
   ::close(terminal.theirs);
   std::string text;
@@ -55,7 +55,7 @@ std::string readTerminal(const Terminal& terminal) {
   return text;
 }
 
-/// In the child: never returns.
+/// Runs in the child process and never returns.
 [[noreturn]] void become(const std::filesystem::path& program, const Arguments& arguments,
                          const Limits& limits, const std::filesystem::path& output,
                          const std::filesystem::path& errors, const Terminal& terminal) {
@@ -68,7 +68,7 @@ std::string readTerminal(const Terminal& terminal) {
   else
     redirect(errors, STDERR_FILENO);
   if (limits.fileBytes > 0) {
-    std::signal(SIGXFSZ, SIG_IGN); // write() then fails, as on a full disk
+    std::signal(SIGXFSZ, SIG_IGN); // makes write() fail instead, as on a full disk
     const rlimit limit{limits.fileBytes, limits.fileBytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
@@ -83,7 +83,7 @@ std::string readTerminal(const Terminal& terminal) {
     pointers.push_back(word.data());
   pointers.push_back(nullptr);
   ::execv(program.c_str(), pointers.data());
-  ::_exit(127); // as a shell says that there is no such program
+  ::_exit(127); // the shell's code for a missing program
 }
 
 } // namespace
@@ -107,7 +107,7 @@ Ended run(const std::filesystem::path& program, const Arguments& arguments, cons
   int status = 0;
   REQUIRE(::waitpid(child, &status, 0) == child);
   ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  // A child that was ended early may not have opened them.
+  // A child that was killed early may not have created these files.
   ended.output = std::filesystem::exists(output) ? textOf(output) : "";
   if (std::filesystem::exists(errors))
     ended.errors = textOf(errors);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `lichen` command run as a user runs it, in a folder of the test's own.
+// Runs the `lichen` command as a user does, in a temporary folder of the test.
 #pragma once
 
 #include <lichen/image.h>
@@ -17,27 +17,27 @@ using Arguments = std::vector<std::string>;
 
 /// How a program ended, and what it wrote.
 struct Ended {
-  int code = -1; ///< the exit status; -1 when a signal ended it
+  int code = -1; ///< the exit status; -1 if a signal ended the program
   std::string output;
   std::string errors;
 };
 
 struct Limits {
-  std::size_t fileBytes = 0;   ///< writing beyond fails, as on a full disk; 0 for no limit
-  std::size_t memoryBytes = 0; ///< of address space; 0 for no limit
-  unsigned killedAfterMs = 0;  ///< `signal` then; 0 for never
+  std::size_t fileBytes = 0;   ///< larger files fail, as on a full disk; 0 for no limit
+  std::size_t memoryBytes = 0; ///< limit on the address space; 0 for no limit
+  unsigned killedAfterMs = 0;  ///< send `signal` after this time; 0 for never
   int signal = SIGTERM;
-  bool terminal = false;   ///< standard error is one
-  bool fullOutput = false; ///< standard output takes nothing, as on a full disk
+  bool terminal = false;   ///< standard error is a terminal
+  bool fullOutput = false; ///< writes to standard output fail, as on a full disk
 };
 
-/// Runs a program and waits for its end.
+/// Runs a program and waits until it ends.
 [[nodiscard]] Ended run(const std::filesystem::path& program, const Arguments& arguments,
                         const Limits& limits = {});
-/// As above: the `lichen` of this build.
+/// As above, for the `lichen` program of this build.
 [[nodiscard]] Ended runLichen(const Arguments& arguments, const Limits& limits = {});
 
-/// A folder of the test's own with files of its own.
+/// A temporary folder for one test.
 class Workplace {
 public:
   [[nodiscard]] std::string path(const std::string& name) const;
@@ -53,24 +53,25 @@ private:
   TemporaryFolder folder_;
 };
 
-/// Speckles one or two texels wide, dark or light and little between; every channel different.
+/// Speckles one or two texels wide, mostly dark or light; every channel differs.
 [[nodiscard]] SrgbImage speckled(int width, int height, int channels);
-/// Smooth blobs of many colours that continue over opposite borders, several texels wide.
+/// Smooth, tileable blobs of many colours, several texels wide.
 [[nodiscard]] SrgbImage smooth(int side);
-/// Its first channel, as a grey image: baked in no time, where the colour does not matter.
+/// The first channel of smooth(), as a grey image: fast to bake, for tests where colour does not
+/// matter.
 [[nodiscard]] SrgbImage smoothGrey(int side);
 /// The mean of each channel, in the image's own encoding.
 [[nodiscard]] std::vector<double> meanOf(const SrgbImage& image);
 
-/// Runs `lichen bake` with these arguments after the input and output, and requires that it
-/// succeeds. Returns the bundle's path.
+/// Runs `lichen bake` with `more` after the input and output, and requires success. Returns the
+/// path of the bundle.
 std::string bake(const Workplace& workplace, const std::string& input,
                  const std::string& name = "noise.glb", const Arguments& more = {});
-/// Runs `lichen synth` and requires that it succeeds. Returns the image, sRGB.
+/// Runs `lichen synth` and requires success. Returns the sRGB image.
 SrgbImage synth(const Workplace& workplace, const std::string& bundle, const Arguments& more);
 
-/// Checks that `lichen` ends with `code`, writes nothing on standard output and one line on
-/// standard error that has each of `words`.
+/// Checks that `lichen` exits with `code`, writes nothing to standard output, and writes one line
+/// to standard error that contains each of `words`.
 void checkRefusal(const Arguments& arguments, int code, const std::vector<std::string>& words);
 
 } // namespace lichen::cli_test

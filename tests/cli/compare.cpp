@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen compare` says of results whose distance from their exemplar is known.
+// `lichen compare` on results whose distance from their exemplar is known.
 #include "bundle_surgery.h"
 #include "command_run.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kFound = 1;
 
-/// Measures by name, and how the command ended.
+/// Measures by name, and the exit code of the command.
 struct Compared {
   int code = -1;
   std::map<std::string, nlohmann::json> measures;
@@ -43,7 +43,7 @@ Compared compared(const std::string& exemplar, const std::string& result,
   return compared;
 }
 
-/// The image, `times` times along each side.
+/// Returns the image repeated `times` times along each side.
 SrgbImage repeated(const SrgbImage& image, int times) {
   SrgbImage large(image.width * times, image.height * times, image.channels);
   for (int y = 0; y < large.height; ++y)
@@ -53,7 +53,7 @@ SrgbImage repeated(const SrgbImage& image, int times) {
   return large;
 }
 
-/// Vertical stripes of random grey.
+/// Returns vertical stripes of random grey.
 SrgbImage stripes(int side) {
   SrgbImage image(side, side, 1);
   std::uint32_t state = 1;
@@ -90,8 +90,8 @@ TEST_CASE("a shift of all colours is found by the colour distance alone, and mis
     image.values[i] += kShift;
   const Compared shifted = compared(exemplar, workplace.write("red.png", image));
   CHECK(shifted.code == kFound);
-  // quality.h: a shift by a vector of length d gives d / sqrt(3), up to its 2^-16 steps; 256
-  // directions know the mean square of a component to a few per cent.
+  // quality.h: a shift by a vector of length d gives d / sqrt(3), up to its steps of 2^-16; 256
+  // directions estimate the mean square of a component to a few per cent.
   CHECK(shifted.value("color_distance") == Approx(double(kShift) / std::sqrt(3.0)).epsilon(0.05));
   CHECK(shifted.measures.at("color_distance").at("met") == false);
   CHECK(shifted.value("spectrum_distance_db") < 0.01);
@@ -115,7 +115,7 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
   CHECK(first.measures.at("lattice_visibility").at("target") == 0.03);
   CHECK(first.value("lattice_visibility") >= 0.0);
   CHECK(first.value("color_distance") < 0.02);
-  // The same image as synth makes of the bundle, but for its rounding to 8 bits.
+  // The same image that synth makes from the bundle, up to rounding to 8 bits.
   synth(workplace, bundle, {"--size", "256x256"});
   const Compared again = compared(image, workplace.path("synth.png"));
   CHECK(again.value("color_distance") == Approx(first.value("color_distance")).margin(0.5 / 255.0));
@@ -125,7 +125,7 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
 
 TEST_CASE("a texton is held to the exemplar's Gaussian version, not to its colours") {
   const Workplace workplace;
-  // Few colours: no Gaussian texture has them.
+  // Few colours, which no Gaussian texture can reproduce.
   const std::string image = workplace.write("moss.png", speckled(128, 128, 3));
   const std::string bundle =
       bake(workplace, image, "noise.glb", {"--method", "texton", "--support", "32"});
@@ -181,7 +181,7 @@ TEST_CASE("the smaller maps of a set of textons are compared at the size of the 
     CHECK(spectrum.at("target").is_null() == (map != "baseColor"));
     return one.value("autocovariance_error");
   };
-  // At its own scale the smaller one would be another.
+  // Compared at its own scale, the smaller map would give another error.
   CHECK(errorOf("occlusionRoughnessMetallic") == Approx(errorOf("baseColor")).epsilon(0.1));
   CHECK_THAT(runLichen({"compare", rock, bundle}).errors, !Catch::Contains("when it was baked"));
   CHECK_THAT(runLichen({"compare", rock, bundle, "--size", "32"}).errors,

@@ -16,7 +16,7 @@ namespace lichen::cli_test {
 namespace {
 
 constexpr int kSkipped = 77;    // SKIP_RETURN_CODE of these tests
-constexpr int kEnvironment = 4; // exit code of programs; docs/cli.md
+constexpr int kEnvironment = 4; // exit code of the programs; docs/cli.md
 
 int skippedCases = 0;
 
@@ -37,7 +37,7 @@ Devices listedDevices() {
   return devices;
 }
 
-/// Ends a run in which cases were skipped and none failed.
+/// Sets the exit code of a run in which cases were skipped and none failed.
 class SkippedRun : public Catch::TestEventListenerBase {
 public:
   using TestEventListenerBase::TestEventListenerBase;

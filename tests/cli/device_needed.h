@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// For cases that run a program on a Vulkan device.
+// Skips test cases that need a Vulkan device.
 #pragma once
 
 namespace lichen::cli_test {
 
-/// Whether `lichen-render` finds a Vulkan device. Where there is none the case returns, and unless
-/// another case fails the test ends with the exit code that CTest takes as "skipped". Any other
-/// failure of `lichen-render --list-devices` fails the case.
+/// Returns whether `lichen-render` finds a Vulkan device. If it finds none, the test case should
+/// return; unless another case fails, the test program then exits with the code that CTest reads as
+/// "skipped". Any other failure of `lichen-render --list-devices` fails the case.
 [[nodiscard]] bool hasDevice();
 
 } // namespace lichen::cli_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// docs/cli.md against what the programs say of themselves.
+// Compares docs/cli.md with the help of the programs.
 #include "checkout_paths.h"
 #include "command_run.h"
 
@@ -28,21 +28,22 @@ std::string documentation() {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The text under the heading `## title`, up to the next heading of that level.
+/// Returns the text under the heading `## title`, up to the next heading of that level.
 std::string section(const std::string& page, const std::string& title) {
   const std::size_t start = page.find("\n## " + title + "\n");
   REQUIRE(start != std::string::npos);
   return page.substr(start, page.find("\n## ", start + 1) - start);
 }
 
-/// The programs of this build, and the verbs of `lichen`, each with its arguments before --help.
+/// Returns the programs of this build and the verbs of `lichen`, each with the arguments before
+/// --help.
 std::map<std::string, std::pair<std::filesystem::path, Arguments>> commands() {
   const std::filesystem::path bin = programPath("");
   std::map<std::string, std::pair<std::filesystem::path, Arguments>> all;
   for (const char* verb : {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "apply"})
     all[std::string("lichen ") + verb] = {bin / "lichen", {verb}};
   for (const char* program : {"lichen-exemplars", "lichen-render", "lichen-view"})
-    if (std::filesystem::exists(bin / program)) // not part of every build
+    if (std::filesystem::exists(bin / program)) // not every build has it
       all[program] = {bin / program, {}};
   return all;
 }

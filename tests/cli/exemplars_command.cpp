@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lichen-exemplars writes, and how it refuses, in the words of the lichen command.
+// lichen-exemplars: its files, and its error messages, which match those of the lichen command.
 #include "checkout_paths.h"
 #include "command_run.h"
 

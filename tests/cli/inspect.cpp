@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen inspect` tells of a bundle, against what is known of how it was made.
+// `lichen inspect` on bundles whose contents are known.
 #include "bundle_example.h"
 #include "command_run.h"
 
@@ -50,7 +50,7 @@ TEST_CASE("inspect --json tells size, precision, mean and parameters of what was
   CHECK(map.at("height") == kSide);
   CHECK(map.at("bits") == 16);
   const std::vector<double> mean = meanOf(image);
-  for (std::size_t c = 0; c < 3; ++c) // codes are rounded to 8 bits in the file
+  for (std::size_t c = 0; c < 3; ++c) // the file rounds codes to 8 bits
     CHECK(map.at("mean")[c].get<double>() == Approx(mean[c]).margin(0.5 / 255.0));
   REQUIRE(noise.at("materials").size() == 1);
   CHECK(noise["materials"][0].at("seed") == 7);
@@ -59,13 +59,13 @@ TEST_CASE("inspect --json tells size, precision, mean and parameters of what was
 
 TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk") {
   const Workplace workplace;
-  // Grey: one channel of 8 bits. 24 x 24 with its mips is 24, 12, 6, 3 and 1 a side.
+  // Grey: one channel of 8 bits. The mip levels of 24 x 24 have 24, 12, 6, 3 and 1 texels a side.
   const std::string input = workplace.write("moss.png", smoothGrey(kSide));
   const nlohmann::json report =
       inspected(bake(workplace, input, "dry moss %.gltf", {"--preview", "none"}));
   const nlohmann::json& tables = report.at("tables");
   REQUIRE(tables.size() == 2);
-  CHECK(report.at("noises")[0].at("fetchesPerPixel") == 4); // no volume
+  CHECK(report.at("noises")[0].at("fetchesPerPixel") == 4); // 3 taps, 1 table fetch
   CHECK(tables[0].at("bytes") == 24 * 24 + 12 * 12 + 6 * 6 + 3 * 3 + 1);
   CHECK(tables[0].at("mipLevels") == 5);
   std::size_t sum = 0;
@@ -92,7 +92,7 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
     CHECK_THAT(ended.output, Catch::Contains(word));
   std::istringstream lines(ended.output);
   std::string line;
-  std::getline(lines, line); // the file's path, however long
+  std::getline(lines, line); // the file's path, of any length
   while (std::getline(lines, line))
     CHECK(line.size() <= 80);
   CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
@@ -127,7 +127,7 @@ TEST_CASE("inspect tells support, impacts and cost of textons, and the size of t
   const nlohmann::json& noise = report.at("noises")[1];
   CHECK(noise.at("method") == "texton");
   CHECK(noise.at("texton").at("coefficients") == std::vector<int>{9, 17});
-  CHECK(noise.at("texton").at("support") == std::vector<int>{12, 20}); // of a cubic spline
+  CHECK(noise.at("texton").at("support") == std::vector<int>{12, 20}); // support of a cubic spline
   CHECK(noise.at("texton").at("order") == 3);
   CHECK(noise.at("texton").at("steps") == 3);
   CHECK(noise.at("materials")[0].at("impacts") == 12.5);
@@ -143,7 +143,7 @@ TEST_CASE("inspect tells support, impacts and cost of textons, and the size of t
   }
   CHECK(noise.at("fetchesPerPixel") == 3 * 4 * 21);
   CHECK_FALSE(report["noises"][0].contains("texton"));
-  // 12 x 20 texels of 8 bytes in three steps, and a mip of a quarter.
+  // 12 x 20 texels of 8 bytes in three steps, and a mip level of a quarter of that.
   CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
   const std::string page = runLichen({"inspect", bundle}).output;
   for (const char* words :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the system says of its memory, and what `lichen bake` makes of images that need more.
+// availableMemory(), and `lichen bake` on images that need more than that.
 #include "available_memory.h"
 #include "command_run.h"
 
@@ -14,7 +14,7 @@ using namespace lichen::cli_test;
 
 namespace {
 
-/// The kernel's files, as a test has them.
+/// A fake copy of the kernel's files.
 class Kernel {
 public:
   void write(const std::string& name, const std::string& text) const {
@@ -61,7 +61,7 @@ TEST_CASE(
   }
 }
 
-// The sanitizers map more addresses than any limit here.
+// The sanitizers reserve more address space than any limit here.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("an image that needs more memory than there is is refused before it is decoded") {
   const Workplace workplace;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen merge` makes of several bundles.
+// `lichen merge`: the bundle it makes from several.
 #include "bundle_example.h"
 #include "command_run.h"
 
@@ -31,7 +31,7 @@ Bundle merged(const Workplace& workplace, const Arguments& bundles, const Argume
   return readBundle(workplace.path("all.glb")).value();
 }
 
-/// The image that a table holds is the same; its name may differ.
+/// Returns whether two tables hold the same image; their names may differ.
 bool isSameImage(const Table& a, const Table& b) {
   return a.format == b.format && a.width == b.width && a.height == b.height && a.depth == b.depth &&
          a.mipLevels == b.mipLevels && a.texels == b.texels;
@@ -81,7 +81,7 @@ TEST_CASE("merge places noises of both methods in one bundle") {
   REQUIRE(all.noises.size() == 3);
   CHECK(all.noises[0].method() == Method::tiling);
   CHECK(all.noises[2].name == "dune-2");
-  CHECK(all.tables.size() == 3); // both noises of the dune share a texton
+  CHECK(all.tables.size() == 3); // both dune noises share a texton
   for (const std::size_t n : {1u, 2u}) {
     const Noise& noise = all.noises[n];
     REQUIRE(noise.method() == Method::texton);
@@ -113,7 +113,7 @@ TEST_CASE("a name that is taken gets a number, with a note") {
   const Bundle all = readBundle(workplace.path("all.glb")).value();
   CHECK(all.materialNames == std::vector<std::string>{"moss", "moss-2", "moss-3"});
   CHECK(all.materials[1]->seed == 2);
-  CHECK(all.tables.size() == 2); // of one exemplar, three times
+  CHECK(all.tables.size() == 2); // one exemplar, used three times
 }
 
 TEST_CASE("what was merged can be merged again, and names stay unique") {
@@ -144,9 +144,9 @@ TEST_CASE("the preview's camera sees every ball whole, apart from the others and
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(4)), "m.glb");
   struct Count {
     std::size_t balls;
-    double leastShare; // of a ball in the height of the picture
+    double leastShare; // height of a ball relative to the picture
   };
-  // One row of four would have 0.17, one of nine 0.07.
+  // A single row of four balls would give 0.17, one of nine 0.07.
   for (const auto& [count, leastShare] : {Count{1, 0.6}, {2, 0.3}, {4, 0.28}, {9, 0.15}}) {
     Arguments arguments(count, moss);
     arguments.insert(arguments.begin(), "merge");
@@ -164,7 +164,8 @@ TEST_CASE("the preview's camera sees every ball whole, apart from the others and
         balls.push_back(node.at("translation"));
       }
     REQUIRE(balls.size() == count);
-    // Sight of a ball of radius 1: its direction in the camera's frame, and half its angle.
+    // How the camera sees a ball of radius 1: its direction in the camera's frame, and half its
+    // angle.
     const double halfHeight =
         std::tan(gltf["cameras"][0]["perspective"]["yfov"].get<double>() / 2.0);
     std::vector<std::array<double, 4>> sights;
@@ -174,7 +175,7 @@ TEST_CASE("the preview's camera sees every ball whole, apart from the others and
       const double ahead = std::sin(pitch) * y - std::cos(pitch) * z;
       const double distance = std::sqrt(x * x + y * y + z * z);
       sights.push_back({x / distance, up / distance, ahead / distance, std::asin(1.0 / distance)});
-      // Of a square picture, in which the outline reaches a little beyond 1 / ahead.
+      // In a square picture; the outline extends a little beyond 1 / ahead.
       CHECK((std::abs(x) + 1.0) / ahead < halfHeight);
       CHECK((std::abs(up) + 1.0) / ahead < halfHeight);
       CHECK(1.0 / ahead / halfHeight > leastShare);
@@ -183,7 +184,7 @@ TEST_CASE("the preview's camera sees every ball whole, apart from the others and
       for (std::size_t b = 0; b < a; ++b) {
         const auto& [ax, ay, az, aHalf] = sights[a];
         const auto& [bx, by, bz, bHalf] = sights[b];
-        // Seen from nearby, the rows behind are a little lower.
+        // From nearby, the rows behind are slightly lower.
         CHECK(std::acos(ax * bx + ay * by + az * bz) > 0.9 * (aHalf + bHalf));
       }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `lichen mix` makes of photographs, and what the other verbs make of that.
+// `lichen mix`: the noise it makes from photographs, and the other verbs on that noise.
 #include "bundle_example.h"
 #include "command_run.h"
 
@@ -25,7 +25,7 @@ constexpr int kUsage = int(ErrorKind::usage);
 constexpr int kBadInput = int(ErrorKind::badInput);
 constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 
-/// Colours about `level`, with a little of `of`.
+/// Returns colours near `level`, with a fraction of the variation of `of`.
 SrgbImage about(float level, SrgbImage of) {
   for (float& value : of.values)
     value = level + 0.3f * (value - 0.5f);
@@ -68,7 +68,7 @@ void checkMixRefuses(const Arguments& more, int code, const std::vector<std::str
   CHECK(!std::filesystem::exists(m.workplace.path("new.glb")));
 }
 
-/// The mean of a channel over columns [from, to) of a PNG, in code values of 0 to 1.
+/// Returns the mean of a channel over columns [from, to) of a PNG, in code values from 0 to 1.
 double meanOf(const std::string& file, int from, int to) {
   const auto image = std::get<SrgbImage>(readImage(file).value().pixels);
   double sum = 0.0;
@@ -128,7 +128,8 @@ TEST_CASE("mix reports what it made, as JSON too") {
 }
 
 TEST_CASE("mix says which input is no Gaussian texture, and what is one for it") {
-  // Squares of two values, a third of them dark: two thirds of a deviation from a Gaussian.
+  // Squares of two values, a third of them dark: two thirds of a standard deviation from a
+  // Gaussian.
   SrgbImage spots = speckled(64, 64, 3);
   for (int y = 0; y < spots.height; ++y)
     for (int x = 0; x < spots.width; ++x)
@@ -230,8 +231,8 @@ TEST_CASE("compare measures a mix at the input that it is told") {
         values[measure.at("name").get<std::string>()] = measure.at("value").get<double>();
     return values;
   };
-  // The means of the inputs are 0.4 apart, in each channel. The texton of one has blobs, that of
-  // the other speckles: either is nearer to its own.
+  // The means of the inputs differ by 0.4 in each channel. The texton of one has blobs, that of the
+  // other speckles, so each is closer to its own input.
   for (const auto& [exemplar, own, other] :
        {std::tuple(m.dark, "0", "1"), std::tuple(m.light, "1", "0")}) {
     const auto right = measured(exemplar, {"--mix", own});
@@ -259,7 +260,8 @@ TEST_CASE("synth shows a mix at a weight, or along a ramp") {
     REQUIRE(ended.code == 0);
     return m.workplace.path("s.png");
   };
-  // Means of 16 x 64 pixels and more, of 0.3 of a whole range: within 0.1.
+  // Means of at least 16 x 64 pixels, with a standard deviation of 0.3 of the full range: within
+  // 0.1.
   const std::string ramp = synth({});
   CHECK(meanOf(ramp, 0, 16) == Approx(0.3).margin(0.1));
   CHECK(meanOf(ramp, 240, 256) == Approx(0.7).margin(0.1));
@@ -306,7 +308,7 @@ TEST_CASE("apply gives a mix its weight from every source") {
     const json document = GltfScene::open(workplace.path("out.glb")).value().document();
     return document["materials"][0]["extensions"][kExtension].value("mix", json());
   };
-  CHECK(mixOf({}).at("source") == "direction"); // the bundle's
+  CHECK(mixOf({}).at("source") == "direction"); // the bundle's own direction
   CHECK(mixOf({"--mix", "0.25"}) == json{{"source", "constant"}, {"weight", 0.25}});
   CHECK(mixOf({"--mix-direction", "0,1,2,1"}) ==
         json{{"source", "direction"}, {"start", {0.0, 1.0}}, {"end", {2.0, 1.0}}});
@@ -318,11 +320,11 @@ TEST_CASE("apply gives a mix its weight from every source") {
   REQUIRE(document["textures"].size() == 1);
   const json& image = document["images"][document["textures"][0]["source"].get<std::size_t>()];
   CHECK(image.at("mimeType") == "image/png");
-  // Else the last column's weight would be half of the first one's.
+  // If the texture repeated, the last column would get half the weight of the first.
   constexpr int kClampToEdge = 33071;
   CHECK(document["samplers"][document["textures"][0]["sampler"].get<std::size_t>()] ==
         json{{"wrapS", kClampToEdge}, {"wrapT", kClampToEdge}});
-  // A mask belongs to its scene: another bundle's textures are others.
+  // A mask belongs to its scene: texture indices of another bundle mean other textures.
   const Ended merged = runLichen({"merge", workplace.path("out.glb"), "-o",
                                   workplace.path("merged.glb"), "--preview", "none"});
   CHECK(merged.code == 0);
@@ -386,7 +388,7 @@ TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range
       Catch::Contains("scene.glb: primitive 0 of mesh 'table': TEXCOORD_0 from (-20, 0) to "
                       "(20.5, 1) leaves 0 to 1, where the mask of the mix lies; outside, its "
                       "border continues"));
-  // A texture of the scene has a sampler of its own: without one it repeats.
+  // A texture of the scene uses its own sampler; without one it repeats.
   const std::size_t view = scene.addView(example::tinyPng());
   scene.json["images"] = {{{"mimeType", "image/png"}, {"bufferView", view}}};
   scene.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
@@ -405,7 +407,8 @@ TEST_CASE("a direction needs texture coordinates on a surface too") {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
-  // The pyramid, of glass, has none; the bundle's own weight is that of a direction.
+  // The pyramid, made of glass, has no texture coordinates; the bundle's own weight follows a
+  // direction.
   checkRefusal(onSurface({"--material", "glass", "--mix-direction", "0,1,2,1"}, "new.glb"),
                kBadInput, {"has no TEXCOORD_0, which --mix-direction needs"});
   checkRefusal(onSurface({"--material", "glass"}, "new.glb"), kBadInput,

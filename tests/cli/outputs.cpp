@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the command writes: files, lines and JSON; the same bytes every time; all of a file or none.
+// The output of the command: files, lines and JSON. Files are deterministic, and complete or
+// absent.
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -17,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The only JSON value in `text`; anything beside it fails.
+/// Parses the only JSON value in `text`; fails on any other text.
 nlohmann::json onlyObject(const std::string& text) {
   INFO(text);
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
@@ -25,7 +26,7 @@ nlohmann::json onlyObject(const std::string& text) {
   return json;
 }
 
-/// Independent values of this distribution.
+/// Returns an image of independent values with this distribution.
 SrgbImage grain(int width, int height, auto distribution) {
   SrgbImage image(width, height, 3);
   std::mt19937 random(3);
@@ -134,7 +135,7 @@ TEST_CASE("--lut and --gaussian choose the kind of table, and all kinds can be c
     CHECK(report.at("table") == table);
     CHECK(report.at("precisionLoss").at("colorDistance").get<double>() > 0.0);
     CHECK(report.at("precisionLoss").at("mean").get<double>() < 0.02);
-    // Besides, 64 x 48 texels of four bytes and their mips, up to a third more.
+    // In addition, 64 x 48 texels of four bytes and their mip levels, up to a third more.
     const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
     CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));
     CHECK(runLichen({"check", bundle}).code == 0);
@@ -238,10 +239,10 @@ TEST_CASE("a bake that is interrupted while it works ends at once and leaves the
   const std::string input = workplace.write("moss.png", speckled(512, 512, 3));
   const std::string bundle = workplace.write("moss.glb", std::string("the old one"));
   Limits limits;
-  limits.killedAfterMs = 500; // of seconds
+  limits.killedAfterMs = 500; // the bake takes seconds
   limits.signal = SIGINT;
   const Ended ended = runLichen({"bake", input, "-o", bundle, "--threads", "1"}, limits);
-  CHECK(ended.code == -1); // by the signal, so that a script that called it stops too
+  CHECK(ended.code == -1); // ended by the signal, so that a script that called it stops too
   CHECK(workplace.read("moss.glb") == "the old one");
   CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
 }
@@ -260,7 +261,7 @@ TEST_CASE("what standard output does not take is an error of one line") {
         Arguments{"--version"}}) {
     const Ended ended = runLichen(arguments, limits);
     CHECK(ended.code == int(ErrorKind::resources));
-    // Notes may come before it.
+    // Notes may precede it.
     CHECK_THAT(ended.errors, Catch::EndsWith("lichen: standard output: cannot be written\n"));
     CHECK(ended.errors.find("lichen:") == ended.errors.rfind("lichen:"));
   }
@@ -291,7 +292,7 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
 
   checkShown(runLichen({"check", workplace.path("latin f\xfc.glb")}).errors, "latin f\\xfc.glb: ");
 
-  // Of a finding: a buffer's file that is absent.
+  // A finding: the file of a buffer is missing.
   const std::string text = workplace.read(
       std::filesystem::path(bake(workplace, input, "moss.gltf")).filename().string());
   nlohmann::json gltf = nlohmann::json::parse(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The progress line: on a terminal, for what lasts, and nowhere else.
+// The progress line: it appears on a terminal, for long work, and nowhere else.
 #include "command_run.h"
 
 #include <catch2/catch.hpp>
@@ -14,22 +14,23 @@ using namespace lichen::cli_test;
 
 namespace {
 
-/// Work that tells as often has lasted well over the second in which nothing is told.
+/// Work that reports progress this often has lasted well over the silent first second.
 constexpr auto kTold = 3;
-/// Work as long as this must have told something: a failure of the test, which ends.
+/// Work of this length must have reported progress; otherwise the test fails and ends.
 constexpr auto kLong = std::chrono::seconds(30);
-/// Work as long as this tells as often: the quiet second, and two steps of 0.2 s.
+/// Work of this length reports that often: the silent second, and two steps of 0.2 s.
 constexpr double kEnoughSeconds = 1.7;
-/// Of a side, whose square the time grows with.
+/// Growth of the side per attempt; the time grows with its square.
 constexpr double kLeastGrowth = 1.1, kMostGrowth = 8.0;
 
-/// The verbs' work that lasts, however fast the machine and the build are, or else nearly none.
+/// Runs of the verbs, sized to last long enough on any machine and build, or to finish almost at
+/// once.
 struct Made {
   Workplace workplace;
   std::string stamp = workplace.write("stamp.png", smooth(16));
   std::string bundle = bake(workplace, stamp, "stamp.glb");
 
-  /// With --json, since notes would stand among the progress.
+  /// With --json, because notes would mix with the progress.
   [[nodiscard]] Arguments bakeOf(int side) const {
     return {"bake",      workplace.write("photograph.png", smooth(side)),
             "-o",        workplace.path("new.glb"),
@@ -47,9 +48,9 @@ const Made& made() {
   return made;
 }
 
-/// Runs the work on a terminal at growing sides, from `side` on, until it lasts long enough to tell
-/// how far it is: nobody knows beforehand how fast a machine and a build are. Returns the last run,
-/// and its side by way of the parameter.
+/// Runs the work on a terminal with growing sides, starting at `side`, until it lasts long enough
+/// to report progress: the speed of the machine and the build is unknown. Returns the last run, and
+/// stores its side in `side`.
 template <class Work>
 Ended lasting(Work work, int& side) {
   Limits limits;
@@ -91,7 +92,7 @@ void checkProgress(const std::string& verb, const std::string& text) {
   }
   CHECK(lines > 0);
   CHECK(withTime > 0);
-  // Nothing but these lines, each drawn over the one before, the last one erased.
+  // Only these lines, each drawn over the one before, and the last one erased.
   CHECK(text.ends_with(erase));
   CHECK(text.find('\n') == std::string::npos);
 }
@@ -117,7 +118,7 @@ TEST_CASE("a long synth tells how far it is, apart from its JSON, and only on a 
   CHECK(ended.output.front() == '{');
   CHECK(ended.output.find('%') == std::string::npos);
   checkProgress("synth", ended.errors);
-  // Of what has just lasted long enough.
+  // The same work, which lasted long enough above.
   CHECK(errorsOf(made().synthOf(side), false).empty());
   CHECK(errorsOf(made().synthOf(side), true, "--quiet").empty());
 }

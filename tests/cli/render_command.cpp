@@ -24,7 +24,8 @@ struct Outcome {
   std::string output; ///< standard output and standard error
 };
 
-/// Runs through the shell; arguments hold no character that it would change but redirections.
+/// Runs through the shell. Redirections are the only characters in the arguments that it
+/// interprets.
 Outcome run(const std::string& arguments, const std::string& environment = "") {
   const std::string command =
       environment + " '" + programPath("lichen-render") + "' 2>&1 " + arguments;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where and how `lichen synth` evaluates the noise: seeds, origins and borders.
+// The points at which `lichen synth` evaluates a noise: seeds, origins and borders.
 #include "command_run.h"
 
 #include <lichen/result.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kExemplarSide = 32;
 
-/// One bundle for all the tests of this file; its features are several texels wide.
+/// One bundle for all tests of this file; its features are several texels wide.
 struct Made {
   Workplace workplace;
   std::string bundle = bake(workplace, workplace.write("smooth.png", smooth(kExemplarSide)));
@@ -31,8 +31,8 @@ double difference(const float* a, const float* b) {
          std::abs(double(a[2]) - double(b[2]));
 }
 
-/// The mean difference between columns x and x + 1, the last one's neighbour being the first; of
-/// rows when `rows`.
+/// Returns the mean difference between columns `line` and `line` + 1, or rows if `rows`; the first
+/// follows the last.
 double stepAfter(const SrgbImage& image, int line, bool rows) {
   const int lines = rows ? image.height : image.width;
   const int length = rows ? image.width : image.height;
@@ -44,7 +44,7 @@ double stepAfter(const SrgbImage& image, int line, bool rows) {
   return sum / length;
 }
 
-/// The step over the border relative to the mean step inside.
+/// Returns the step across the border, relative to the mean step inside.
 double seam(const SrgbImage& image, bool rows) {
   const int last = (rows ? image.height : image.width) - 1;
   double inside = 0.0;
@@ -53,7 +53,8 @@ double seam(const SrgbImage& image, bool rows) {
   return stepAfter(image, last, rows) / inside;
 }
 
-/// The share of pixels of which the two images differ by more than one code in some channel.
+/// Returns the fraction of pixels in which the two images differ by more than one code in some
+/// channel.
 double shareOfDifferent(const SrgbImage& a, const SrgbImage& b) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < a.pixelCount(); ++i) {
@@ -131,7 +132,8 @@ TEST_CASE("a tileable image is as varied as an endless one") {
 }
 
 TEST_CASE("windows at huge origins agree where they overlap") {
-  // Half an exemplar, 16 pixels, further on; a whole one needs other arithmetic for the same point.
+  // Offset by half an exemplar, 16 pixels; an offset of a whole one would need other arithmetic for
+  // the same point.
   const int half = kExemplarSide / 2;
   const SrgbImage first = made({"--size", "64x64", "--origin", "10000000,-20000000"});
   const SrgbImage second = made({"--size", "64x64", "--origin", "10000000.5,-20000000"});
@@ -145,7 +147,7 @@ TEST_CASE("the noise far from the origin is another part of the same material") 
   const SrgbImage far = made({"--size", "256x256", "--origin", "10000000,0"});
   CHECK(shareOfDifferent(near, far) > 0.9);
   CHECK(deviation(far) == Approx(deviation(near)).epsilon(0.1));
-  // 64 exemplars' area, a few independent blobs each, deviation 0.2.
+  // The area of 64 exemplars, a few independent blobs in each, standard deviation 0.2.
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(meanOf(far)[c] == Approx(meanOf(near)[c]).margin(0.04));
 }
@@ -177,13 +179,13 @@ TEST_CASE("fewer taps change the pattern between its vertices, from the limit on
   CHECK((made({"--size", "64x64", "--taps", "3", "--one-tap", "0"}).values == three.values));
   const SrgbImage two = made({"--size", "64x64", "--taps", "2"});
   CHECK(shareOfDifferent(two, three) > 0.5);
-  // A pixel is a 32nd of a tile: half of the limit, which changes nothing, and the limit.
+  // A pixel is 1/32 of a tile: first half the limit, which changes nothing, then the limit.
   const std::string side = std::to_string(1.0 / kExemplarSide);
   const std::string twice = std::to_string(2.0 / kExemplarSide);
   CHECK(shareOfDifferent(made({"--size", "64x64", "--one-tap", twice}), three) == 0.0);
   const SrgbImage one = made({"--size", "64x64", "--one-tap", side});
   CHECK(shareOfDifferent(one, three) > 0.5);
-  // However many taps there are to begin with, one is the same.
+  // One tap gives the same result, whatever --taps says.
   CHECK((made({"--size", "64x64", "--one-tap", side, "--taps", "2"}).values == one.values));
 }
 
@@ -202,7 +204,7 @@ TEST_CASE("turned tiles are another pattern for each number of steps, and none i
 TEST_CASE("--texels-per-tile magnifies the same pattern") {
   const SrgbImage plain = made({"--size", "64x64"});
   const SrgbImage large = made({"--size", "128x128", "--texels-per-tile", "64"});
-  // Pixel centres of the plain image lie between those of the large one: the mean of four is near.
+  // Pixel centres of the plain image lie between those of the large one: the mean of four is close.
   double sum = 0.0;
   for (int y = 0; y < plain.height; ++y)
     for (int x = 0; x < plain.width; ++x)

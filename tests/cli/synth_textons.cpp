@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many impacts `lichen` shows of a texton noise, and how they lie: those of the material, or
-// those that `synth` is told.
+// The number and arrangement of the impacts that `lichen` shows for a texton noise: the material's,
+// or those given to `synth`.
 #include "command_run.h"
 
 #include <lichen/image_io.h>
@@ -17,7 +17,7 @@ using namespace lichen::cli_test;
 
 namespace {
 
-/// A grey grain of little contrast, so that no value of its noise is clamped.
+/// A low-contrast grey grain, so that no value of its noise is clamped.
 SrgbImage faintGrain() {
   SrgbImage image = speckled(64, 64, 1);
   for (float& value : image.values)
@@ -33,7 +33,7 @@ std::string bakeTexton(const Workplace& workplace, const std::string& name,
               options);
 }
 
-/// Fourth moment of the values over the squared second, less 3.
+/// Returns the fourth central moment over the squared variance, minus 3.
 double excessKurtosis(const std::vector<float>& values) {
   double mean = 0.0, second = 0.0, fourth = 0.0;
   for (const float value : values)
@@ -46,7 +46,7 @@ double excessKurtosis(const std::vector<float>& values) {
   return fourth / (second * second) - 3.0;
 }
 
-/// Of the stored values that `synth` makes.
+/// Returns the excess kurtosis of the stored values that `synth` makes.
 double synthKurtosis(const Workplace& workplace, const std::string& bundle, const Arguments& more) {
   Arguments arguments{"synth", bundle, "-o", workplace.path("synth.exr"), "--size", "256x256"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -59,7 +59,7 @@ double synthKurtosis(const Workplace& workplace, const std::string& bundle, cons
   return excessKurtosis(image.values);
 }
 
-/// The base colour's PNG in a GLB.
+/// Returns the base colour's PNG in a GLB.
 SrgbImage previewOf(const Workplace& workplace, const std::string& name) {
   const std::string file = workplace.read(name);
   std::uint32_t textBytes = 0;
@@ -74,7 +74,7 @@ SrgbImage previewOf(const Workplace& workplace, const std::string& name) {
 }
 
 // A Poisson process of L impacts on a grain of normally distributed coefficients has an excess
-// kurtosis of about 3 / L ([GLM14]: flatness / L), one impact a cell less than that.
+// kurtosis of about 3 / L ([GLM14]: flatness / L). Stratified impacts, one per cell, have less.
 constexpr double kFewImpacts = 2.0;
 constexpr double kFewExcess = 3.0 / kFewImpacts;
 
@@ -105,7 +105,8 @@ TEST_CASE("fewer impacts are less normal, and those of a Poisson process less th
   const double stratified =
       synthKurtosis(workplace, bundle, {"--impacts", "2", "--points", "stratified"});
   const double many = synthKurtosis(workplace, bundle, {"--impacts", "400", "--points", "poisson"});
-  // Some 256 supports, whose local variances scatter by a deviation or two: a third either way.
+  // About 256 supports, whose local variances vary by one or two standard deviations: a third
+  // either side.
   CHECK(poisson > 0.6 * kFewExcess);
   CHECK(stratified < poisson - 0.4 * kFewExcess);
   CHECK(std::abs(many) < 0.1 * kFewExcess);
@@ -118,7 +119,7 @@ TEST_CASE("the preview, the measures and the report are of the material's impact
                       "poisson",   "--report", workplace.path("report.html")};
   const std::string usual = bakeTexton(workplace, "usual.glb");
   const std::string sparse = bakeTexton(workplace, "sparse.glb", few);
-  // One impact in the mean is none at a place of e: the mean colour.
+  // With one impact on average, a point has none with probability 1/e and shows the mean colour.
   CHECK(excessKurtosis(previewOf(workplace, "sparse.glb").values) > 1.0);
   CHECK(std::abs(excessKurtosis(previewOf(workplace, "usual.glb").values)) < 0.3);
   const auto colorDistance = [&](const std::string& bundle) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// lichen-view as a user handles it: in a window of an X server of the test's own, without a window
-// manager, by the events that a keyboard, a mouse and a closing window send. What it writes is
-// compared with what lichen-render makes of the same file.
+// lichen-view as a user operates it: in a window on the test's own X server, without a window
+// manager, through the events of a keyboard, a mouse and a closing window. Its screenshots are
+// compared with images that lichen-render makes from the same file.
 #include "checkout_paths.h"
 #include "command_run.h"
 #include "device_needed.h"
@@ -45,7 +45,7 @@ SrgbImage rendered(const Workplace& workplace, const std::string& scene, const s
   return picture(workplace.path("reference.png"));
 }
 
-/// The viewer in its window, and the pictures that it has been asked for.
+/// The viewer in its window, and the screenshots that the test requested.
 class View {
 public:
   View(const Workplace& workplace, XServer& server, const std::string& scene,
@@ -61,7 +61,7 @@ public:
 
   void press(char letter, bool shift = false) { server_.pressKey(letter, shift); }
 
-  /// The next screenshot.
+  /// Takes the next screenshot.
   SrgbImage shot() {
     const std::string number = std::to_string(++shots_);
     const std::string name =
@@ -72,9 +72,10 @@ public:
     return last_ = picture(name);
   }
 
-  /// Whether the window comes to have the pixels of the last screenshot, whose dither is its own.
+  /// Returns whether the window comes to show the pixels of the last screenshot. Each has its own
+  /// dither.
   bool showsLastShot() {
-    constexpr int kDither = 2; // codes
+    constexpr int kDither = 2; // in codes
     return eventually([&] {
       const std::vector<unsigned char> codes =
           server_.pixels(unsigned(last_.width), unsigned(last_.height));
@@ -130,7 +131,7 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   view.press('s'); // another scale
   CHECK_FALSE(same(view.shot(), first));
   view.press('s', true);
-  view.press('m'); // uv, the file's own
+  view.press('m'); // uv, from the file
   view.press('m'); // triplanar
   CHECK_FALSE(same(view.shot(), first));
   CHECK(view.showsLastShot());
@@ -170,7 +171,7 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   CHECK(view.wait() == 0);
   const std::string errors = view.errors();
   INFO(errors);
-  CHECK(std::count(errors.begin(), errors.end(), '\n') == 2); // of the broken file and the lost one
+  CHECK(std::count(errors.begin(), errors.end(), '\n') == 2); // broken file, missing file
 }
 
 TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Events are sent to the window itself: there is no window manager to give it the focus.
+// Events go directly to the window: no window manager gives it the focus.
 #include "x_server.h"
 
 #include <catch2/catch.hpp>
@@ -14,19 +14,19 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
-// Xlib's macros, of which Catch2's own words are some.
+// Xlib defines macros that collide with names of Catch2.
 #undef None
 #undef True
 
 namespace lichen::cli_test {
 namespace {
 
-constexpr std::chrono::seconds kPatience{100}; // a sanitizer's build on a loaded machine
+constexpr std::chrono::seconds kPatience{100}; // enough for a sanitizer build on a loaded machine
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
 Display* displayOf(void* display) { return static_cast<Display*>(display); }
 
-/// The first window below `parent` with such a title, or 0.
+/// Returns the first window below `parent` whose title starts with `title`, or 0.
 Window findWindow(Display* display, Window parent, const std::string& title) {
   Window root = 0;
   Window itsParent = 0;
@@ -210,7 +210,7 @@ void XServer::closeWindow() {
   event.xclient.type = ClientMessage;
   event.xclient.window = window_;
   event.xclient.message_type = XInternAtom(display, "WM_PROTOCOLS", 0);
-  event.xclient.format = 32; // bits, as the protocol has it
+  event.xclient.format = 32; // bits, as the protocol requires
   event.xclient.data.l[0] = long(XInternAtom(display, "WM_DELETE_WINDOW", 0));
   event.xclient.data.l[1] = long(++time_);
   send(NoEventMask, &event);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An X server without a screen, programs that show themselves there, and a user at its keyboard.
+// An X server without a screen, the programs that open windows on it, and simulated user input.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,11 @@
 
 namespace lichen::cli_test {
 
-/// Whether the condition comes to hold, within a time that no machine should need.
+/// Waits for the condition. Returns false if it does not hold within a time that is ample on any
+/// machine.
 [[nodiscard]] bool eventually(const std::function<bool()>& condition);
 
-/// Ended with its object, if it has not ended by itself.
+/// A child process. The destructor ends it if it is still running.
 class RunningProgram {
 public:
   RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
@@ -21,14 +22,14 @@ public:
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
 
-  /// The exit status; -1 where a signal ended it.
+  /// Waits, and returns the exit status; -1 if a signal ended the program.
   int wait();
 
 private:
   pid_t process_ = -1;
 };
 
-/// Each function acts on the window that was awaited, and fails the test where it cannot.
+/// Every function acts on the window of awaitWindow(), and fails the test if it cannot.
 class XServer {
 public:
   XServer();
@@ -37,15 +38,16 @@ public:
   ~XServer();
 
   [[nodiscard]] const std::string& name() const { return name_; } ///< such as ":1"
-  /// A window whose title begins so.
+  /// Waits for a window whose title starts with `title`.
   void awaitWindow(const std::string& title);
   void pressKey(char letter, bool shift);
-  /// With the left button, from the middle.
+  /// Drags with the left button, from the centre of the window; in pixels.
   void drag(int right, int down);
-  /// What the window shows, which has this size: red, green and blue, row by row.
+  /// The window's pixels as red, green and blue, row by row. `width` and `height` are the window's
+  /// size.
   [[nodiscard]] std::vector<unsigned char> pixels(unsigned width, unsigned height);
   void resizeWindow(unsigned width, unsigned height);
-  /// As the close button of its frame does.
+  /// Closes the window as the close button of its frame does.
   void closeWindow();
 
 private:
@@ -55,7 +57,7 @@ private:
   std::string name_;
   void* display_ = nullptr;
   unsigned long window_ = 0;
-  unsigned long time_ = 1; ///< of events, in milliseconds: GLFW drops those of one time
+  unsigned long time_ = 1; ///< of the last event, in ms; GLFW drops events with equal times
 };
 
 } // namespace lichen::cli_test

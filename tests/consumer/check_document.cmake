@@ -1,5 +1,6 @@
-# cmake -P: the code of DOCUMENT is code that is tested. Each ```c block stands word for word in
-# SOURCE, which is compiled and run; each ```glsl block is compiled here, with INCLUDE on its path.
+# Run with cmake -P. Checks that the code in DOCUMENT is tested. Each ```c block must appear word
+# for word in SOURCE, which is compiled and run; each ```glsl block is compiled here, with INCLUDE
+# on its include path.
 file(READ ${DOCUMENT} document)
 file(READ ${SOURCE} source)
 

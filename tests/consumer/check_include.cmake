@@ -1,5 +1,6 @@
-# cmake -P: lichen.glsl compiles in a host's vertex, fragment and compute shaders, in any set and
-# from any first binding, and refuses a number of maps that no noise has.
+# Run with cmake -P. Checks that lichen.glsl compiles in a host's vertex, fragment and compute
+# shaders, in any descriptor set and from any first binding, and that it refuses a number of maps
+# that no noise has.
 function(compile stage defines)
   list(TRANSFORM defines PREPEND -D)
   execute_process(COMMAND ${GLSLANG} -V --target-env vulkan1.0 -S ${stage} -I${INCLUDE} ${defines}

@@ -1,5 +1,5 @@
-# cmake -P: fails when the shared library LIBRARY needs a vk symbol, or when what it shows, of any
-# kind, is not exactly the functions that the headers in INCLUDE declare.
+# Run with cmake -P. Fails if the shared library LIBRARY needs a vk symbol, or if its exported
+# symbols, of any kind, are not exactly the functions that the headers in INCLUDE declare.
 execute_process(COMMAND ${NM} -D ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "nm cannot read ${LIBRARY}")
@@ -16,7 +16,7 @@ foreach(header lichen.h lichen_vulkan.h)
   list(TRANSFORM functions REPLACE "LICHEN_API [A-Za-z0-9_]+ (lichen[A-Za-z]+)\\(" "T \\1")
   list(APPEND declared ${functions})
 endforeach()
-# Of undefined symbols nm gives no address. Constants, vtables and inline functions are shown as D,
+# nm prints no address for undefined symbols. It lists constants, vtables and inline functions as D,
 # R, V, W or u.
 string(REGEX MATCHALL "[0-9a-f]+ [A-Za-z] [^\n]*" shown "${symbols}")
 list(TRANSFORM shown REPLACE "^[0-9a-f]+ " "")

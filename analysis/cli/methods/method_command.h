@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the verbs ask of a method. Each method implements it in a file of its own; methods.cpp lists
-// them.
+// The interface between the verbs and a method. Each method implements it in its own file;
+// methods.cpp lists them.
 #pragma once
 
 #include "../bake_risks.h"
@@ -23,50 +23,50 @@
 
 namespace lichen::cli {
 
-/// What a method is given to bake.
+/// The input of a bake.
 struct BakeInput {
   const std::string& name;
   std::span<const MapExemplar> maps;
-  Periodic borders{}; ///< as MaterialSet::periodic
-  int bits = 8;       ///< of the tables' channels
+  Periodic borders{}; ///< same meaning as MaterialSet::periodic
+  int bits = 8;       ///< per channel of the tables
   Progress progress;
 };
 
-/// A baked noise, and what the method says of it.
+/// A baked noise, and what the method reports about it.
 struct MethodBake {
-  Noise noise; ///< its tables numbered from 0
+  Noise noise; ///< table indices start at 0
   std::vector<Table> tables;
-  MaterialNoise material; ///< with the method's parameters
+  MaterialNoise material; ///< including the method's parameters
   bool bordersWereBlended = false;
   std::vector<std::string> notes;
-  nlohmann::ordered_json json = nlohmann::ordered_json::object(); ///< members of bake --json
+  nlohmann::ordered_json json = nlohmann::ordered_json::object(); ///< members of `bake --json`
   std::vector<std::pair<std::string, std::string>> facts;         ///< rows of the HTML report
 };
 
-/// A method's options of `lichen bake`.
+/// A method's options for `lichen bake`.
 class BakeOptions {
 public:
   virtual ~BakeOptions() = default;
 
-  /// The risks of each map, in their order.
+  /// Returns the risks of each map, in the order of `maps`.
   [[nodiscard]] virtual Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic borders,
          const SharedOptions& shared) const = 0;
   [[nodiscard]] virtual BakeMemory memory() const = 0;
   [[nodiscard]] virtual Result<MethodBake> bake(const BakeInput& input) const = 0;
-  /// Members of bake --json that are measured on the finished bundle.
+  /// Returns members of `bake --json` that need the finished bundle.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>
   measure(const Bundle&, std::span<const MapExemplar>, const MethodBake&) const {
     return nlohmann::ordered_json::object();
   }
 };
 
-/// A method's options of the verbs that use a noise: they replace what the material says.
+/// A method's options for the verbs that use a noise. They override the parameters of the material.
 class UseOptions {
 public:
   virtual ~UseOptions() = default;
   virtual void replace(MaterialNoise& material, EvaluationOptions& evaluation) const = 0;
-  /// What a user may not have meant.
+  /// Notes on values that the user may not have intended.
   [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 };
 
@@ -74,33 +74,34 @@ class MethodCommand {
 public:
   virtual ~MethodCommand() = default;
 
-  /// The heading of the method's options in help.
+  /// The heading above the method's options in the help.
   [[nodiscard]] virtual std::string heading() const = 0;
-  /// Declare the method's options of a verb, under its heading; the result outlives the parse.
+  /// Declare the method's options for a verb, under its heading. The result must outlive the parse.
   [[nodiscard]] virtual std::unique_ptr<const BakeOptions> addBakeOptions(CLI::App& verb) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const = 0;
 
-  /// What `inspect` says of a noise: members of its JSON, and lines, indented by two.
+  /// What `inspect` reports about a noise: JSON members, and lines indented by two spaces.
   virtual void describe(const Noise& noise, nlohmann::ordered_json& json) const = 0;
   [[nodiscard]] virtual std::vector<std::string> linesOf(const Noise& noise,
                                                          const MaterialNoise& use) const = 0;
-  /// The same of a map, whose lines are indented by four.
+  /// The same for a map; the lines are indented by four spaces.
   virtual void describe(const Bundle& bundle, const NoiseMap& map,
                         nlohmann::ordered_json& json) const = 0;
   [[nodiscard]] virtual std::vector<std::string> linesOf(const Bundle& bundle,
                                                          const NoiseMap& map) const = 0;
-  /// Texture fetches of a pixel of one map on one plane, at most or about.
+  /// The number of texture fetches per pixel for one map on one plane: an average if fetchesVary(),
+  /// otherwise the maximum.
   [[nodiscard]] virtual int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                                     const MaterialNoise& use) const = 0;
   [[nodiscard]] virtual bool fetchesVary() const = 0;
-  /// The table that the shader fetches from for a map.
+  /// The table from which the shader samples the map.
   [[nodiscard]] virtual const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const = 0;
 };
 
 [[nodiscard]] const MethodCommand& commandOf(Method method);
 
-/// An option of another method than `method` that was given.
+/// An option that the user gave although it belongs to another method than `method`.
 struct ForeignOption {
   std::string name;
   Method method{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The methods of the command line, in the order of Method.
+// The methods on the command line, in the order of Method.
 #include "method_command.h"
 #include "texton_command.h"
 #include "tiling_command.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textons: their options, what a bake says of them, and what a bundle holds of them.
+// Textons: options, bake reports, and descriptions for `inspect`.
 #include "texton_command.h"
 
 #include "../table_words.h"
@@ -23,18 +23,18 @@ Accepted<PointProcess> pointProcess() {
       {{"stratified", PointProcess::stratified}, {"poisson", PointProcess::poisson}});
 }
 
-// ---- bake
-// ----------------------------------------------------------------------------------------
+// ---- bake ----
 
-/// Relative model error up to which a texton is close. That of one with the very spectrum of a
-/// material, beside one picture of it, is sqrt(2 - sqrt(pi)) = 0.477, since the moduli of a
-/// picture's spectrum scatter as those of complex normal numbers; one whose amplitudes are off by a
-/// share D of the deviation has sqrt(2 - sqrt(pi) + sqrt(pi) / 2 D^2). This is D = 1/2. Six
-/// photographs of 512 x 512 have 0.53 to 0.64 at a support of 64, a wood of slow waves 0.78.
+/// Relative model error ([GLM14] eq. 5) up to which a texton is close. A texton with the exact
+/// spectrum of a material, compared with one picture of it, has sqrt(2 - sqrt(pi)) = 0.477, because
+/// the moduli of a picture's spectrum vary like those of complex normal numbers. A texton whose
+/// amplitudes are wrong by a fraction D of the standard deviation has sqrt(2 - sqrt(pi) + sqrt(pi)
+/// / 2 D^2). This is D = 1/2. Six photographs of 512 x 512 pixels have 0.53 to 0.64 at a support of
+/// 64; a photograph of wood with slow waves has 0.78.
 constexpr double kCloseError = 0.67;
 
-/// Excess kurtosis up to which impacts are enough: the greatest flatness that a fit should have
-/// over the number of impacts that the papers and we take.
+/// With at most this excess kurtosis the number of impacts is sufficient: the largest flatness that
+/// a fit should have, divided by the number of impacts that the papers and this project use.
 constexpr double kEnoughFlatness = 4.0;
 constexpr double kUsualImpacts = 30.0;
 
@@ -43,7 +43,7 @@ bool isSupportWhole(const TextonShape& shape) {
          shape.coefficientsY + shape.order >= shape.texelsPerTileY;
 }
 
-/// Of the worst of some textons: "the texton is" or "the textons are" is said before.
+/// Completes the sentence "the texton is" or "the textons are", for the worst of several textons.
 std::string verdict(double modelError, const TextonShape& shape) {
   if (modelError <= kCloseError)
     return "close to the photograph's spectrum, with the colours and outlines of Gaussian noise";
@@ -111,8 +111,7 @@ public:
   }
 };
 
-// ---- a noise in use
-// ------------------------------------------------------------------------------
+// ---- use of a noise ----
 
 class Use final : public UseOptions {
 public:
@@ -125,11 +124,10 @@ public:
   }
 };
 
-// ---- inspect
-// -------------------------------------------------------------------------------------
+// ---- inspect ----
 
-/// About those of shaders_glsl/noise/texton.glsl: an impact in each cell that a support of
-/// sqrt(impacts) cells a side overlaps, and four fetches of a cubic spline.
+/// Approximate fetches of shaders_glsl/noise/texton.glsl: one impact for each cell that a support
+/// overlaps, which is sqrt(impacts) cells wide, and four fetches for a cubic spline.
 int fetchesOfTexton(const TextonShape& shape, double impacts) {
   constexpr int kCubicFetches = 4;
   const double cells = std::sqrt(impacts) + 1.0;
@@ -169,7 +167,7 @@ void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& mate
 Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemplar> maps,
                                                         int support, const SharedOptions& shared,
                                                         int widthTexels) {
-  int width = 0, height = 0; // at which all maps are fitted together
+  int width = 0, height = 0; // the size at which all maps are fitted
   for (const MapExemplar& map : maps) {
     width = std::max(width, map.width);
     height = std::max(height, map.height);
@@ -184,7 +182,7 @@ Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemp
 }
 
 std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape) {
-  const int wanted = supportWanted - shape.order; // coefficients
+  const int wanted = supportWanted - shape.order; // in coefficients
   if (wanted <= std::min(shape.coefficientsX, shape.coefficientsY))
     return std::nullopt;
   return fmt::format("--support {}: the exemplar has {} x {} pixels, and the texton no more",

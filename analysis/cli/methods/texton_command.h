@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textons on the command line, of which mixes consist too.
+// Texton noise on the command line; `lichen mix` uses it too, since its steps are textons.
 #pragma once
 
 #include "method_command.h"
@@ -28,23 +28,24 @@ public:
   [[nodiscard]] const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const override;
 };
 
-/// Measured: 90 to 101 bytes a pixel for one map of 512 to 2048 pixels a side, 275 for four maps of
-/// 1024.
+/// Measured: 90 to 101 bytes per pixel for one map of 512 to 2048 pixels a side, 275 for four maps
+/// of 1024 pixels a side.
 inline constexpr BakeMemory kTextonMemory{60.0, 40.0};
 
-/// The options of a texton that `bake` and `mix` share, but for --precision.
+/// Declares the texton options that `bake` and `mix` share; not --precision.
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material);
 
-/// The risks of each map for a texton of this support. The noise has `widthTexels` over the width
-/// of the maps; 0 means as many as the widest of them has pixels.
+/// Returns the risks of each map for a texton with this support, in texels. The noise has
+/// `widthTexels` texels across the width of the maps; 0 means the width in pixels of the widest
+/// map.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>>
 assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOptions& shared,
                  int widthTexels = 0);
 
-/// That the exemplar is smaller than the support that was asked for.
+/// A note if the exemplar is smaller than the requested support.
 [[nodiscard]] std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape);
 
-/// How near the textons of a mix are to their Gaussian textures, and to each other.
+/// Describes how close the textons of a mix are to their Gaussian textures and to each other.
 [[nodiscard]] std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shape);
 
 } // namespace lichen::cli

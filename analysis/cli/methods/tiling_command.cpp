@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling: its options, what a bake says of it, and what a bundle holds of it.
+// Tiling: options, bake reports, and descriptions for `inspect`.
 #include "tiling_command.h"
 
 #include "../table_words.h"
@@ -18,10 +18,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeading = "Tiling";
 
-// ---- bake
-// ----------------------------------------------------------------------------------------
+// ---- bake ----
 
-/// Pixels of `first` for one of `map`, along the longer side of `map`.
+/// Returns the pixels of `first` per pixel of `map`, along the longer side of `map`.
 double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
   return map.width >= map.height ? double(first.width) / map.width
                                  : double(first.height) / map.height;
@@ -35,7 +34,7 @@ Json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
-/// The worst of each map's bounds: with borders that are blended it has two.
+/// Returns the worst bound of each map; a map with blended borders has two.
 std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
   std::vector<MapTransportBound> worst;
   for (const MapTransportBound& bound : bounds)
@@ -46,7 +45,7 @@ std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bo
   return worst;
 }
 
-/// Whether the map's values were moved before they were matched.
+/// Returns whether the map's values were moved before the matching.
 bool isMoved(MapTarget map, std::span<const MapTransportBound> bounds) {
   return std::any_of(bounds.begin(), bounds.end(), [map](const MapTransportBound& bound) {
     return bound.map == map && bound.costOfUnmoved;
@@ -63,7 +62,7 @@ Json asJson(std::span<const MapTransportBound> bounds) {
   return json;
 }
 
-/// A line for each map whose transport is certified, with the worst of its bounds.
+/// Returns one line per map with a certified transport, showing its worst bound.
 std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds) {
   std::vector<std::string> notes;
   for (const MapTransportBound& bound : worstBounds(bounds))
@@ -93,7 +92,7 @@ public:
     });
   }
 
-  /// Measured: 139 to 148 bytes a pixel for one map of 512 to 2048 pixels a side, 161 for one of
+  /// Measured: 139 to 148 bytes per pixel for one map of 512 to 2048 pixels a side, 161 for one of
   /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.
   [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
 
@@ -132,8 +131,7 @@ public:
   }
 };
 
-// ---- a noise in use
-// ------------------------------------------------------------------------------
+// ---- use of a noise ----
 
 class Use final : public UseOptions {
 public:
@@ -148,7 +146,7 @@ public:
   }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
-    constexpr std::uint32_t kManySteps = 16; // of a turn; rarely meant
+    constexpr std::uint32_t kManySteps = 16; // angles per full rotation; rarely intended
     const std::uint32_t steps = tileRotation.value_or(0);
     if (steps <= kManySteps || steps >= kMostTileRotation)
       return {};
@@ -171,14 +169,14 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
   return options;
 }
 
-// ---- inspect
-// -------------------------------------------------------------------------------------
+// ---- inspect ----
 
 bool isVolume(const Table& table) { return table.depth > 0; }
 
-/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane, at most:
-/// three taps, and the two slabs of the inverse table around the lost variance, between which a 2-D
-/// table is filtered by the one fetch, of which a separable table takes one an axis.
+/// Maximum texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane:
+/// three taps, plus the inverse table. A 3-D table needs two fetches, for the two slabs around the
+/// lost variance; a 2-D table needs one, which filters between them; a separable table needs one
+/// per axis.
 int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
   switch (tableKindOf(map)) {
@@ -192,7 +190,7 @@ int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
   return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
 }
 
-/// "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
+/// Returns "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
 std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
   const TableKind kind = tableKindOf(map);
   if (kind == TableKind::none)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// write_validator_samples FOLDER: bundles of every kind of map, in every preview shape and both
-// file forms, and images of material sets to bake.
+// write_validator_samples FOLDER: writes bundles of every kind of map, in every preview shape and
+// both file forms, and images of material sets to bake.
 #include "bundle_example.h"
 #include "tiny_scene.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace lichen;
 
-/// Ramps, different in every channel, that begin anew every 8 pixels.
+/// Ramps that differ in every channel and repeat every 8 pixels.
 SrgbImage ramps(int channels) {
   SrgbImage image(16, 16, channels);
   for (int y = 0; y < 16; ++y)
@@ -53,7 +53,7 @@ example::TinyScene shadedScene() {
   return scene;
 }
 
-/// A scene of another's, as one file and as two, and a noise for its surfaces.
+/// Writes a third-party scene, as one file and as two, and a noise for its surfaces.
 Result<void> writeScenes(const std::filesystem::path& folder) {
   const example::TinyScene scene = example::tableScene();
   const std::string text = scene.gltf("table.bin");
