@@ -11,8 +11,7 @@
 namespace lichen::test {
 
 struct SyntheticTexton {
-  int coefficientsX =
-      21; ///< odd and not a multiple of a coarse texel, to reveal errors of the frame
+  int coefficientsX = 21; ///< odd, no multiple of a coarse texel: reveals errors of the frame
   int coefficientsY = 18;
   int order = 1;
   int mipLevels = 3;
