@@ -23,7 +23,7 @@ enum Quantity { kValue, kGaussian, kImpacts, kLost };
 /// The input layout of surface_evaluate.comp.
 struct SurfacePoint {
   std::array<float, 4> position{}; ///< w: 0 if the material sets the mix weight
-  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: weight and derivatives in a mix
+  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: mix weight, derivatives
   std::array<float, 4> tangent{};
 };
 

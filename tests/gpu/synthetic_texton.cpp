@@ -162,7 +162,7 @@ std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int ste
   std::normal_distribution<double> gaussian;
   const auto bell = [](int k, int count) {
     const double x = (k + 0.5) / count - 0.5;
-    return std::exp(-8.0 * x * x); // falls to e^-2 at the border, which still shows faults there
+    return std::exp(-8.0 * x * x); // e^-2 at the border: errors there remain visible
   };
   Plane plane{texton.coefficientsX, texton.coefficientsY, std::size_t(texton.channels), {}};
   for (int y = 0; y < plane.height; ++y)
