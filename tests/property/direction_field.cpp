@@ -423,7 +423,7 @@ TEST_CASE("meshes without a surface, or with an odd one, have some field") {
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}, {5, 5, 5}};
   CHECK(fieldOf(odd).components.empty()); // points only
   odd.triangles = {0, 1, 2, 0, 0, 1, 0, 4, 3, 3, 3, 3};
-  CHECK(fieldOf(odd).components.size() == 1); // three in a line, and triangles of fewer points
+  CHECK(fieldOf(odd).components.size() == 1); // three collinear points, degenerate triangles
   odd.triangles = {0, 1, 3, 0, 3, 1, 0, 1, 3};
   CHECK(fieldOf(odd).components.size() == 1);
   // Two closed fans at one point, and a book of five pages.

@@ -136,11 +136,12 @@ FilteredView filteredView(const Plane& plane, double width, double height, int p
 }
 
 CameraMove cameraMove(const Plane& floor, int samples) {
-  constexpr int kFrames = 60, kColumns = 96, kRows = 64, kEvery = 6; // pixels, of which places
-  constexpr double kHeight = 0.5, kFocal = 1.2; // pixels; every kEvery-th counts
+  constexpr int kFrames = 60, kColumns = 96, kRows = 64, kEvery = 6; // pixels
+  constexpr double kHeight = 0.5, kFocal = 1.2; // tiles; half the picture's width is 1
   constexpr double kPixel = 2.0 / kColumns;
-  constexpr double kFirstRow = 1.0; // under the horizon, the top of the picture: 69 tiles away
-  // below the horizon at the top: 69 tiles away
+  constexpr double kFirstRow = 1.0; // below the horizon, the top of the picture: 69 tiles away
+  // Per frame: a seventh of a pixel sideways, and in 30 frames the length of the nearest pixel. The
+  // ratios have no period.
   constexpr double kSideways = 0.0027, kForwards = 0.0041;
   struct Camera {
     double x, z;

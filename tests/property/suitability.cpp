@@ -217,7 +217,7 @@ TEST_CASE("The plane of an exemplar that does not tile is continuous over its bo
     }
     return sum;
   };
-  CHECK(jump(true) > 4.0); // from the lowest to the highest Gaussian, more than two deviations each
+  CHECK(jump(true) > 4.0); // more than two standard deviations each
   CHECK(jump(false) < 1.0);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("impacts, their weights and squared weights add up to what proposition
     for (const Vec& normal : {Vec{0.0, 1.0, 0.0}, Vec{1.0, 2.0, 3.0}}) {
       const Evaluation noise(kColour, materialOf(process, 30.0, 8));
       const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
-      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // cells are rounded
+      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // whole cells
       const Vec expected{lambda * area * thickness, lambda * area * thickness / 2.0,
                          lambda * area * thickness / 3.0};
       CHECK(double(noise.texton.amplitude) * double(noise.texton.amplitude) * expected[2] ==

@@ -90,7 +90,7 @@ Colour gridMean(int side, const Sample& sample) {
 /// in them.
 double meanColourError(const View& view, double pixelTiles) {
   constexpr int kPixels = 64;
-  constexpr int kSamples = 320; // a side: at a deviation of 0.2 the mean is off by 0.0006
+  constexpr int kSamples = 320; // per side; deviation 0.2: a mean error of 0.0006
   const Colour filtered = gridMean(kPixels, [&](int x, int y) {
     return view.at((x + 0.5 - kPixels / 2) * pixelTiles, (y + 0.5 - kPixels / 2) * pixelTiles,
                    pixelTiles, pixelTiles);

@@ -35,7 +35,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
       REQUIRE(texels[i] == texels[i + 1]);
       REQUIRE(texels[i] == texels[i + 2]);
     }
-    for (std::size_t i = 4; i < std::size_t(256 * 4); i += 4) // brighter is more, but for a code
+    for (std::size_t i = 4; i < std::size_t(256 * 4); i += 4) // brighter, to one code
       REQUIRE(texels[i] >= texels[i - 4] - 2.0f / 255.0f);
     CHECK(texels[std::size_t(255 * 4)] > texels[0] + 0.1f);
   }

@@ -42,8 +42,8 @@ TEST_CASE("the mips of white noise lose what averaging of white noise must lose"
   CHECK(scalarLoss(lost[0]) == 0.0);
   for (std::size_t mip = 1; mip < 5; ++mip) {
     const double kept = std::pow(0.25, double(mip));
-    // The mean of three sample variances over n texels has standard error kept sqrt(2 / (3 n)). The
-    // limit is five of these: false alarms below 1e-6 per level.
+    // The mean of three sample variances over n texels has the standard error
+    // `kept` * sqrt(2 / (3 n)). The limit is five of these: false alarms below 1e-6 per level.
     const double texels = 65536.0 * kept;
     CHECK(1.0 - scalarLoss(lost[mip]) ==
           Approx(kept).margin(5.0 * kept * std::sqrt(2.0 / (3.0 * texels))));

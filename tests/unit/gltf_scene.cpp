@@ -270,7 +270,7 @@ TEST_CASE("vertices that primitives share are checked once, indices against each
 TEST_CASE(
     "accessors of more elements than they have bytes are refused before room is made for them") {
   static constexpr std::size_t kMost = std::size_t(1) << 25; // elements that any accessor may have
-  static constexpr std::size_t kRoom = std::size_t(1) << 20; // bytes; those would take 400 MB
+  static constexpr std::size_t kRoom = std::size_t(1) << 20; // bytes; they need 400 MB
   const auto refusal = [](const auto& alter) {
     TinyScene scene = example::tableScene();
     alter(scene, scene.json["meshes"][0]["primitives"][0]);
