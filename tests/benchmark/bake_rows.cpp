@@ -25,7 +25,7 @@ struct ChildBake {
   double megabytes = 0.0;
 };
 
-/// Bakes in a process of its own, whose peak memory nothing else has raised.
+/// Bakes in a separate process, so that nothing else raises its peak memory.
 std::optional<ChildBake> bakeInChild(int sidePixels) {
   std::error_code none;
   const std::string command = "'" + std::filesystem::read_symlink("/proc/self/exe", none).string() +
@@ -51,7 +51,7 @@ void appendChildBake(std::vector<Row>& rows, int sidePixels, double secondsTarge
                   "the whole process, VmHWM; the exemplar's generation included"});
 }
 
-/// The four maps of a set, baked together.
+/// Bakes the four maps of a set together.
 Row setRow() {
   constexpr int kSetSide = 512;
   constexpr int kSetRuns = 3;
@@ -61,7 +61,7 @@ Row setRow() {
           "rust and what its green makes, median of 3"};
 }
 
-/// Time of the prefiltered levels alone.
+/// Time of the prefiltered mip levels alone.
 double levelSeconds(const SrgbImage& image) {
   using namespace tiling;
   const MapExemplar map = baseColorMap(image);
@@ -78,7 +78,7 @@ double levelSeconds(const SrgbImage& image) {
   return medianSeconds(kRuns, [&] { return prefilteredSlabs(inverse, lost); });
 }
 
-/// Median and worst of the exemplars, each the median of `kRuns`.
+/// Median and worst case over the exemplars; each is the median of `kRuns` runs.
 void appendBakeTimes(std::vector<Row>& rows, const std::string& what, const TilingOptions& options,
                      double target) {
   std::vector<double> seconds;
@@ -124,7 +124,7 @@ std::vector<Row> bakeRows() {
 }
 
 std::vector<Row> growthRows() {
-  // TARGETS.md has 256 x 256, 1024 x 1024 and 4096 x 4096; the two between lie on its curve.
+  // TARGETS.md has 256 x 256, 1024 x 1024 and 4096 x 4096; the two sizes between lie on its curve.
   std::vector<Row> rows;
   appendChildBake(rows, 512, 3.5, 150.0);
   appendChildBake(rows, 1024, 14.0, 400.0);

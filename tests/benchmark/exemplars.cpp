@@ -15,7 +15,7 @@ namespace lichen::bench {
 namespace {
 
 constexpr int kSide = 256;
-/// Slope for a step of 1 in height from pixel to pixel: a relief of a few pixels.
+/// Slope for a height step of 1 between pixels: a relief of a few pixels.
 constexpr float kRelief = 4.0f;
 
 MapExemplar mapOf(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding,
@@ -29,7 +29,7 @@ MapExemplar mapOf(MapTarget target, std::vector<MapChannel> channels, ValueEncod
   return map;
 }
 
-/// The top left corner, as RGB.
+/// Crops the top left corner, as RGB.
 SrgbImage crop(const SrgbImage& image) {
   SrgbImage result(kSide, kSide, 3);
   for (int y = 0; y < kSide; ++y)
@@ -39,7 +39,7 @@ SrgbImage crop(const SrgbImage& image) {
   return result;
 }
 
-/// What ../shared/exemplars holds, if it is there.
+/// The contents of ../shared/exemplars, if that folder exists.
 std::vector<std::filesystem::path> photographs() {
   const std::filesystem::path folder = sourcePath("../shared/exemplars");
   std::error_code none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images that lichen-bench measures with.
+// The images that lichen-bench measures.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -19,24 +19,24 @@ struct Exemplar {
 };
 
 /// The generated materials at 256 x 256, then crops of that size from the photographs in
-/// ../shared/exemplars, if that folder is there.
+/// ../shared/exemplars, if that folder exists.
 [[nodiscard]] std::vector<Exemplar> exemplars256();
 
 [[nodiscard]] MapExemplar baseColorMap(const SrgbImage& image);
 
-/// A generated material set: base colour (RGB), normal (two slopes), occlusion-roughness-metallic
-/// and height, all of one surface.
+/// A generated material set of one surface: base colour (RGB), normal (two slopes),
+/// occlusion-roughness-metallic and height.
 [[nodiscard]] std::vector<MapExemplar> materialSet(int sidePixels);
 
-/// The sets in folders of ../shared/exemplars, if that folder is there.
+/// The sets in the folders of ../shared/exemplars, if that folder exists.
 [[nodiscard]] std::vector<MaterialSet> photographedSets();
 
-/// The bundle of a baked exemplar, or set, with its material. Ends the program with the bake's
-/// message if it fails: there is nothing to measure then.
+/// Bakes an exemplar or a set and returns the bundle with its material. If the bake fails, there is
+/// nothing to measure, and the program ends with the bake's message.
 [[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
                                  const TilingOptions& options = {});
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
-/// Likewise of a texton of support 64, without a material.
+/// Likewise for a texton of support 64, without a material.
 [[nodiscard]] Bundle textonBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mean colour of views from magnified to one pixel per 100 tiles, against supersampling.
+// Mean colour of views, from magnification to one pixel per 100 tiles, against supersampling.
 #include "exemplars.h"
 #include "rows.h"
 
@@ -19,20 +19,21 @@ namespace lichen::bench {
 namespace {
 
 constexpr int kExemplarSide = 256;
-/// Pixels a side of a filtered view, and samples a side of its reference: at a standard deviation
-/// of 0.2 the sum of a million samples is off by 0.0002, a twentieth of the target.
+/// Pixels per side of a filtered view, and samples per side of its reference. With a standard
+/// deviation of 0.2, the mean of a million samples has an error of 0.0002, a twentieth of the
+/// target.
 constexpr int kViewSide = 512;
 constexpr int kReferenceSide = 1024;
-/// Likewise of textons, of which a point costs more: 0.0006.
+/// Likewise for textons, whose points cost more: 0.0006.
 constexpr int kTextonViewSide = 64;
 constexpr int kTextonReferenceSide = 320;
-/// Pixels in tiles, from four to a texel to one per 100 tiles, in steps of about four.
+/// Pixel sizes in tiles, from four pixels per texel to one per 100 tiles, in steps of about four.
 constexpr std::array<double, 10> kFootprints{1.0 / 1024, 1.0 / 256, 1.0 / 128, 1.0 / 64, 1.0 / 16,
                                              0.25,       1.0,       4.0,       16.0,     100.0};
 
 using Colour = std::array<double, 3>;
 
-/// Mean of f(row, column) over a square grid, rows in parallel and summed in order.
+/// Mean of f(row, column) over a square grid. Rows run in parallel and are summed in order.
 template <class Sample>
 Colour gridMean(int side, Sample sample) {
   std::vector<Colour> rows(std::size_t(side), Colour{});
@@ -57,16 +58,16 @@ double largestDifference(const Colour& a, const Colour& b) {
   return largest;
 }
 
-/// The middle of a texel of a random pixel of the grid's cell: there one fetch is exact.
+/// The centre of a random texel in a cell of the grid. A single fetch is exact there.
 double texelMiddle(int cell, double cellTiles, std::uint32_t random) {
   const double at = (double(cell) + double(random >> 8u) * 0x1.0p-24) * cellTiles;
   return (std::floor(at * kExemplarSide) + 0.5) / kExemplarSide;
 }
 
-/// The largest difference of a channel between a view's mean and the mean of its texels.
+/// The largest channel difference between a view's mean and the mean of its texels.
 double meanColourError(const TilingEvaluator& evaluator, const shader::LichenNoise& noise,
                        double pixelTiles) {
-  // Centred on the origin: floats then resolve half a texel at 25,600 tiles.
+  // Centred on the origin, so that floats resolve half a texel at 25,600 tiles.
   const Colour filtered = gridMean(kViewSide, [&](int x, int y) {
     TileFootprint at;
     at.position = {float((x + 0.5 - kViewSide / 2) * pixelTiles),
@@ -88,7 +89,7 @@ double meanColourError(const TilingEvaluator& evaluator, const shader::LichenNoi
   return largestDifference(filtered, reference);
 }
 
-/// Likewise of textons, whose points need no fetch to be exact.
+/// Likewise for textons, which are exact at any point.
 double meanColourError(const TextonEvaluator& evaluator, const Bundle& bundle, double pixelTiles) {
   const shader::LichenNoise noise = shaderNoise(bundle, MaterialNoise{}, {});
   const shader::LichenTexton texton = shaderTexton(bundle, MaterialNoise{}, {});
@@ -122,7 +123,7 @@ Evaluator created(const Bundle& bundle) {
   return std::move(evaluator).value();
 }
 
-/// What views of the exemplars are off by.
+/// The errors of views of the exemplars.
 struct WorstViews {
   void note(const Exemplar& exemplar, const std::array<double, kFootprints.size()>& errors) {
     const auto largest = std::max_element(errors.begin(), errors.end());

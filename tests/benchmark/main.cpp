@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen-bench: every number that is measured so far, beside its target in TARGETS.md.
+// lichen-bench prints every measured number next to its target in TARGETS.md.
 #include "rows.h"
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ const char* verdict(const Row& row) {
   return row.skipped ? "not measured" : row.met() ? "met" : "missed";
 }
 
-/// A number with its unit, to what such a measurement means.
+/// A number with its unit, rounded to the precision of such a measurement.
 std::string number(double value, const std::string& unit) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g%s%s", value, unit.empty() ? "" : " ", unit.c_str());

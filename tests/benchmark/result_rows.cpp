@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quality measures of results from the bundle alone.
+// The quality measures of results made from the bundle alone.
 #include "exemplars.h"
 #include "rows.h"
 
@@ -20,7 +20,7 @@ using test::decodedMaps;
 using test::norm;
 
 constexpr double kExemplarSide = 256.0;
-/// As TARGETS.md measured its prototype: 256 x 256 -> 1024 x 1024.
+/// As for the prototype in TARGETS.md: 256 x 256 -> 1024 x 1024.
 constexpr int kExemplarsASide = 4;
 constexpr int kResultSide = 1024;
 constexpr int kLatticeSide = kLatticeExemplars * int(kExemplarSide);
@@ -40,7 +40,7 @@ SrgbImage synthesized(const Bundle& bundle, int side) {
   return toSrgb(require(synthesize(bundle, options)));
 }
 
-/// Covariances between base colour and the other maps' channels; images of equal size.
+/// Covariances between base colour and the other maps' channels; all images have one size.
 std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
   std::vector<double> covariances;
   for (std::size_t m = 1; m < maps.size(); ++m)
@@ -69,8 +69,8 @@ std::vector<LinearImage> resultMaps(const Bundle& bundle, const std::vector<MapE
   return images;
 }
 
-/// How far the covariances between maps are from the exemplar's, as a share of their norm: what the
-/// bake decides, the mean of several results, and what chance adds to one of them.
+/// The distance of the covariances between maps from the exemplar's, relative to their norm: the
+/// bake's own error, the mean of several results, and the error that chance adds to one of them.
 void appendCrossCovarianceRows(std::vector<Row>& rows, const std::vector<MapExemplar>& set,
                                const std::string& how) {
   constexpr std::uint32_t kSeeds = 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lichen-bench prints: a number beside its target, and the families that measure them.
+// What lichen-bench prints: numbers next to their targets, and the families that measure them.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ struct Row {
   std::string what;
   double measured = 0.0;
   double target = 0.0;
-  std::string unit; ///< empty for a ratio
-  /// How it was measured, or why it could not be, for the reader of a missed target.
+  std::string unit; ///< empty if the value is a ratio
+  /// How it was measured, or why it could not be; explains a missed target.
   std::string note;
-  bool skipped = false; ///< the machine lacks something, said in `note`
+  bool skipped = false; ///< the machine lacks a requirement that `note` names
 
   [[nodiscard]] bool met() const { return !skipped && measured <= target; }
 };
 
-/// Median of an unsorted list; the lower of the two middle ones for an even count.
+/// Median of an unsorted list; for an even count, the lower of the two middle values.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Seconds that `work` takes, the median of `runs`.
+/// Median time of `work` over `runs` runs, in seconds.
 template <class Work>
 [[nodiscard]] double medianSeconds(int runs, Work&& work);
 
@@ -33,21 +33,21 @@ template <class Work>
 /// Peak resident memory of this process so far, in MB (VmHWM of /proc/self/status).
 [[nodiscard]] double peakMemoryMegabytes();
 
-/// What the numbers depend on: processor and its cores, memory, load, compiler, build.
+/// What the numbers depend on: processor, cores, memory, load, compiler and build.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> machineFacts();
 
-std::vector<Row> bakeRows();      ///< time and memory of bakes, time of the table's levels
+std::vector<Row> bakeRows();      ///< time and memory of bakes, time of the table's mip levels
 std::vector<Row> growthRows();    ///< time and memory of larger bakes
-std::vector<Row> transportRows(); ///< cost over the certified bound, speckle
+std::vector<Row> transportRows(); ///< cost relative to the certified bound, speckle
 std::vector<Row> synthRows();     ///< speed of the CPU twin
 std::vector<Row> resultRows();    ///< the quality measures
-std::vector<Row> filterRows();    ///< mean colour from magnified to far away
+std::vector<Row> filterRows();    ///< mean colour from magnification to far away
 std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
 std::vector<Row> shaderRows();    ///< ratios to a plain texture fetch
 
-/// Bakes a generated exemplar of this side, for `lichen-bench --peak-memory-of-bake SIDE`, which
-/// the bake and growth families run as processes of their own. Returns seconds.
+/// Bakes a generated exemplar of this side and returns the seconds it took. Serves `lichen-bench
+/// --peak-memory-of-bake SIDE`, which the bake and growth families run in separate processes.
 double bakeOnce(int sidePixels);
 
 template <class Work>

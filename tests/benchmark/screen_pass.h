@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pipeline that draws one rectangle over a whole image, for timing a fragment shader.
+// A pipeline that draws one rectangle over a whole image, to time a fragment shader.
 #pragma once
 
 #include <lichen/vulkan_device.h>
@@ -9,7 +9,7 @@
 
 namespace lichen::bench {
 
-/// What view.vert reads.
+/// The values that view.vert reads.
 struct ScreenView {
   float uvPerScreenX = 1.0f;
   float uvPerScreenY = 1.0f;
@@ -20,15 +20,15 @@ inline constexpr VkFormat kScreenFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
 class ScreenPass {
 public:
-  /// `layout` is of set 0. Throws std::runtime_error with the device's message.
+  /// `layout` is the layout of set 0. Throws std::runtime_error with the device's message.
   ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
              std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
   ~ScreenPass();
   ScreenPass(const ScreenPass&) = delete;
   ScreenPass& operator=(const ScreenPass&) = delete;
 
-  /// Draws into `target` (kScreenFormat, a colour attachment) and waits: seconds from submission to
-  /// the end.
+  /// Draws into `target` (kScreenFormat, a colour attachment) and waits. Returns the seconds from
+  /// submission to completion.
   [[nodiscard]] double draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view);
 
 private:

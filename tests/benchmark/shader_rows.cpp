@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cost of the shaders of tiling and of textons in units of one plain trilinear fetch, and of
-// textons on a surface and of tiling in three planes in units of those in one, and of tiling's
-// quality levels in units of the highest, frame by frame in turn.
+// Cost of the shaders, measured in alternating frames: tiling and textons relative to one plain
+// trilinear fetch, textons on a surface and triplanar tiling relative to their costs on texture
+// coordinates, and tiling's quality levels relative to the highest.
 #include "exemplars.h"
 #include "rows.h"
 #include "screen_pass.h"
@@ -36,7 +36,7 @@ constexpr std::uint32_t kWidth = 1920;
 constexpr std::uint32_t kHeight = 1080;
 constexpr int kExemplarSide = 256;
 constexpr int kFrames = 31;
-/// The first draws of a pipeline compile it.
+/// A pipeline's first draws compile it.
 constexpr int kWarmUpFrames = 3;
 
 std::vector<std::byte> exemplarGlb(const TilingOptions& options) {
@@ -91,7 +91,7 @@ Row ratioRow(const std::string& what, double target, Drawn noise, Drawn unit,
   return {what, median(noiseSeconds) / seconds, target, "", note};
 }
 
-/// A method or kind of table, a noise of it, and the shader that has its code alone.
+/// A method or kind of table, a noise of that kind, and the shader with only its code.
 struct Kind {
   const char* name;
   std::vector<std::byte> glb;
@@ -107,7 +107,7 @@ TilingOptions bakedWith(LookupTable lut, GaussianOnly gaussian) {
   return options;
 }
 
-/// Bilinear textons that reach 64 texels, with the 30 impacts of the default.
+/// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 test::SyntheticTexton textons() {
   return {.coefficientsX = 63,
           .coefficientsY = 63,
@@ -118,8 +118,8 @@ test::SyntheticTexton textons() {
 
 std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
 
-/// A mix of as many steps as `lichen mix` makes of two exemplars, from one to the other over four
-/// tiles.
+/// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
+/// over four tiles.
 std::vector<std::byte> mixGlb() {
   test::SyntheticTexton texton = textons();
   texton.steps = TextonMixOptions{}.steps;
@@ -132,13 +132,14 @@ std::vector<std::byte> mixGlb() {
   return std::move(glb).value();
 }
 
-/// One texel a pixel.
+/// One texel per pixel.
 constexpr ScreenView kFlat{float(kWidth) / kExemplarSide, float(kHeight) / kExemplarSide, 1.0f};
-/// A hair less: on a surface it is rounded, and a pixel of more than a texel reads two mips.
+/// Slightly less than one texel: surface coordinates are rounded, and a pixel larger than a texel
+/// reads two mips.
 constexpr ScreenView kSurfaceFlat{0.999f * kFlat.uvPerScreenX, 0.999f * kFlat.uvPerScreenY, 1.0f};
-/// A quarter of a tile a pixel, from which on the lowest level of tiling takes one tap.
+/// A quarter of a tile per pixel. From this size on, the lowest tiling level uses one tap.
 constexpr ScreenView kFar{0.25f * float(kWidth), 0.25f * float(kHeight), 1.0f};
-/// A floor, 1/4 of a texel a pixel at the near edge, 16 times as far at the other.
+/// A floor with 1/4 of a texel per pixel at the near edge; the far edge is 16 times as far.
 constexpr ScreenView kFloor{0.25f * kFlat.uvPerScreenX, 0.25f * kFlat.uvPerScreenX, 16.0f};
 
 VkDescriptorSetLayout layoutOf(const test::PluginHost& host) {
@@ -148,7 +149,7 @@ VkDescriptorSetLayout layoutOf(const test::PluginHost& host) {
   return layout;
 }
 
-/// `unit` has the image whose plain fetch is the unit of all ratios.
+/// All ratios are relative to the plain fetch of the image of `unit`.
 void appendRows(std::vector<Row>& rows, const Kind& kind, const test::PluginHost& unit,
                 VulkanDevice& gpu, const DeviceImage& image) {
   test::PluginHost host(gpu, kind.glb);
@@ -195,10 +196,10 @@ void appendTriplanarRow(std::vector<Row>& rows, const Kind& kind, VulkanDevice& 
                           gpu.properties().deviceName));
 }
 
-/// The quality levels of tiling, and a sharper blend of the highest.
+/// The quality levels of tiling, and a sharper blend at the highest level.
 void appendLevelRows(std::vector<Row>& rows, const Kind& kind, VulkanDevice& gpu,
                      const DeviceImage& image) {
-  constexpr double kTarget = 1.0; // a level that is no cheaper is none
+  constexpr double kTarget = 1.0; // a level must be cheaper
   constexpr double kSharpTarget = 1.25, kSharpness = 4.0;
   test::PluginHost plain(gpu, kind.glb);
   test::PluginHost sharp(gpu, kind.glb);
@@ -220,8 +221,8 @@ void appendLevelRows(std::vector<Row>& rows, const Kind& kind, VulkanDevice& gpu
   row("tiling with blend sharpness 4 over 1, flat", kSharpTarget, tiling_frag_sharp, sharp, kFlat);
 }
 
-/// Tiles that are turned over tiles that are not; of colours, and of slopes, which are decoded tile
-/// by tile.
+/// Rotated tiles relative to unrotated ones, for colours and for slopes, which are decoded tile by
+/// tile.
 void appendRotationRows(std::vector<Row>& rows, const Kind& colors, VulkanDevice& gpu,
                         const DeviceImage& image) {
   constexpr double kUnusedTarget = 1.1, kColorTarget = 1.3, kSlopeTarget = 2.5;
@@ -262,8 +263,7 @@ std::vector<Row> measure() {
   Result<DeviceImage> image = gpu.createImage(info);
   if (!image)
     throw std::runtime_error(image.error().message);
-  // Separable tables have no targets of their own: those of the joint one. So have mixes: those of
-  // one texton.
+  // Separable tables have the targets of the joint table, and mixes those of one texton.
   const Kind kinds[] = {
       {"tiling with joint table", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::no)),
        tiling_frag_joint, 3.6, 4.3},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textons: time of a bake, distance from the model beside the papers' algorithm, and how even they
-// are. The numbers of docs/decisions/019-border-of-textons.md.
+// Textons: the time of a bake, the distance from the model compared with the papers' algorithm, and
+// the visibility of their borders. The numbers of docs/decisions/019-border-of-textons.md.
 #include "exemplars.h"
 #include "rows.h"
 
@@ -36,7 +36,7 @@ gaussian::GaussianModel modelOf(const MapExemplar& map) {
   return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
-/// With the model's covariance, as the authors' own textons.
+/// With the model's covariance, like the authors' own textons.
 TextonCoefficients fitted(const gaussian::GaussianModel& model, int support, int order,
                           FitMethod method) {
   FitOptions options;
@@ -76,7 +76,7 @@ void appendTimes(std::vector<Row>& rows) {
   }
 }
 
-/// A mix of two: the time of a bake for each, beside which the path between them is to be small.
+/// A mix of two exemplars: the path between them should take little time compared with their bakes.
 void appendMixTime(std::vector<Row>& rows) {
   constexpr int kRuns = 5;
   const std::array<MixedExemplar, 2> exemplars{{{"rust", {baseColorMap(exemplars::rust(256))}},
@@ -95,7 +95,7 @@ void appendMixTime(std::vector<Row>& rows) {
                   "s", "rust and moss, median of 5; the target is the bakes of both"});
 }
 
-/// A number of each exemplar, and which has the greatest.
+/// One number per exemplar, and the exemplar with the greatest.
 struct Sample {
   std::vector<double> values;
   double worst = 0.0;
@@ -117,7 +117,7 @@ void appendSample(std::vector<Row>& rows, const std::string& what, const Sample&
   rows.push_back({"the same, worst", sample.worst, target, "", sample.worstName});
 }
 
-/// Beside the papers' own algorithm, of one size and support.
+/// Compared with the papers' algorithm at the same size and support.
 void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, int side,
                 int support, double target) {
   Sample ratios, flatnesses, borders, papersBorders;
@@ -139,7 +139,7 @@ void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, 
                "; the target is the median of the papers' textons");
 }
 
-/// Steps and cubic splines; the bilinear ones are above.
+/// Piecewise constant and cubic splines; the bilinear ones are above.
 void appendOrders(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars) {
   for (const int order : {0, 3}) {
     Sample flatnesses;
@@ -158,7 +158,7 @@ void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>&
   TextonOptions options;
   for (const Exemplar& exemplar : exemplars) {
     MapExemplar map = crop(exemplar.image, 128);
-    if (&exemplar == &exemplars.front()) // grey, on which the authors' code fails
+    if (&exemplar == &exemplars.front()) // grey, for which the authors' code fails
       for (std::size_t i = 0; i < map.values.size(); i += 3)
         map.values[i + 1] = map.values[i + 2] = map.values[i];
     options.bits = 16;
@@ -167,10 +167,11 @@ void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>&
     halves.add(bakedTexton(map, options).quality.covarianceError, exemplar.name);
   }
   appendSample(rows, "texton covariance error, 32-bit texels", floats, 1e-6, ", one made grey");
-  // A texel a is off by a uniform error of at most 2^-11 a, and C = a^T B a by twice the sum of
-  // a (B a) times these errors. Its deviation over C is 2 2^-11 / sqrt(3 n) times the root of the
-  // flatness, 2 at most, times |a| |B a| / (a^T B a), by Kantorovich's inequality at most 5/3 for
-  // eigenvalues of B between 1/9 and 1. Four deviations.
+  // Each texel a has a uniform error of at most 2^-11 a, and C = a^T B a has an error of twice the
+  // sum of a (B a) times these errors. Its standard deviation relative to C is 2 2^-11 / sqrt(3 n)
+  // times the root of the flatness, 2 at most, times |a| |B a| / (a^T B a), by Kantorovich's
+  // inequality at most 5/3 for eigenvalues of B between 1/9 and 1. The limit is four standard
+  // deviations.
   const double coefficients = double(options.support - 1) * double(options.support - 1);
   appendSample(rows, "the same, half floats", halves,
                4.0 * 2.0 * std::exp2(-11) / std::sqrt(3.0 * coefficients) * 2.0 * 5.0 / 3.0,

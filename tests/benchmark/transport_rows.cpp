@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the bake's transport is from the optimum, and what that does to the Gaussianized image.
+// The distance of the bake's transport from the optimum, and its effect on the Gaussianized image.
 #include "exemplars.h"
 #include "rows.h"
 
@@ -15,10 +15,11 @@ namespace {
 
 using namespace transport;
 
-/// Of the certificate, as `exact` takes it.
+/// The step of the certificate, passed as `exact`.
 constexpr double kStep = 1e-4;
 
-/// Mean squared difference of neighbours over the variance, channels summed; the image wraps.
+/// Mean squared difference of neighbours relative to the variance, summed over channels, with
+/// wraparound.
 double speckle(const std::vector<Point>& gaussian, const std::vector<std::uint32_t>& assignment,
                int width, int height) {
   const auto at = [&](int x, int y) -> const Point& {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Views from a texel to 100 tiles a pixel, and a camera's move over a floor, against supersampling:
-// contrast, mean colour, features, shimmer; both methods on texture coordinates and in three
-// planes.
+// Views from one texel to 100 tiles per pixel, and a camera that moves over a floor, against
+// supersampling: contrast, mean colour, features and shimmer. Covers both methods, on texture
+// coordinates and triplanar.
 #include "exemplars.h"
 #include "rows.h"
 
@@ -16,14 +16,15 @@ namespace lichen::bench {
 namespace {
 
 constexpr int kExemplarSide = 256;
-/// Points of a pixel: twice the square of it. A deviation of 0.2 is known to 0.01 in each.
+/// A pixel has twice the square of this many points. A standard deviation of 0.2 is accurate to
+/// 0.01 in each.
 constexpr int kSamples = 8;
 
 struct Kind {
   const char* name;
   Method method;
   Mapping mapping;
-  int pixels; ///< of a view: a ratio of deviations is known to 2 and 4 %
+  int pixels; ///< per view: ratios of deviations are accurate to 2 and 4 %
 };
 constexpr std::array<Kind, 4> kKinds{
     {{"tiling", Method::tiling, Mapping::uv, 1000},
@@ -31,10 +32,10 @@ constexpr std::array<Kind, 4> kKinds{
      {"textons", Method::texton, Mapping::uv, 300},
      {"textons in three planes", Method::texton, Mapping::triplanar, 300}}};
 
-/// Pixels in texels, and how many times as long as wide.
+/// Pixel sizes in texels, and the ratio of length to width.
 struct Size {
   double texels, slant;
-  double contrastTarget; ///< 0 where an average has too little contrast left for a ratio
+  double contrastTarget; ///< 0 if an average has too little contrast for a ratio
 };
 /// The targets are this project's own.
 constexpr std::array<Size, 8> kSizes{{{1, 1, 0.1},

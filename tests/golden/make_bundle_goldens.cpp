@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// make_bundle_goldens SOURCE_FOLDER: writes the golden bundle bytes of tests/golden and the
-// examples of docs/gltf_extension. Run by the target regenerate_bundle_goldens only, when the
-// format changes on purpose.
+// make_bundle_goldens SOURCE_FOLDER writes the golden bundle bytes of tests/golden and the examples
+// of docs/gltf_extension. Only the target regenerate_bundle_goldens runs it, when the format
+// changes on purpose.
 //
-// Of textons the example is "dune", which bundle_example.h describes. Of tiling it is "felt": a
-// 16 x 16 image of white Gaussian noise, decoded to shades between two
-// colours. Its base colour spans one dimension, so the Gaussian image has one channel and the
-// inverse table is 256 x 4.
+// The texton example is "dune", which bundle_example.h describes. The tiling example is "felt": a
+// 16 x 16 image of white Gaussian noise, decoded to shades between two colours. Its base colour has
+// one dimension, so the Gaussian image has one channel and the inverse table is 256 x 4.
 #include "bundle_example.h"
 
 #include <lichen/bundle_writer.h>
@@ -43,7 +42,7 @@ double gaussianOf(double uniform) {
   return low;
 }
 
-/// The exemplar's light for a uniform value: mostly dark, with bright fibres.
+/// Maps a uniform value to the exemplar's light: mostly dark, with bright fibres.
 double brightness(double uniform) { return uniform * uniform * (3.0 - 2.0 * uniform); }
 
 /// E[brightness(U(g + e))], e ~ N(0, lost / 36), by a sum over quantiles of e.
@@ -56,7 +55,7 @@ double filteredBrightness(double gaussian, double lost) {
   return sum / kSamples;
 }
 
-/// The quantiles of the Gaussian in an order fixed by the published hash.
+/// The quantiles of the Gaussian, in an order that the published hash fixes.
 std::vector<float> whiteNoise() {
   constexpr std::uint32_t kCount = kSide * kSide;
   std::vector<std::uint32_t> order(kCount);
@@ -106,7 +105,7 @@ Table inverseTable(const std::vector<double>& levels) {
   return table;
 }
 
-/// The exemplar itself, which tiles: the preview.
+/// The exemplar itself, which tiles, as the preview.
 SrgbImage exemplar(const std::vector<float>& gaussian) {
   SrgbImage image(kSide, kSide, 3);
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
@@ -141,7 +140,7 @@ BundleFile feltExample() {
   tiling.gaussian = 0;
   tiling.inverseTable = 1;
   tiling.levels = example::levels(kLevels);
-  // Of white noise, a level keeps 4^-level of the variance.
+  // For white noise, a level keeps 4^-level of the variance.
   for (std::uint32_t level = 0; level < example::fullMipChain(kSide, kSide); ++level)
     tiling.mipLoss.push_back(1.0 - std::pow(4.0, -double(level)));
   file.bundle.tables = {gaussianImage(gaussian), inverseTable(tiling.levels)};

@@ -25,7 +25,7 @@ T require(Result<T> result) {
   return std::move(result).value();
 }
 
-/// The pool and the set of one run's buffers.
+/// The descriptor pool and set of one run's buffers.
 struct BufferSet {
   explicit BufferSet(VkDevice d) : device(d) {}
   BufferSet(const BufferSet&) = delete;
@@ -66,7 +66,7 @@ void createBufferSet(BufferSet& objects, VkDescriptorSetLayout setLayout, const 
 
 } // namespace
 
-/// A pipeline, what it is made of, and what it is found by.
+/// A pipeline with its inputs, by which it is found again.
 struct ComputePipeline {
   ComputePipeline(VkDevice d, const ComputeRun& run)
       : device(d), spirv(run.spirv.begin(), run.spirv.end()), constant(run.constant),
@@ -127,7 +127,7 @@ struct ComputePipeline {
   VkDevice device;
   std::vector<std::uint32_t> spirv;
   std::int32_t constant;
-  VkDescriptorSetLayout otherLayout; // the caller's
+  VkDescriptorSetLayout otherLayout; // of the caller's set
   std::uint32_t imageSamplers;
   VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
   VkShaderModule module = VK_NULL_HANDLE;

@@ -15,12 +15,13 @@ namespace lichen::test {
 struct ComputePipeline;
 struct ComputeRun;
 
-/// Pipelines for several runs on one device: software devices compile for most of a small run.
+/// Shares pipelines between runs on one device: on software devices, compilation takes most of the
+/// time of a small run.
 class ComputePipelines {
 public:
   explicit ComputePipelines(VkDevice device);
   ~ComputePipelines();
-  /// That of the run's shader, constant and layout; made the first time.
+  /// Returns the pipeline for the run's shader, constant and layout, created on first use.
   const ComputePipeline& of(const ComputeRun& run);
 
 private:
@@ -32,28 +33,29 @@ struct ComputeRun {
   std::span<const std::uint32_t> spirv;
   std::span<const std::byte> input; ///< storage buffer, binding 0
   std::size_t outputBytes = 0;      ///< storage buffer, binding 1
-  std::uint32_t items = 0;          ///< invocations; the shader's workgroup has 64
+  std::uint32_t items = 0;          ///< invocations; the shader's workgroup size is 64
   std::int32_t constant = 0;        ///< specialization constant 0
-  /// A set of the caller's for set 0; the two buffers are then in set 1.
+  /// A set that the caller binds as set 0. The two buffers are then in set 1.
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
-  /// Not 0: of the plugin's layouts, which are alike if they have as many, one pipeline serves all.
+  /// If not 0, the layout is one of the plugin's, and all of these with the same number of samplers
+  /// share one pipeline.
   std::uint32_t imageSamplers = 0;
-  std::vector<std::uint32_t> dynamicOffsets; ///< of that set
-  /// Records before the dispatch, in the same command buffer.
+  std::vector<std::uint32_t> dynamicOffsets; ///< of `set`
+  /// Records commands before the dispatch, into the same command buffer.
   std::function<void(VkCommandBuffer)> before;
-  ComputePipelines* pipelines = nullptr; ///< of the same device; null: made for this run
+  ComputePipelines* pipelines = nullptr; ///< of the same device; null: the run creates its own
 };
 
-/// The output buffer's bytes. Throws std::runtime_error with the device's message.
+/// Returns the bytes of the output buffer. Throws std::runtime_error with the device's message.
 [[nodiscard]] std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run);
 
-/// Those of several runs, one after the other in one command buffer.
+/// Likewise for several runs, one after the other in one command buffer.
 [[nodiscard]] std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
                                                               std::span<const ComputeRun> runs);
 
-/// Gives a run its input, one invocation for each element, and one or more outputs for each. The
-/// input must outlive it.
+/// Sets a run's input, with one invocation per element and one or more outputs for each. `inputs`
+/// must outlive the run.
 template <class Output, class Input>
 void setArrays(ComputeRun& run, const std::vector<Input>& inputs, std::size_t outputsEach = 1) {
   run.input = std::as_bytes(std::span(inputs));

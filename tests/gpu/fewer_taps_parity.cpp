@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiling with fewer taps in the shader, through the plugin, against the CPU twin; what the twin
-// does is tested in tests/property/fewer_taps.cpp.
+// Tiling with fewer taps in the shader, through the plugin, against the CPU twin.
+// tests/property/fewer_taps.cpp tests the twin itself.
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
@@ -23,18 +23,18 @@ using namespace lichen::test;
 
 namespace {
 
-constexpr float kTexels = 64.0f; // a side of the exemplar
-/// As the shaders are compiled with: half a texel, since independent texels, of which the exemplar
-/// is, leave their mips little to differ in.
+constexpr float kTexels = 64.0f; // texels per side of the exemplar
+/// The shaders are compiled with this value: half a texel. The exemplar has independent texels,
+/// whose mips differ little beyond that size.
 constexpr double kOneTapTiles = 1.0 / 128.0;
 
-/// As triplanar_evaluate.comp reads it.
+/// The input layout of triplanar_evaluate.comp.
 struct SpacePoint {
   std::array<float, 4> position{}, gradientX{}, gradientY{}, normal{};
 };
 
-/// Points some tiles around the origin with any normal, and footprints from an eighth of a texel to
-/// two tiles, round and up to 32 times as long as wide.
+/// Points some tiles around the origin with any normal. Footprints range from an eighth of a texel
+/// to two tiles, round and up to 32 times as long as wide.
 std::vector<SpacePoint> samplePoints(std::size_t count) {
   std::mt19937 generator(19u);
   std::uniform_real_distribution<float> tiles(-6.0f, 6.0f), level(-3.0f, 7.0f), slant(0.0f, 5.0f);
@@ -53,7 +53,7 @@ std::vector<SpacePoint> samplePoints(std::size_t count) {
   return points;
 }
 
-/// The x and y of points in space, as texture coordinates.
+/// Uses the x and y of points in space as texture coordinates.
 std::vector<Point> flattened(const std::vector<SpacePoint>& points) {
   std::vector<Point> flat;
   for (const SpacePoint& point : points)
@@ -81,7 +81,7 @@ TriplanarFootprint footprintOf(const SpacePoint& point) {
           three(point.normal)};
 }
 
-/// The fraction of values that are further off than 1/1024, and the greatest difference.
+/// The fraction of values that differ by more than 1/1024, and the greatest difference.
 struct Difference {
   void note(const std::array<float, 4>& found, const TilingEvaluator::Value& expected) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -95,7 +95,7 @@ struct Difference {
   int beyond = 0, count = 0;
 };
 
-/// A device with a noise, its twin of a quality, and points.
+/// A noise on a device, its CPU twin at one quality, and points.
 struct OnDevice {
   explicit OnDevice(const TilingQuality& quality)
       : bundle(parseBundle(glb, "synthetic").value()),
@@ -180,7 +180,7 @@ TEST_CASE("as a specialization constant the number of taps does what it does as 
 }
 
 TEST_CASE("the committed shader takes three taps everywhere") {
-  // Levels differ where they should, so that the tests above compare what they name.
+  // The levels must differ where they should; otherwise the tests above compare nothing.
   OnDevice noise({3, 0.0});
   const std::vector<Point> points = flattened(noise.points);
   const auto three =

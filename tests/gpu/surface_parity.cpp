@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise on surfaces in the shader, through the plugin, against the CPU twin, and both
+// Texton noise on surfaces in the shader, through the plugin, against the CPU twin; and both
 // against an oracle that sums all impacts of a large box in double precision.
 #include "surface_reference.h"
 #include "texton_reference.h"
@@ -17,19 +17,19 @@ using namespace lichen::test;
 namespace {
 
 constexpr const char* kPass = "surface_evaluate.comp";
-/// As it has them.
+/// The numbering of surface_evaluate.comp.
 enum Quantity { kValue, kGaussian, kImpacts, kLost };
 
-/// As surface_evaluate.comp reads it.
+/// The input layout of surface_evaluate.comp.
 struct SurfacePoint {
-  std::array<float, 4> position{}; ///< w: 0 where the material says the place in a mix
-  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: weight and derivatives in a mix
+  std::array<float, 4> position{}; ///< w: 0 if the material sets the mix weight
+  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: mix weight, derivatives
   std::array<float, 4> tangent{};
 };
 
 using Vec = SurfaceReference::Vec;
 
-/// Orthonormal, as an implementation of the format makes it of a normal and a tangent.
+/// An orthonormal frame, as an implementation of the format makes it from a normal and a tangent.
 struct Frame {
   Vec right{}, down{}, outward{};
 };
@@ -63,8 +63,8 @@ Frame frameOf(const SurfacePoint& point, double rotation) {
   return f;
 }
 
-/// Points some tiles around with any frame, a quarter of them along the grid's axes, and footprints
-/// from a quarter of a texel to beyond the last mip.
+/// Points some tiles around the origin with any frame, a quarter of them along the grid's axes.
+/// Footprints range from a quarter of a texel to beyond the last mip.
 std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_t count) {
   std::mt19937 generator(11u);
   std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), weight(-0.2f, 1.2f);
@@ -101,14 +101,14 @@ LichenUniformInfo surfaceUniformInfo() {
   return info;
 }
 
-/// Uniforms that between them use every parameter.
+/// Uniforms that together use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(3, surfaceUniformInfo());
   all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
                       LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
   all[1].scale = 0.8;
   all[1].rotation = 0.6;
-  all[1].offset[0] = 0.25; // which means nothing in space
+  all[1].offset[0] = 0.25; // has no meaning in space
   all[1].seed = 4294967295u;
   all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
   all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
@@ -217,9 +217,9 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
         for (std::size_t c = 0; c < 3; ++c) {
           const double gaussian =
               0.5 + expected[c] / (6.0 * deviationAt(map, double(mix.weight), c));
-          // 60 impacts at places of 200 texels rounded to 2^-17 in each of three steps, slopes up
-          // to 0.2 a texel: less than 1e-4, and the level's logarithm as much again. Order 0 and
-          // steps of a mix have borders, where a texton may be another's.
+          // 60 impacts at positions of 200 texels, rounded to 2^-17 in each of three steps, with
+          // slopes up to 0.2 per texel: less than 1e-4, and the level's logarithm as much again.
+          // Order 0 and the steps of a mix have borders, where rounding may select another texton.
           constexpr double kTolerance = 3e-4;
           const double worst = std::max(std::abs(double(values[k][c]) - gaussian),
                                         std::abs(double(twin[c]) - gaussian));
@@ -239,7 +239,7 @@ TEST_CASE(
   for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
     LichenUniformInfo near = surfaceUniformInfo();
     near.overrides |= LICHEN_OVERRIDE_IMPACTS;
-    near.impacts = 1000.0; // some thousands of cubes a tile
+    near.impacts = 1000.0; // some thousands of cubes per tile
     LichenUniformInfo far = near;
     far.tileOrigin[0] = tile;
     far.tileOrigin[1] = -tile;
@@ -265,7 +265,7 @@ TEST_CASE("on a surface the constant weight of a mix is the material's") {
   TextonTwins twins(kPass, encodeGlb(file).value());
   std::vector<SurfacePoint> points = samplePoints(texton, 100);
   for (SurfacePoint& point : points)
-    point.position[3] = 0.0f; // its weight and derivatives are then not read
+    point.position[3] = 0.0f; // so that its weight and derivatives are not read
   const auto gaussians = twins.shader(kGaussian, surfaceUniformInfo(), points);
   const shader::LichenUniforms& u = twins.host.uniforms();
   std::size_t strangers = 0;
@@ -291,7 +291,8 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
   const double cube = double(twins.host.uniforms().texton.surfaceCubeTexels);
   const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
   CHECK(expected == Approx(60.0).epsilon(0.1));
-  // 400 points; a Bernoulli variable for each cube on the border, of some 90: 5 standard errors.
+  // 400 points, with a Bernoulli variable for each of some 90 cubes on the border: 5 standard
+  // errors.
   CHECK(mean == Approx(expected).margin(5.0 * std::sqrt(90.0 / 4.0 / 400.0)));
 }
 

@@ -16,7 +16,7 @@ double dot(const SurfaceReference::Vec& a, const SurfaceReference::Vec& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The words of a cube's impacts.
+/// The random words of a cube's impacts.
 std::vector<std::uint32_t> wordsOf(const std::array<std::int64_t, 3>& cube,
                                    const shader::LichenNoise& noise, bool isPoisson) {
   const auto column = pcg3d({std::uint32_t(cube[0]), std::uint32_t(cube[1]), noise.seedWord});

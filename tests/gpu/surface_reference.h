@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A second, slow and obvious evaluation of texton noise on a surface in double precision: the
-// oracle for shader and twin. It looks at every cube of a large box around the point and sums the
-// textons of all impacts over all coefficients; it takes only the integer hash from the rest.
+// A second, slow and simple evaluation of texton noise on a surface in double precision: the oracle
+// for the shader and its CPU twin. It visits every cube of a large box around the point and sums
+// the textons of all impacts over all coefficients. It shares only the integer hash with the code
+// under test.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -19,15 +20,15 @@ public:
   SurfaceReference(const Bundle& bundle, const shader::LichenNoise& noise,
                    const shader::LichenTexton& texton);
 
-  /// The sum over impacts in stored values less their mean, with the texton fetched at a whole mip
-  /// level (0: its own spline). `right`, `down` and `outward` are orthonormal: where the exemplar's
-  /// x and y point on the surface, and the normal. The point is in metres.
+  /// Returns the sum over impacts, in stored values minus their mean, with the texton fetched at a
+  /// whole mip level (0: its own spline). `right`, `down` and `outward` are orthonormal: the
+  /// directions of the exemplar's x and y on the surface, and the normal. `point` is in metres.
   [[nodiscard]] Vec at(const Vec& point, const Vec& right, const Vec& down, const Vec& outward,
                        std::uint32_t mip, double mixWeight = 0.0,
                        std::array<double, 2> mixGradient = {}) const;
 
 private:
-  /// h of a step of the texton, in texels of its frame.
+  /// Value h of one step of the texton, at (x, y) in texels of its frame.
   [[nodiscard]] Vec textonAt(double x, double y, std::uint32_t mip, int step) const;
 
   const Bundle& bundle_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Noises made for the tests; see synthetic_noise.h.
+// Synthetic noises for the tests; see synthetic_noise.h.
 #include "synthetic_noise.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ TexelFormat gaussianFormat(const SyntheticMap& map) {
   return (map.eightBit ? kEight : kSixteen)[map.dimensions - 1];
 }
 
-/// Averages of 2 x 2 texels, the last one repeated where a side is odd.
+/// Averages of 2 x 2 texels; the last one repeats if a side is odd.
 std::vector<float> halved(const std::vector<float>& level, std::uint32_t width,
                           std::uint32_t height, std::size_t channels) {
   const std::uint32_t w = std::max(1u, width / 2), h = std::max(1u, height / 2);
@@ -58,7 +58,7 @@ Table gaussianTable(const SyntheticMap& map, std::mt19937& generator) {
   return table;
 }
 
-/// Channel c of cell (x, y, z) in [0, 1]^3, `kept` of its contrast left.
+/// Channel c of cell (x, y, z) in [0, 1]^3; `kept` is the remaining share of its contrast.
 float tableValue(double x, double y, double z, std::size_t c, double kept) {
   constexpr double kTurn = 3.0; // radians over the unit cube: smooth, not linear, not symmetric
   const double phase = double(c) + kTurn * (x + 0.7 * y - 0.4 * z);
@@ -72,7 +72,7 @@ Table inverseTable(const SyntheticMap& map) {
   const std::uint32_t cells = kCells[axes - 1];
   const auto levels = std::uint32_t(map.levels);
   Table table;
-  const bool slopes = map.dimensions == 2; // the format wants them as floats
+  const bool slopes = map.dimensions == 2; // the format requires floats for slopes
   table.format = !map.eightBit || slopes || isSeparable ? rgba16Sfloat
                  : map.dimensions == 3                  ? rgba8Srgb
                                                         : rgba8Unorm;
@@ -120,7 +120,7 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
     map.covariance[i * n + i] = 0.01;
   auto& tiling = map.as<TilingMap>();
   if (source.table == SyntheticTable::separable) {
-    // Turned by a third about the grey axis, and part of it out of gamut.
+    // Rotated by a third of a turn about the grey axis, and partly out of gamut.
     tiling.tableBasis = {0.577, 0.816, 0.0, 0.577, -0.408, 0.707, 0.577, -0.408, -0.707};
     tiling.tableOffset = {-0.3, 0.1, 0.2};
   }

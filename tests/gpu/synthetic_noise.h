@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Noises made for the tests: a Gaussian image of independent values with a mip chain of averages,
-// and a smooth inverse table. Not a bake: only evaluation is tested with them.
+// Synthetic noises for the tests: a Gaussian image of independent values with a box-filtered mip
+// chain, and a smooth inverse table. They are not baked: only evaluation is tested with them.
 #pragma once
 
 #include <lichen/bundle_writer.h>
@@ -12,18 +12,18 @@ namespace lichen::test {
 enum class SyntheticTable { joint, separable, none };
 
 struct SyntheticMap {
-  int dimensions = 3; ///< D, 1 to 3; decides the map's target
+  int dimensions = 3; ///< D, 1 to 3; selects the map's target
   std::uint32_t width = 64;
   std::uint32_t height = 64;
   bool eightBit = false; ///< 8-bit tables instead of 16-bit floats
   std::size_t levels = 4;
-  SyntheticTable table = SyntheticTable::joint; ///< separable for three dimensions
+  SyntheticTable table = SyntheticTable::joint; ///< separable when D is 3
 };
 
 /// One noise with these maps and one material that uses it.
 [[nodiscard]] BundleFile syntheticBundle(std::span<const SyntheticMap> maps);
 
-/// The file of that bundle.
+/// That bundle as a GLB file.
 [[nodiscard]] std::vector<std::byte> syntheticGlb(std::span<const SyntheticMap> maps);
 
 } // namespace lichen::test

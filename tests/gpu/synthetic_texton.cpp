@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noises made for the tests; see synthetic_texton.h.
+// Synthetic texton noises for the tests; see synthetic_texton.h.
 #include "synthetic_texton.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Plane {
   }
 };
 
-/// Averages of 2 x 2, of a plane that is 0 around.
+/// Averages of 2 x 2 texels of a plane surrounded by zeros.
 Plane halved(const Plane& fine) {
   Plane coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, fine.channels, {}};
   for (int y = 0; y < coarse.height; ++y)
@@ -85,8 +85,8 @@ double trace(const std::vector<double>& matrix, std::size_t n) {
   return sum;
 }
 
-/// The share of each channel's variance that a bilinear fetch of each mip loses; at the first the
-/// order's own fetch.
+/// The share of each channel's variance that a bilinear fetch of each mip loses. The first mip uses
+/// the order's own fetch.
 std::vector<double> mipLosses(Plane mip, int order) {
   const std::size_t n = mip.channels;
   std::vector<double> losses(n * kMaxTextonLosses, 0.0);
@@ -128,7 +128,7 @@ TextonShape shapeOf(const SyntheticTexton& texton) {
   return shape;
 }
 
-/// The frames of all steps, one above the other, and their mips.
+/// The frames of all steps, stacked vertically, and their mips.
 Table imageOf(const SyntheticTexton& texton, const TextonShape& shape,
               const std::vector<double>& scale) {
   Table table;
@@ -162,7 +162,7 @@ std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int ste
   std::normal_distribution<double> gaussian;
   const auto bell = [](int k, int count) {
     const double x = (k + 0.5) / count - 0.5;
-    return std::exp(-8.0 * x * x); // falls to e^-2 at the border, which still shows faults there
+    return std::exp(-8.0 * x * x); // e^-2 at the border: errors there remain visible
   };
   Plane plane{texton.coefficientsX, texton.coefficientsY, std::size_t(texton.channels), {}};
   for (int y = 0; y < plane.height; ++y)

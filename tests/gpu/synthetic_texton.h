@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texton noises made for the tests: random coefficients under a bell, the mips of their frames and
-// what these lose, by direct sums. Not a bake: only evaluation is tested with them.
+// Synthetic texton noises for the tests: random coefficients under a bell, the mips of their frames
+// and the lost variance, by direct sums. They are not baked: only evaluation is tested with them.
 #pragma once
 
 #include <lichen/bundle_writer.h>
@@ -11,25 +11,26 @@
 namespace lichen::test {
 
 struct SyntheticTexton {
-  int coefficientsX = 21; ///< odd and no multiple of a coarse texel, to find faults of the frame
+  int coefficientsX = 21; ///< odd, no multiple of a coarse texel: reveals errors of the frame
   int coefficientsY = 18;
   int order = 1;
   int mipLevels = 3;
   int texelsPerTileX = 64;
   int texelsPerTileY = 48;
   int steps = 1;
-  int channels = 3; ///< of the one map: 3 baseColor, sRGB; 2 normal, slopes; 1 height, linear
+  int channels = 3; ///< of the only map: 3 baseColor, sRGB; 2 normal, slopes; 1 height, linear
   bool wholeFloats = false; ///< 32-bit texels instead of 16-bit ones
-  int smoothings = 0;       ///< how often coefficients are averaged with their neighbours
-  double deviation = 0.08;  ///< of the stored values at the first step; each has half of it more
+  int smoothings = 0;       ///< how often each coefficient is averaged with its neighbours
+  double deviation = 0.08;  ///< standard deviation of the stored values at the first step; each
+                            ///< later step adds half of it
 };
 
-/// The coefficients of a step, without scale: channel c of (x, y) at ((y * X) + x) * channels + c.
-/// The noise of sum b(k - l) alpha(k) alpha(l)^T has the covariance that covarianceOf() gives.
+/// Returns the coefficients of a step, unscaled: channel c of (x, y) at ((y * X) + x) * channels +
+/// c. The noise sum b(k - l) alpha(k) alpha(l)^T has the covariance that covarianceOf() returns.
 [[nodiscard]] std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int step);
 
-/// [GLM17] section 4.1: sum over k, l of b(k - l + lag) alpha(k) alpha(l)^T, channels x channels
-/// row-major, for a lag in texels.
+/// [GLM17] section 4.1: sum over k, l of b(k - l + lag) alpha(k) alpha(l)^T for a lag in texels;
+/// channels x channels, row-major.
 [[nodiscard]] std::vector<double> covarianceAt(const SyntheticTexton& texton,
                                                std::span<const double> coefficients, int lagX,
                                                int lagY);
@@ -37,7 +38,7 @@ struct SyntheticTexton {
 /// One noise with one map and one material that uses it.
 [[nodiscard]] BundleFile syntheticTextonBundle(const SyntheticTexton& texton);
 
-/// The file of that bundle.
+/// That bundle as a GLB file.
 [[nodiscard]] std::vector<std::byte> syntheticTextonGlb(const SyntheticTexton& texton);
 
 } // namespace lichen::test

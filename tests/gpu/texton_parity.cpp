@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise in the shader, through the plugin, against the CPU twin, and both against an oracle
+// Texton noise in the shader, through the plugin, against the CPU twin; and both against an oracle
 // that sums all impacts of a periodic domain in double precision.
 #include "texton_reference.h"
 #include "texton_twins.h"
@@ -18,12 +18,12 @@ using namespace lichen::test;
 namespace {
 
 constexpr const char* kPass = "texton_evaluate.comp";
-/// As it has them.
+/// The numbering of texton_evaluate.comp.
 enum Quantity { kValue, kGaussian, kGradient, kImpacts, kLost };
 
 struct MixedPoint {
   Point point;
-  /// Weight, its derivatives per tile, and 0 where the material says them.
+  /// Mix weight, its derivatives per tile, and 0 if the material sets them.
   std::array<float, 4> mixPlace{0.0f, 0.0f, 0.0f, 1.0f};
 };
 
@@ -31,7 +31,7 @@ constexpr double kStrict = 1.0 / 1024.0;
 
 struct Difference {
   double largest = 0.0;
-  std::size_t beyond = 0; ///< further off than 1/1024
+  std::size_t beyond = 0; ///< differences above 1/1024
   std::size_t count = 0;
 
   void note(double error) {
@@ -42,7 +42,8 @@ struct Difference {
   [[nodiscard]] double fractionBeyond() const { return double(beyond) / double(count); }
 };
 
-/// Footprints from a quarter of a texel to beyond the last mip, and points some tiles around.
+/// Points some tiles around the origin. Footprints range from a quarter of a texel to beyond the
+/// last mip.
 std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t count) {
   std::mt19937 generator(11u);
   std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 3.0f),
@@ -60,7 +61,7 @@ std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t 
   return points;
 }
 
-/// Uniforms that between them use every parameter.
+/// Uniforms that together use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(5, uniformInfo());
   all[1] = movedUniformInfo();
@@ -95,7 +96,7 @@ MixPlace mixOf(const MixedPoint& mixed) {
   return {mixed.mixPlace[0], {mixed.mixPlace[1], mixed.mixPlace[2]}};
 }
 
-/// Orders, formats and numbers of channels; no side is a multiple of a coarse texel.
+/// All orders, formats and channel counts; no side is a multiple of a coarse texel.
 const std::vector<SyntheticTexton> kTextons = {
     {},
     {.coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
@@ -155,15 +156,15 @@ TEST_CASE("textons of order 0 agree but for points on the border of a coefficien
       for (std::size_t c = 0; c < 4; ++c)
         difference.note(std::abs(double(values[k][c]) - double(expected[c])));
     }
-    // Coordinates of some 100 texels are rounded to 2^-17: of 30 impacts, 3e-4 have one on the
-    // other side of one of two borders.
+    // Coordinates of some 100 texels are rounded to 2^-17. With 30 impacts, a fraction of 3e-4 of
+    // points has one on the other side of one of two borders.
     CHECK(difference.fractionBeyond() <= 0.002);
   }
 }
 
 namespace {
 
-/// Points whose footprint is a mip's, and uniforms of a periodic placement.
+/// Points with the footprint of one mip level, and uniforms of a periodic placement.
 struct OracleCase {
   SyntheticTexton texton;
   LichenUniformInfo info = uniformInfo();
@@ -195,7 +196,7 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
     TextonTwins twins(kPass, one.texton);
     std::vector<MixedPoint> points = samplePoints(one.texton, 30);
     for (MixedPoint& mixed : points) {
-      // Half a level more than the mip's.
+      // Half a level above the mip's.
       const float level = one.mip == 0 ? 0.0f : float(one.mip) + 0.5f;
       mixed.point.gradientX = {std::exp2(level) / float(one.texton.texelsPerTileX), 0.0f};
       mixed.point.gradientY = {0.0f, std::exp2(level) / float(one.texton.texelsPerTileY)};
@@ -215,8 +216,9 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
       for (std::size_t c = 0; c < 3; ++c) {
         const double gaussian =
             0.5 + expected.value[c] / (6.0 * deviationAt(map, double(mix.weight), c));
-        // 30 impacts at coordinates of 100 texels rounded to 2^-17, slopes up to 0.2 a texel: less
-        // than 5e-5. Order 0 and steps of a mix have borders, where a texton may be another's.
+        // 30 impacts at coordinates of 100 texels, rounded to 2^-17, with slopes up to 0.2 per
+        // texel: less than 5e-5. Order 0 and the steps of a mix have borders, where rounding may
+        // select another texton.
         constexpr double kTolerance = 1e-4;
         const double worst = std::max(std::abs(double(values[k][c]) - gaussian),
                                       std::abs(double(twin[c]) - gaussian));
@@ -251,21 +253,23 @@ TEST_CASE("derivatives of order 3 are those of the spline, and the count is of i
     const double values[] = {map.mean[0] + expected.value[0], expected.gradient[0],
                              expected.gradient[1]};
     for (std::size_t c = 0; c < 3; ++c) {
-      // The slope's own slope is below 0.08 a texel, 64 texels a tile, by the same roundings.
+      // The slope's own slope is below 0.08 per texel, at 64 texels per tile, with the same
+      // rounding.
       const double tolerance = c == 0 ? 1e-4 : 2e-3;
       REQUIRE(double(gradients[k][c]) == Approx(values[c]).margin(tolerance));
       REQUIRE(double(twin[c]) == Approx(values[c]).margin(tolerance));
     }
     mean += double(counts[k][0]) / double(points.size());
   }
-  // A Bernoulli variable for each cell: 200 points, of at most sqrt(30 / 4) each, 5 standard
-  // errors. A square window of (24, 21) texels is what 30 are counted in.
+  // A Bernoulli variable for each cell: 200 points, each with a standard deviation of at most
+  // sqrt(30 / 4); 5 standard errors. The 30 impacts are counted in a rectangular window of (24, 21)
+  // texels.
   CHECK(mean == Approx(30.0).margin(1.0));
 }
 
 TEST_CASE("value and differences of a height agree in shader and twin, at all levels, orders and "
           "parameters, and of a mix") {
-  // Three of the uniforms: each takes a pipeline, which is what the time is spent on.
+  // Only three of the uniforms: each needs a pipeline, and pipelines take most of the time.
   std::vector<LichenUniformInfo> infos = manyUniforms();
   infos = {infos[1], infos[2], infos[3]};
   for (const SyntheticTexton& texton :
@@ -281,12 +285,12 @@ TEST_CASE("value and differences of a height agree in shader and twin, at all le
       for (std::size_t k = 0; k < points.size(); ++k) {
         const auto expected = twins.twin.gradient(
             0, u.noise, u.texton, footprintOf(points[k].point, u.noise), mixOf(points[k]));
-        for (std::size_t c = 0; c < 3; ++c) // per texel, as values are
+        for (std::size_t c = 0; c < 3; ++c) // per texel, like the values
           difference.note(std::abs(double(gradients[k][c]) - double(expected[c])) /
                           (c == 0 ? 1.0 : double(texton.texelsPerTileX)));
       }
       INFO("order " << texton.order << ", steps " << texton.steps << ", uniforms " << uniforms++);
-      // Order 0 and mixes have borders, on which points may be rounded to either side.
+      // Order 0 and mixes have borders; rounding may move points to either side.
       const bool hasBorders = texton.order == 0 || texton.steps > 1;
       CHECK((hasBorders || difference.largest <= 1.0 / 255.0));
       CHECK(difference.fractionBeyond() <= (hasBorders ? 0.003 : 0.001));
@@ -303,7 +307,7 @@ TEST_CASE(
        {std::pair{0.0, std::int64_t(1) << 20}, std::pair{2.0, -(std::int64_t(1) << 24)}}) {
     LichenUniformInfo near = uniformInfo();
     near.overrides = LICHEN_OVERRIDE_IMPACTS;
-    near.impacts = 1000.0; // 25,343 cells a tile
+    near.impacts = 1000.0; // 25,343 cells per tile
     near.periodTiles[0] = near.periodTiles[1] = period;
     LichenUniformInfo far = near;
     far.tileOrigin[0] = tile;
@@ -319,7 +323,8 @@ TEST_CASE(
     CHECK(double(found[0][0]) == Approx(double(expected[0][0])).margin(1e-5));
     CHECK(double(twin[0]) == Approx(double(expected[0][0])).margin(kStrict));
   }
-  // Of other tiles a float says the cell with an error; but shader and twin read the same of it.
+  // With other tile sizes a float stores the cell size with an error, but shader and CPU twin read
+  // the same float.
   for (const auto& [period, tile] :
        {std::pair{0.0, 1234567.0f}, std::pair{3.0, 1234567.0f}, std::pair{1.37, -7654321.0f}}) {
     LichenUniformInfo info = uniformInfo();
@@ -337,8 +342,8 @@ TEST_CASE(
 
 TEST_CASE("with gradients left to a sampler without anisotropy, all is as with levels") {
   for (const int order : {0, 1, 3}) {
-    // A square tile, so that gradients at right angles are the footprint's axes in texels too, and
-    // footprints of whole levels: lavapipe approximates those between.
+    // A square tile, so that gradients at right angles are also the footprint's axes in texels. The
+    // footprints have whole levels, because lavapipe approximates levels in between.
     const SyntheticTexton texton{.order = order, .texelsPerTileY = 64};
     TextonTwins twins(kPass, texton);
     std::vector<MixedPoint> points = samplePoints(texton, 200);
@@ -396,9 +401,9 @@ TEST_CASE("the gradient of a mix is that of the oracle in shader and twin, with 
         map.mean[0] + meanSlope * std::clamp(weight, 0.0, 1.0) + sum.value[0],
         sum.gradient[0] + slope * weightSlope[0], sum.gradient[1] + slope * weightSlope[1]};
     for (std::size_t c = 0; c < 3; ++c) {
-      // As without a mix. An impact keeps its texton wherever the point is, as the weight is
-      // linear; rounding gives 6000 impacts another one where their weight is within 1e-7 of one of
-      // two borders between steps: one in 600 of such tests.
+      // As without a mix. An impact keeps its texton at any point, because the weight is linear.
+      // Rounding changes the texton of one of 6000 impacts if its weight is within 1e-7 of one of
+      // two borders between steps: once in 600 such tests.
       const double tolerance = c == 0 ? 1e-4 : 2e-3;
       INFO("point " << k << ", component " << c);
       CHECK(double(gradients[k][c]) == Approx(expected[c]).margin(tolerance));
@@ -430,7 +435,7 @@ TEST_CASE("the weight of a direction is the material's, whatever its placement")
   info.tileOrigin[1] = -1;
   const auto gaussians = twins.shader(kGaussian, info, points);
   const shader::LichenUniforms& u = twins.host.uniforms();
-  // Texture coordinates of a tile coordinate: the inverse of the rotation over the scale.
+  // Texture coordinates of a tile coordinate: the inverse rotation, divided by the scale.
   const auto weightAt = [&](double tileX, double tileY) {
     if (mix.source == MixSource::constant)
       return mix.weight;
@@ -444,7 +449,7 @@ TEST_CASE("the weight of a direction is the material's, whatever its placement")
   Difference difference;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const TileFootprint at = footprintOf(points[k].point, u.noise);
-    // Relative to the host's origin, but for the whole tiles of the offset.
+    // Relative to the host's origin, except for the whole tiles of the offset.
     const double x = double(at.position[0]) + double(info.tileOrigin[0]) + 2.0;
     const double y = double(at.position[1]) + double(info.tileOrigin[1]);
     const MixPlace place{float(weightAt(x, y)),
@@ -454,7 +459,7 @@ TEST_CASE("the weight of a direction is the material's, whatever its placement")
     for (std::size_t c = 0; c < 3; ++c)
       difference.note(std::abs(double(gaussians[k][c]) - double(expected[c])));
   }
-  // Weights are below 4 and computed by ten roundings of 2^-23 at most: of 6000 impacts, 0.06 have
-  // another texton, by one of four borders between steps. Two points with one are seen once in 600.
+  // Weights are below 4, from at most ten roundings of 2^-23. With 6000 impacts and four borders
+  // between steps, 0.06 impacts get another texton. Two such points occur once in 600 runs.
   CHECK(difference.beyond <= 3); // channels of one point
 }

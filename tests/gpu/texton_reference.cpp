@@ -88,7 +88,7 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
   const double periodY = double(noise_.periodTilesY) * double(texton_.texelsPerTileY);
   Sum sum;
   for (const Impact& impact : impacts_) {
-    // All copies that are less than twice the texton and its mips away.
+    // Includes all copies within twice the reach of the texton and its mips.
     const double farX = 2.0 * texton_.coefficientsX + 4.0 * side + 8.0;
     const double farY = 2.0 * texton_.coefficientsY + 4.0 * side + 8.0;
     for (double y = impact.y + periodY * std::ceil((pointY - farY - impact.y) / periodY);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A second, slow and obvious evaluation of texton noise in double precision: the oracle for shader
-// and twin. It lists all impacts of a periodic domain, with all their copies around it, and sums
-// their textons over all coefficients; it knows no window of cells and no frame of zeros, and takes
-// only the integer hash from the rest, which is checked on its own.
+// A second, slow and simple evaluation of texton noise in double precision: the oracle for the
+// shader and its CPU twin. It lists all impacts of a periodic domain with all their copies around
+// it, and sums their textons over all coefficients. It uses neither a window of cells nor a border
+// of zeros. It shares only the integer hash with the code under test; other tests check that hash.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -13,17 +13,17 @@
 
 namespace lichen::test {
 
-/// The centred B-spline of an order: Cox and de Boor's recursion, half-open.
+/// The centred B-spline of an order by the Cox-de Boor recursion, on half-open intervals.
 [[nodiscard]] double centredSpline(int order, double x);
-/// A Poisson variable of mean 1 by its distribution function, at a quantile.
+/// Inverts the distribution function of a Poisson variable of mean 1 at a quantile.
 [[nodiscard]] int poissonQuantile(double quantile);
 
-/// The deviation of a channel's stored values at a weight of a mix: linear between the steps.
+/// The standard deviation of a channel's stored values at a mix weight: linear between the steps.
 [[nodiscard]] double deviationAt(const NoiseMap& map, double weight, std::size_t channel);
 
 class TextonReference {
 public:
-  /// `noise` is periodic.
+  /// `noise` must be periodic.
   TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
                   const shader::LichenTexton& texton);
 
@@ -31,12 +31,12 @@ public:
     double x = 0.0, y = 0.0; ///< texels of the exemplar
     double sign = 1.0;
   };
-  /// Those of one period.
+  /// The impacts of one period.
   [[nodiscard]] const std::vector<Impact>& impacts() const { return impacts_; }
 
-  /// The sum over all impacts in stored values less their mean at a place [tiles], of the texton
-  /// fetched at a whole mip level (0: its own spline), the first channel's derivatives [1 / tile]
-  /// after it.
+  /// The sum over all impacts at a position [tiles], in stored values minus their mean, with the
+  /// texton fetched at a whole mip level (0: its own spline). The derivatives of the first channel
+  /// [1 / tile] follow.
   struct Sum {
     std::array<double, 3> value{};
     std::array<double, 2> gradient{};

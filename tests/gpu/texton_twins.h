@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A texton noise twice: on a device, through the plugin and one of the passes, and its CPU twin.
+// A texton noise evaluated twice: on a device, through the plugin and a pass, and by its CPU twin.
 #pragma once
 
 #include "plugin_host.h"
@@ -14,9 +14,9 @@
 
 namespace lichen::test {
 
-/// At its end no message of the device must have come.
+/// Its destructor checks that the device reported no message.
 struct TextonTwins {
-  /// `pass` is a file of shaders_glsl/passes.
+  /// `pass` is a file name in shaders_glsl/passes.
   TextonTwins(const std::string& pass, std::span<const std::byte> glb)
       : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb, sharedPipelines()),
         twin(TextonEvaluator::create(bundle, 0).value()), committed(committedShader(pass)) {}
@@ -26,7 +26,7 @@ struct TextonTwins {
   TextonTwins(const TextonTwins&) = delete;
   TextonTwins& operator=(const TextonTwins&) = delete;
 
-  /// What the pass has at these points; `quantity` as it numbers them.
+  /// Runs the pass at these points; `quantity` uses the pass's numbering.
   template <class AnyPoint>
   [[nodiscard]] std::vector<std::array<float, 4>>
   shader(int quantity, const LichenUniformInfo& info, const std::vector<AnyPoint>& points) {

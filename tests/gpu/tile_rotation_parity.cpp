@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Turned tiles in the shader where other choices meet them: fewer taps, three planes, and hosts
-// that leave turning out. tiling_parity.cpp has them against the oracle.
+// Rotated tiles in the shader combined with other options: fewer taps, triplanar mapping, and hosts
+// that compile rotation out. tiling_parity.cpp compares them with the oracle.
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
@@ -24,9 +24,9 @@ using namespace lichen::test;
 namespace {
 
 constexpr float kTexels = 64.0f;
-constexpr TilingQuality kFewest{2, 1.0 / 128.0}; // as the shaders are compiled with
+constexpr TilingQuality kFewest{2, 1.0 / 128.0}; // the shaders are compiled with these values
 
-/// As triplanar_evaluate.comp reads it.
+/// The input layout of triplanar_evaluate.comp.
 struct SpacePoint {
   std::array<float, 4> position{}, gradientX{}, gradientY{}, normal{};
 };
@@ -76,7 +76,7 @@ LichenUniformInfo turned(std::uint32_t steps, LichenMapping mapping = LICHEN_MAP
   return info;
 }
 
-/// The fraction of values that are further off than 1/1024, and the greatest difference.
+/// The fraction of values that differ by more than 1/1024, and the greatest difference.
 struct Difference {
   void note(const std::array<float, 4>& found, const std::array<float, 4>& expected) {
     for (std::size_t c = 0; c < 3; ++c) {

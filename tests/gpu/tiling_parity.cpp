@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole tiling in the shader, through the plugin, against the double-precision oracle and
-// against the CPU twin.
+// The complete tiling method in the shader, through the plugin, against the double-precision oracle
+// and the CPU twin.
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
@@ -27,8 +27,8 @@ namespace {
 
 enum Operator { kHistogram, kLinear, kVariance, kGaussian };
 
-/// Footprints from a hundredth of a texel to all of a tile, round and stretched, and points some
-/// tiles around the origin; every tenth at one pixel per texel, in the centre of a texel.
+/// Points some tiles around the origin. Footprints range from a hundredth of a texel to a whole
+/// tile, round and stretched; every tenth point is at a texel centre with one pixel per texel.
 std::vector<Point> samplePoints(float sizeTexels, std::size_t count) {
   std::mt19937 generator(7u);
   std::uniform_real_distribution<float> tiles(-6.0f, 6.0f), level(-3.0f, 8.0f), stretch(0.0f, 4.0f),
@@ -55,7 +55,7 @@ std::vector<Point> samplePoints(float sizeTexels, std::size_t count) {
 
 struct Difference {
   double largest = 0.0;
-  double fractionBeyond = 0.0; ///< of values further off than 1/1024
+  double fractionBeyond = 0.0; ///< of values that differ by more than 1/1024
 };
 
 constexpr double kStrict = 1.0 / 1024.0;
@@ -65,7 +65,8 @@ void note(Difference& difference, double error, double share) {
   difference.fractionBeyond += error > kStrict ? share : 0.0;
 }
 
-/// Of the committed shader's values (and of its Gaussian value and lost variance) to the oracle's.
+/// Compares the committed shader's values (and its Gaussian value and lost variance) with the
+/// oracle's.
 struct Parity {
   Difference value, gaussian;
 };
@@ -91,7 +92,7 @@ Parity compare(PluginHost& host, const TilingReference& reference,
   return parity;
 }
 
-/// Uniforms that between them use every parameter.
+/// Uniforms that together use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(6, uniformInfo());
   all[1] = movedUniformInfo();
@@ -107,7 +108,7 @@ std::vector<LichenUniformInfo> manyUniforms() {
   all[5].periodTiles[0] = all[5].periodTiles[1] = 1.37;
   all[5].overrides = LICHEN_OVERRIDE_CONTRAST;
   all[5].contrast = 1.4;
-  // Each of them with its tiles turned.
+  // Each of them also rotates its tiles.
   constexpr std::array<std::uint32_t, 6> kSteps{4, 65536, 2, 7, 4, 65536};
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     LichenUniformInfo info = all[k];
@@ -122,7 +123,7 @@ std::vector<LichenUniformInfo> manyUniforms() {
 
 namespace {
 
-/// Parity of every set of uniforms, for one noise of one map.
+/// Parity for every set of uniforms, for one noise of one map.
 std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint32_t> spirv,
                              FetchedBy fetchedBy = FetchedBy::level) {
   VulkanDevice* const device = sharedDevice();
@@ -140,7 +141,7 @@ std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint3
 
 using enum SyntheticTable;
 
-/// Every kind of table and every number of dimensions.
+/// Every kind of table with every number of dimensions.
 const std::vector<SyntheticMap> kSixteenBits = {{3, 64, 64},
                                                 {2, 64, 32, false, 3},
                                                 {1, 48, 80, false, 6},
@@ -185,7 +186,7 @@ TEST_CASE("a shader without the code of other tables decodes as the whole shader
         CHECK(parity.value.fractionBeyond <= 0.001);
       }
       if (table != joint)
-        break; // one is enough of those that have the same code for all dimensions
+        break; // one is enough where the code is the same for all dimensions
     }
 }
 
@@ -196,9 +197,9 @@ TEST_CASE("a shader without the code of joint tables takes no notice of one") {
 
 TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
-  // A sampler that filters in 8 bits rounds G twice (in a level, between levels) by 1/255 each at
-  // worst; blending three taps multiplies that by at most sqrt(3) and contrast by up to 1.4, the
-  // distribution function by 3 / sqrt(2 pi) * 2 < 2.4, the table by its slope < 1, and the table's
+  // A sampler that filters in 8 bits rounds G twice (within a level and between levels), by at most
+  // 1/255 each. Blending three taps multiplies that by at most sqrt(3), contrast by up to 1.4, the
+  // distribution function by 3 / sqrt(2 pi) * 2 < 2.4, and the table by its slope < 1. The table's
   // own fetch adds 2/255.
   constexpr double kGaussian = 2.0 / 255.0 * 1.7320508 * 1.4;
   constexpr double kValue = kGaussian * 2.4 + 2.0 / 255.0;
@@ -229,7 +230,7 @@ TEST_CASE("the shader and its CPU twin agree in every operator") {
     PluginHost host(*device, glb, sharedPipelines());
     const std::vector<Point> points = samplePoints(float(map.width), 1000);
     std::vector<LichenUniformInfo> uniforms = manyUniforms();
-    if (map.table != joint) // lattice and taps are the same: one is enough, and contrast
+    if (map.table != joint) // same lattice and taps: one table kind is enough, plus contrast
       uniforms = {uniforms[1], uniforms[5], uniforms[6], uniforms[7], uniforms[11]};
     for (const LichenUniformInfo& info : uniforms)
       for (const auto& [constant, blend] : operators) {
@@ -265,7 +266,7 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
   PluginHost host(*device, glb, sharedPipelines());
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   std::vector<Point> points = samplePoints(64.0f, 4000);
-  for (Point& point : points) { // one pixel per texel: nothing is lost to filtering
+  for (Point& point : points) { // one pixel per texel: filtering loses nothing
     point.gradientX = {1.0f / 64.0f, 0.0f};
     point.gradientY = {0.0f, 1.0f / 64.0f};
   }
@@ -276,7 +277,7 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
   const double mean = double(host.uniforms().maps[0].mean.x);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double stretch = (double(variance[k][0]) - mean) / (double(linear[k][0]) - mean);
-    // 1 / W is between 1 (at a vertex) and sqrt(3) (in the middle of a triangle).
+    // 1 / W is between 1 (at a vertex) and sqrt(3) (at the centre of a triangle).
     REQUIRE(stretch >= 0.999);
     REQUIRE(stretch <= 1.7321 + 0.001);
   }
@@ -289,15 +290,15 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
     const double count = double(values.size());
     return squares / count - (sum / count) * (sum / count);
   };
-  // The mean of sum w^2 over a triangle is 1/2. Of 4000 values, a variance has 2.2 % of standard
-  // deviation, the ratio 3.2 %.
+  // The mean of sum w^2 over a triangle is 1/2. For 4000 values, the standard error of a variance
+  // is 2.2 %, and that of the ratio 3.2 %.
   CHECK(spread(linear) / spread(full) == Approx(0.5).margin(0.06));
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
 TEST_CASE("with gradients left to the sampler, only the driver's level of detail differs") {
-  // lavapipe approximates the level, and levels of independent texels differ much: 0.016 measured,
-  // 0.025 where contrast is 1.4.
+  // lavapipe approximates the level, and levels of independent texels differ strongly: measured
+  // 0.016, and 0.025 with contrast 1.4.
   for (const Parity& parity :
        parities({3, 64, 64}, tiling_evaluate_comp_anisotropic, FetchedBy::gradients)) {
     CHECK(parity.value.largest <= 0.03);

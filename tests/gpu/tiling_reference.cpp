@@ -26,7 +26,7 @@ const float* texel(const Volume& v, int x, int y, int z) {
                    v.channels];
 }
 
-/// Bilinear with repeat at normalized (x, y).
+/// Bilinear sampling with repeat at normalized (x, y).
 Vec4 sampleRepeat(const Volume& v, Vec2 at) {
   const double x = at[0] * v.width - 0.5, y = at[1] * v.height - 0.5;
   const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -66,7 +66,7 @@ Vec4 sampleClamp(const Volume& v, std::array<double, 3> at) {
 struct Vertex {
   int i = 0, j = 0;
   double weight = 0.0;
-  Vec2 place{}; // where it stands, in tiles from the tile origin
+  Vec2 place{}; // its position, in tiles from the tile origin
 };
 
 /// Steps 1 and 2.
@@ -142,7 +142,8 @@ double uniformOf(double gaussian) {
   return 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (gaussian - 0.5));
 }
 
-/// The mean of decode(x + e), e Gaussian, by the midpoint rule over eight deviations either way.
+/// The mean of decode(x + e) for Gaussian e, by the midpoint rule over eight standard deviations in
+/// each direction.
 template <class Decode>
 double meanOver(const Decode& decode, double x, double deviation) {
   constexpr int kSteps = 400;
@@ -157,7 +158,7 @@ double meanOver(const Decode& decode, double x, double deviation) {
   return sum / weights;
 }
 
-/// Step 4: the level of a footprint with these sides in texels.
+/// Step 4: the level of detail of a footprint with these sides in texels.
 double levelOf(Vec2 x, Vec2 y, FetchedBy fetchedBy) {
   const double major = std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1]));
   if (major <= 1.0 || fetchedBy == FetchedBy::gradients)
@@ -168,7 +169,7 @@ double levelOf(Vec2 x, Vec2 y, FetchedBy fetchedBy) {
   return side < 1.0 ? side / 2.0 : side - 0.5;
 }
 
-/// Step 5: s, and what of it the mips lose at the centres of their texels.
+/// Step 5: s, and the share of it that the mips lose at the centres of their texels.
 std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenNoise& n,
                                    const shader::LichenMap& m) {
   const shader::uint words[] = {m.mipKept0.x, m.mipKept0.y, m.mipKept0.z, m.mipKept0.w};
@@ -260,7 +261,7 @@ TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, do
 
 TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, double lost) const {
   const std::size_t n = map_.channels.size();
-  // [L_ij] with L L^T the covariance, by the formulas of two and three dimensions.
+  // [L_ij] with L L^T the covariance, by the formulas for two and three dimensions.
   const auto& c = map_.covariance;
   std::array<std::array<double, 3>, 3> l{};
   l[0][0] = std::sqrt(c[0]);
@@ -355,7 +356,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
                                        : fromTables(gaussian, level, m.dimensions);
   };
   if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
-    // Step 8, of turned tiles.
+    // Step 8, with rotated tiles.
     for (std::size_t k = 0; k < taps.size(); ++k) {
       Decoded& gaussian = taps[k].first;
       for (std::size_t c = 0; c < 3; ++c)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A second, slow and obvious evaluation of tiling revision 1, in double precision, from the
-// format's specification: the oracle for the shader. It shares only the integer hash with the rest,
-// which is checked on its own.
+// A second, slow and simple evaluation of tiling revision 1 in double precision, written from the
+// format's specification: the oracle for the shader. It shares only the integer hash with the code
+// under test; other tests check that hash.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -12,7 +12,7 @@
 
 namespace lichen::test {
 
-/// A texture coordinate and its gradients along the screen's axes.
+/// A texture coordinate and its gradients along the screen axes.
 struct Point {
   std::array<float, 2> uv{};
   std::array<float, 2> gradientX{};
@@ -20,7 +20,7 @@ struct Point {
   std::array<float, 2> unused{};
 };
 
-/// A mip level or a table as floats.
+/// A mip level or a table, as floats.
 struct Volume {
   int width = 1, height = 1, depth = 1;
   std::size_t channels = 4;
@@ -29,8 +29,8 @@ struct Volume {
 
 /// How the Gaussian image is fetched.
 enum class FetchedBy {
-  level,     ///< at the level of step 4, trilinearly
-  gradients, ///< of the footprint, by a sampler of anisotropy 1
+  level,     ///< at the level of detail of step 4, trilinearly
+  gradients, ///< with the footprint's gradients, by a sampler of anisotropy 1
 };
 
 /// One map of a noise, decoded.
@@ -39,7 +39,7 @@ public:
   TilingReference(const Bundle& bundle, const NoiseMap& map,
                   FetchedBy fetchedBy = FetchedBy::level);
 
-  /// The map's value, and the blended Gaussian value with the lost variance in its last component.
+  /// The map's value, and the blended Gaussian value with the lost variance as its last component.
   struct Sample {
     std::array<double, 4> value{};
     std::array<double, 4> gaussian{};

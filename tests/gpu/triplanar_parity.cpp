@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triplanar noise in the shader, through the plugin, against the CPU twin, and of tiling both
-// against an oracle in double precision that blends planes of the tiling oracle.
+// Triplanar noise in the shader, through the plugin, against the CPU twin. Tiling is also compared
+// with a double-precision oracle that blends planes of the tiling oracle.
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
@@ -20,17 +20,17 @@ using namespace lichen::test;
 
 namespace {
 
-/// As triplanar_evaluate.comp has them.
+/// The numbering of triplanar_evaluate.comp.
 enum Quantity { kValue, kGaussian, kWeights };
 
-/// As triplanar_evaluate.comp reads it.
+/// The input layout of triplanar_evaluate.comp.
 struct SpacePoint {
-  std::array<float, 4> position{}; ///< w: the weight of a mix
+  std::array<float, 4> position{}; ///< w: the mix weight
   std::array<float, 4> gradientX{}, gradientY{}, normal{};
 };
 
-/// Points some tiles around with any normal, a fifth of them along an axis or in a plane of two,
-/// and footprints from an eighth of a texel to all of a tile.
+/// Points some tiles around the origin with any normal, a fifth of them along an axis or in a plane
+/// of two axes. Footprints range from an eighth of a texel to a whole tile.
 std::vector<SpacePoint> samplePoints(float sizeTexels, std::size_t count) {
   std::mt19937 generator(5u);
   std::uniform_real_distribution<float> tiles(-4.0f, 4.0f), level(-3.0f, 7.0f), weight(0.0f, 1.0f);
@@ -61,7 +61,7 @@ LichenUniformInfo triplanarUniformInfo() {
   return info;
 }
 
-/// Uniforms that between them use every parameter.
+/// Uniforms that together use every parameter.
 std::vector<LichenUniformInfo> manyUniforms() {
   std::vector<LichenUniformInfo> all(4, triplanarUniformInfo());
   all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
@@ -81,7 +81,7 @@ std::vector<LichenUniformInfo> manyUniforms() {
   all[3].overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
   all[3].blendSharpness = 3.0;
   all[3].planeSharpness = 64.0;
-  // Two of them with their tiles turned.
+  // Two of them also rotate their tiles.
   for (const auto& [k, steps] : {std::pair<std::size_t, std::uint32_t>{1, 4}, {2, 65536}}) {
     LichenUniformInfo info = all[k];
     info.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
@@ -100,13 +100,13 @@ TriplanarFootprint footprintOf(const SpacePoint& point) {
   return at;
 }
 
-/// The format's steps in double precision, from the oracle of one plane.
+/// The format's steps in double precision, built on the oracle of one plane.
 class TriplanarReference {
 public:
   TriplanarReference(const Bundle& bundle, const shader::LichenUniforms& uniforms)
       : plane_(bundle, bundle.noises[0].maps[0]), noise_(uniforms.noise), map_(uniforms.maps[0]) {}
 
-  /// The Gaussian value and the lost variance; of slopes their gradient and its hidden variance.
+  /// The Gaussian value and the lost variance; for slopes, their gradient and its lost variance.
   [[nodiscard]] std::array<double, 4> at(const SpacePoint& point) const {
     std::array<double, 3> weights{};
     double most = 0.0, squares = 0.0, length2 = 0.0;
@@ -159,7 +159,7 @@ private:
     noise.offsetX = own.offsetX;
     noise.offsetY = own.offsetY;
     noise.seedWord = own.seedWord;
-    // A tile is tileSizeMetres wide and as much over its aspect high.
+    // A tile is tileSizeMetres wide; its height is that over its aspect.
     noise.uvToTileXX /= noise.tileSizeMetres;
     noise.uvToTileXY /= noise.tileSizeMetres;
     noise.uvToTileYX *= noise.tileAspect / noise.tileSizeMetres;
@@ -169,7 +169,7 @@ private:
         noise, map_);
   }
 
-  /// The exemplar lies turned by the rotation; its slopes are to the right and up.
+  /// The rotation applies to the exemplar; its slopes are to the right and up.
   void addSlopes(std::array<double, 4>& sum, const std::array<double, 4>& slopes, double weight,
                  std::size_t axis) const {
     const double angle = std::atan2(double(noise_.uvToTileXY), double(noise_.uvToTileXX));
@@ -188,7 +188,7 @@ private:
 
 struct Difference {
   double largest = 0.0;
-  double fractionBeyond = 0.0; ///< of values further off than 1/1024
+  double fractionBeyond = 0.0; ///< of values that differ by more than 1/1024
 
   template <class A, class B>
   void note(const std::vector<A>& values, const std::vector<B>& expected, std::size_t first,
@@ -236,7 +236,8 @@ TEST_CASE("triplanar tiling in the shader is the CPU twin's and the oracle's: 99
     OnDevice noise(syntheticGlb(std::span(&map, 1)));
     const TilingEvaluator twin = TilingEvaluator::create(noise.bundle, 0).value();
     const std::vector<SpacePoint> points = samplePoints(float(map.width), 500);
-    // All uniforms with the first map, one of them with each other: pipelines take half a second.
+    // All uniforms with the first map, and one of them with each other map: a pipeline takes half a
+    // second.
     for (std::size_t i = 0; i < uniforms.size(); ++i) {
       if (m > 0 && i != m % uniforms.size())
         continue;
@@ -313,7 +314,7 @@ TEST_CASE("planes of too small a weight do not count, and the squares of the oth
         squares += double(weights[k][axis]) * double(weights[k][axis]);
         const double share = std::pow(double(std::abs(n[axis]) / most), sharpness);
         counted += share > 1.0 / 64.0 ? 1 : 0;
-        // Of 64th powers floats have some 1e-5.
+        // 64th powers of floats have an error of some 1e-5.
         if (std::abs(share * 64.0 - 1.0) > 1e-4)
           CHECK((weights[k][axis] > 0.0f) == (share > 1.0 / 64.0));
       }

@@ -25,7 +25,7 @@ std::vector<float> light(const MapExemplar& map) {
 }
 
 double slowLookup(const InverseTable& table, const std::array<double, 3>& gaussian, int channel) {
-  std::array<std::vector<double>, 3> hats; // of an axis' cells at the place looked up
+  std::array<std::vector<double>, 3> hats; // hat weights of each axis' cells at the looked-up point
   for (std::size_t axis = 0; axis < std::size_t(table.dimensions); ++axis) {
     const double place =
         std::clamp(table.side * gaussian::gaussianCdf(gaussian[axis]) - 0.5, 0.0, table.side - 1.0);

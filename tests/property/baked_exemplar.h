@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first steps of a bake, for the tests of those that follow.
+// Runs the first steps of a bake, for the tests of the later steps.
 #pragma once
 
 #include "example_exemplar.h"
@@ -21,10 +21,10 @@ struct Baked {
 [[nodiscard]] Baked baked(MapExemplar map, bool periodic = true,
                           gaussian::Precision precision = gaussian::Precision::bits16);
 
-/// The values of an sRGB map as light.
+/// Decodes an sRGB map to linear light.
 [[nodiscard]] std::vector<float> light(const MapExemplar& map);
 
-/// An independent, slow lookup: interpolates between cell middles by their hat functions.
+/// Independent, slow lookup: interpolates between cell centres with hat functions.
 [[nodiscard]] double slowLookup(const tiling::InverseTable& table,
                                 const std::array<double, 3>& gaussian, int channel);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which maps of a set are corrected towards the others, and what the correction keeps.
+// Which maps of a set are corrected towards the others, and what the correction preserves.
 #include "example_exemplar.h"
 
 #include <lichen/tiling.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// A colour of three materials, and a roughness of few values that follows its red.
+/// A colour map of three materials, and a roughness map of few values that follows its red.
 std::vector<MapExemplar> roughSet() {
   constexpr double kStep = 0.05;
   const MapExemplar color = test::threeMaterials(kSide, kSide, 5);
@@ -41,7 +41,7 @@ std::vector<MapExemplar> roughSet() {
   return {color, rough};
 }
 
-/// The colour, and its own green and blue as two slopes with noise.
+/// The colour map, and a slope map that is its green and blue plus noise.
 std::vector<MapExemplar> slopeSet() {
   const MapExemplar color = test::threeMaterials(kSide, kSide, 5);
   MapExemplar slopes = color;
@@ -62,7 +62,7 @@ TilingBake baked(std::span<const MapExemplar> maps, const TilingOptions& options
   return std::move(bake).value();
 }
 
-/// The texels of the last map's Gaussian image, baked after the first or alone.
+/// Returns the texels of the last map's Gaussian image. The map is baked after the first, or alone.
 std::vector<std::byte> lastImage(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const TilingBake bake = baked(maps, options);
   return bake.tables[bake.noise.maps.back().as<TilingMap>().gaussian].texels;
@@ -75,7 +75,7 @@ TEST_CASE("only maps with a joint table are corrected, and only towards such map
   const std::span<const MapExemplar> alone(&maps[1], 1);
   TilingOptions options;
   CHECK(lastImage(maps, options) != lastImage(alone, options));
-  options.lut = LookupTable::separable; // the colour's; a line has none
+  options.lut = LookupTable::separable; // for the colour map; a linear table has none
   CHECK(lastImage(maps, options) == lastImage(alone, options));
   options.lut = LookupTable::joint;
   options.gaussian = GaussianOnly::yes;
@@ -119,7 +119,8 @@ TEST_CASE("an exact transport is certified for the points that the correction mo
   const auto costOf = [&](const std::vector<Point>& points, const std::vector<Point>& matched) {
     return transport::transportCost(points, matched, itself);
   };
-  // Standardized and moved by little, they are given the variance of the slopes: half of both.
+  // The maps are standardized and move little, so they get the variance of the slopes: half of
+  // both.
   const double deviation = std::sqrt(slopes.moments.covariance.trace() / 2.0);
   std::vector<Point> moved = joined.points;
   for (Point& point : moved)
@@ -127,7 +128,7 @@ TEST_CASE("an exact transport is certified for the points that the correction mo
   const TransportBound& bound = exact.gaussian.bounds[0];
   CHECK(bound.cost == Approx(costOf(moved, exact.gaussian.matched)));
   CHECK(bound.lowerBound <= bound.cost);
-  // The slopes have the mean 0, the Gaussian points 1/2.
+  // The slopes have mean 0, the Gaussian points have mean 1/2.
   REQUIRE(exact.costOfUnmoved);
   CHECK(*exact.costOfUnmoved == Approx(costOf(alone.points, alone.gaussian.matched) - 0.5));
   const MapTransportBound stated{MapTarget::normal, bound, false, exact.costOfUnmoved};
@@ -137,8 +138,8 @@ TEST_CASE("an exact transport is certified for the points that the correction mo
 }
 
 TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every step") {
-  // Each stop bakes the first map again. A table of two axes takes the least time, and so small a
-  // map looks for no share of its surroundings.
+  // Each stop bakes the first map again. A table of two axes is the fastest, and a map this small
+  // gets no search for the share of its surroundings.
   constexpr int kSmall = kSide / 2;
   const std::array maps{test::cropped(slopeSet()[1], 0, 0, kSmall, kSmall),
                         test::cropped(roughSet()[1], 0, 0, kSmall, kSmall)};
@@ -151,7 +152,8 @@ TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every st
   REQUIRE(bakeTiling("counted", maps, options));
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.back() == 1.0);
-  // The last map on a line tells of its table at most, and of passes of the correction.
+  // The last map has a one-dimensional table: it reports at most its table and the passes of the
+  // correction.
   const std::size_t all = fractions.size();
   for (std::size_t last = all - 6; last <= all; ++last) {
     std::size_t steps = 0;

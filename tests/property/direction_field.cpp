@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smoothest directions on generated meshes: what topology demands of them, what is known of
-// flat ones, and that no mesh is too odd.
+// The smoothest direction fields on generated meshes: the singularities that topology requires, the
+// known fields of flat meshes, and robustness on odd meshes.
 #include <lichen/direction_field.h>
 
 #include <Eigen/Dense>
@@ -43,8 +43,8 @@ Vector3d at(const std::vector<Vector3>& values, std::size_t i) {
   return {values[i][0], values[i][1], values[i][2]};
 }
 
-/// A grid of columns x rows quads, `place` giving the point of column and row. Its points are
-/// shared between neighbouring quads but not across its ends, where they may coincide.
+/// A grid of columns x rows quads; `place` returns the point of a column and row. Neighbouring
+/// quads share their points. Opposite ends of the grid do not share points, but may coincide.
 template <class Place>
 Mesh grid(std::uint32_t columns, std::uint32_t rows, Place place) {
   Mesh mesh;
@@ -64,7 +64,8 @@ Mesh plane(std::uint32_t side) {
   return grid(side, side, [](auto i, auto j) { return Vector3d(i, j, 0.0); });
 }
 
-/// Its ends and poles coincide in position only; those at the poles are triangles of two points.
+/// Ends and poles coincide in position only. The triangles at the poles have only two distinct
+/// points.
 Mesh ball(std::uint32_t columns, std::uint32_t rows, const Vector3d& radii = {1.0, 1.0, 1.0}) {
   return grid(columns, rows, [&](auto i, auto j) -> Vector3d {
     const double along = 2.0 * pi * double(i % columns) / columns, down = pi * double(j) / rows;
@@ -82,7 +83,7 @@ Mesh torus(std::uint32_t columns, std::uint32_t rows) {
   });
 }
 
-/// Moves positions by up to `amount`, those that coincide alike.
+/// Moves positions by up to `amount`; coincident positions move alike.
 Mesh shaken(Mesh mesh, float amount, unsigned seed) {
   std::mt19937 random(seed);
   std::map<Vector3, Vector3> moved;
@@ -103,7 +104,7 @@ DirectionField fieldOf(const Mesh& mesh, const std::vector<Vector3>& normals = {
   REQUIRE(field.value().tangents.size() == mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vector3d t = at(field.value().tangents, i), n = at(field.value().normals, i);
-    // Of unit floats: three roundings of 6e-8 each, and their product's.
+    // The product of unit vectors of floats: three roundings of 6e-8 each, plus the product's own.
     REQUIRE(std::abs(t.norm() - 1.0) < 5e-7);
     REQUIRE(std::abs(n.norm() - 1.0) < 5e-7);
     REQUIRE(std::abs(t.dot(n)) < 5e-7);
@@ -111,7 +112,7 @@ DirectionField fieldOf(const Mesh& mesh, const std::vector<Vector3>& normals = {
   return std::move(field).value();
 }
 
-/// The angle between a tangent, turned with the normals, and that of another vertex.
+/// The angle between a tangent, rotated with the normals, and the tangent of another vertex.
 double angleBetween(const DirectionField& field, std::size_t i, std::size_t j) {
   const Vector3d from = at(field.normals, i), to = at(field.normals, j);
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, to);
@@ -141,7 +142,7 @@ double largestTurn(const Mesh& mesh, const DirectionField& field) {
 TEST_CASE("a flat mesh has one direction everywhere, whatever its holes, border and triangles") {
   Mesh flat = shaken(plane(20), 0.25f, 7);
   for (Vector3& p : flat.positions)
-    p[2] = 0.0f; // shaken in its plane: angles of all kinds, obtuse ones too
+    p[2] = 0.0f; // perturbed in its plane: angles of all kinds, obtuse ones too
   std::vector<std::uint32_t> kept;
   for (std::size_t t = 0; t < flat.triangles.size() / 3; ++t)
     if (const std::size_t cell = t / 2; cell % 20 < 7 || cell % 20 > 11 || cell / 20 % 9 < 4)
@@ -151,7 +152,7 @@ TEST_CASE("a flat mesh has one direction everywhere, whatever its holes, border 
   const DirectionField exact = fieldOf(flat);
   for (const std::uint32_t i : flat.triangles)
     CHECK((at(exact.tangents, i) - at(exact.tangents, flat.triangles[0])).norm() < 1e-6);
-  // Turned out of the axes, so that nothing is exact in floats by chance.
+  // Rotated off the axes, so that no float is exact by chance.
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.0, Vector3d(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
   for (std::size_t i = 0; i < flat.positions.size(); ++i) {
@@ -164,7 +165,8 @@ TEST_CASE("a flat mesh has one direction everywhere, whatever its holes, border 
   CHECK(!field.components[0].isClosed);
   CHECK(field.components[0].eulerCharacteristic < 1);
   for (const std::uint32_t i : flat.triangles)
-    // Positions of about 20 in floats are 1e-6 out of the plane, in triangles at least 0.1 high.
+    // Positions of magnitude 20 in floats are 1e-6 out of the plane; triangles are at least 0.1
+    // high.
     CHECK((at(field.tangents, i) - at(field.tangents, flat.triangles[0])).norm() < 5e-5);
 }
 
@@ -184,7 +186,7 @@ TEST_CASE("the indices of a closed component add up to its Euler characteristic"
   CHECK(field.components[0].eulerCharacteristic == 2);
   CHECK(field.components[1].eulerCharacteristic == 0);
   CHECK(field.components[2].eulerCharacteristic == 2);
-  // Topology asks for no more: two for a ball, none for a ring.
+  // Topology requires exactly this many: two for a ball, none for a ring.
   CHECK(field.components[0].singularities == 2);
   CHECK(field.components[1].singularities == 0);
   CHECK(field.components[2].singularities == 2);
@@ -207,19 +209,19 @@ TEST_CASE("indices add up on a surface rough as gravel too") {
 }
 
 TEST_CASE("directions of neighbours differ little but at singularities, across seams too") {
-  // On a ball the field is a smooth one that is zero at two opposite points, around which it turns
-  // once: between the ends of an edge by the angle that the edge spans as seen from there. Edges
-  // that do not meet the zero's own triangle span less than a right angle.
+  // On a ball the field is smooth and vanishes at two opposite points, with one rotation around
+  // each. Between the ends of an edge it rotates by the angle that the edge spans as seen from the
+  // zero. Edges outside the zero's own triangle span less than a right angle.
   const Mesh mesh = ball(48, 24);
-  const DirectionField field = fieldOf(mesh, mesh.positions); // of a ball, its normals
+  const DirectionField field = fieldOf(mesh, mesh.positions); // on a ball, positions are normals
   CHECK(largestTurn(mesh, field) < pi / 2.0);
   std::vector<double> turns;
   for (std::size_t c = 0; c + 1 < mesh.triangles.size(); c += 3)
     if (mesh.positions[mesh.triangles[c]] != mesh.positions[mesh.triangles[c + 1]])
       turns.push_back(angleBetween(field, mesh.triangles[c], mesh.triangles[c + 1]));
   std::sort(turns.begin(), turns.end());
-  CHECK(turns[turns.size() / 2] < 0.1); // h / r with the median distance of some pi / 3
-  // The ends of the grid meet in position only.
+  CHECK(turns[turns.size() / 2] < 0.1); // h / r, with a median distance of about pi / 3
+  // The ends of the grid coincide in position only.
   for (std::uint32_t j = 1; j < 24; ++j)
     CHECK((at(field.tangents, j * 49) - at(field.tangents, j * 49 + 48)).norm() < 1e-6);
   const Mesh ring = torus(40, 16);
@@ -243,14 +245,14 @@ TEST_CASE("the field does not depend on the order of vertices and triangles") {
     for (std::uint32_t k = 0; k < 3; ++k)
       other.triangles.push_back(order[mesh.triangles[3 * t + (k + t) % 3]]);
   const DirectionField otherField = fieldOf(other);
-  // The iteration ends at the same step; rounding grows by the inverse of the spectral gap.
+  // The iteration stops at the same step; rounding grows by the inverse of the spectral gap.
   for (std::size_t i = 0; i < order.size(); ++i)
     CHECK((at(field.tangents, i) - at(otherField.tangents, order[i])).norm() < 1e-4);
   CHECK(otherField.singularities.size() == field.singularities.size());
 }
 
-/// The largest angle between a tangent and the axis' part in its plane, where that is at least
-/// `shortest` of the axis.
+/// The largest angle between a tangent and the tangential part of the axis, over the vertices where
+/// that part is at least `shortest` times the axis.
 double largestDeviation(const DirectionField& field, const Vector3d& axis, double shortest) {
   double largest = 0.0;
   std::size_t count = 0;
@@ -285,10 +287,10 @@ TEST_CASE("where the axis is normal to a plane, the field is the smoothest one")
 }
 
 TEST_CASE("with an axis the field of a ball follows it, and is singular at its ends") {
-  // Of a ball the axis' part in the tangent planes is an eigenvector of the smooth Laplacian: the
-  // solution is a multiple of it, which the smoothest field turns by a tenth of cos^2 over sin, and
-  // the mesh by less than that. 8 degrees, where sin is at least a half, are asin(0.1 * 0.75 /
-  // 0.5).
+  // On a ball, the tangential part of the axis is an eigenvector of the smooth Laplacian. The
+  // solution is a multiple of it. The smoothest field rotates it by a tenth of cos^2 over sin, and
+  // the mesh by less than that. Where sin is at least 1/2, this is asin(0.1 * 0.75 / 0.5): 8
+  // degrees.
   const Mesh mesh = ball(48, 24);
   const Vector3d axis = Vector3d(0.4, 1.0, 0.3).normalized();
   const DirectionField field = fieldOf(mesh, mesh.positions, asArray(axis));
@@ -299,7 +301,7 @@ TEST_CASE("with an axis the field of a ball follows it, and is singular at its e
     Vector3d middle = Vector3d::Zero();
     for (std::size_t k = 0; k < 3; ++k)
       middle += at(mesh.positions, mesh.triangles[3 * singularity.triangle + k]) / 3.0;
-    // No nearer than the smoothest field moves it, asin(0.1), and a triangle, 2 pi / 48.
+    // No nearer than the smoothest field moves it, asin(0.1), plus one triangle, 2 pi / 48.
     CHECK(std::abs(middle.normalized().dot(axis)) > std::cos(0.1 + 2.0 * pi / 48.0));
   }
 }
@@ -318,13 +320,14 @@ TEST_CASE("with an axis the field of a tube follows it along and around, and tur
   const Vector3d across = Vector3d::UnitX();
   const DirectionField field = fieldOf(tube, normals, asArray(across));
   CHECK(field.singularities.empty());
-  // As of the ball, with what smoothing takes of a wave around the tube: its length counts by
-  // 1 / (1 + area / 100), area 4 pi, that of the smoothest field does not shrink.
+  // As for the ball, plus the effect of smoothing on a wave around the tube: smoothing scales its
+  // length by 1 / (1 + area / 100), area 4 pi, but does not shrink the smoothest field.
   CHECK(largestDeviation(field, across, 0.5) < std::atan(0.15 * (1.0 + 4.0 * pi / 100.0)));
-  // The turn is narrow: 12 degrees beside such a line the axis' part is twice the smoothest one's.
+  // The rotation is narrow: 12 degrees beside such a line, the axis' part is twice the smoothest
+  // field's.
   CHECK(largestDeviation(field, across, std::sin(12.0 * pi / 180.0)) < pi / 6.0);
-  // The axis' part has opposite signs beside the lines where it vanishes: the field turns there,
-  // rather than to change from one column to the next.
+  // The axis' part has opposite signs on the two sides of a line where it vanishes. The field
+  // rotates there; it does not flip from one column to the next.
   CHECK(largestTurn(tube, field) < pi / 2.0);
 }
 
@@ -349,7 +352,7 @@ TEST_CASE("given normals decide the planes, absent ones are averaged by area") {
   CHECK(fieldOf(mesh, leaning).normals[7][0] == Approx(0.6));
   leaning[3] = {0.0f, 0.0f, 0.0f};
   CHECK(fieldOf(mesh, leaning).normals[3] == Vector3{0.0f, 0.0f, 1.0f});
-  // Two walls that meet, the longer one of twice the area.
+  // Two walls that meet; the longer one has twice the area.
   Mesh corner;
   corner.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 2}};
   corner.triangles = {0, 2, 1, 0, 1, 3};
@@ -364,7 +367,7 @@ TEST_CASE("triangles wound against each other are one surface") {
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
     if (random() % 3 == 0)
       std::swap(mesh.triangles[t], mesh.triangles[t + 1]);
-  const DirectionField field = fieldOf(mesh, mesh.positions); // of a ball, its normals
+  const DirectionField field = fieldOf(mesh, mesh.positions); // on a ball, positions are normals
   REQUIRE(field.components.size() == 1);
   CHECK(field.components[0].isClosed);
   CHECK(field.components[0].indexSum == 2);
@@ -388,7 +391,7 @@ TEST_CASE("triangles given twice, from either side, count once") {
 }
 
 TEST_CASE("the field goes on across an edge with three triangles") {
-  // A floor with a fin on the edge between its halves.
+  // A floor with a fin on the edge between its two halves.
   Mesh mesh = plane(8);
   for (std::uint32_t j = 0; j < 8; ++j) {
     const std::uint32_t a = j * 9 + 4, b = a + 9;
@@ -402,7 +405,7 @@ TEST_CASE("the field goes on across an edge with three triangles") {
 
 TEST_CASE("a strip that cannot be oriented has a field, with a seam somewhere") {
   const Mesh strip = grid(30, 3, [](auto i, auto j) -> Vector3d {
-    // The last column is the first one upside down, to the bit.
+    // The last column equals the first one upside down, bit for bit.
     const auto column = i == 30 ? 0u : i;
     const double across = (i == 30 ? 1.5 - double(j) : double(j) - 1.5) / 4.0;
     const double a = 2.0 * pi * double(column) / 30.0;
@@ -418,9 +421,9 @@ TEST_CASE("meshes without a surface, or with an odd one, have some field") {
   Mesh odd;
   CHECK(fieldOf(odd).tangents.empty());
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}, {5, 5, 5}};
-  CHECK(fieldOf(odd).components.empty()); // points alone
+  CHECK(fieldOf(odd).components.empty()); // points only
   odd.triangles = {0, 1, 2, 0, 0, 1, 0, 4, 3, 3, 3, 3};
-  CHECK(fieldOf(odd).components.size() == 1); // three in a line, and triangles of fewer points
+  CHECK(fieldOf(odd).components.size() == 1); // three collinear points, degenerate triangles
   odd.triangles = {0, 1, 3, 0, 3, 1, 0, 1, 3};
   CHECK(fieldOf(odd).components.size() == 1);
   // Two closed fans at one point, and a book of five pages.
@@ -437,7 +440,7 @@ TEST_CASE("meshes without a surface, or with an odd one, have some field") {
     book.add({0, 1, std::uint32_t(2 + page)});
   }
   CHECK(fieldOf(book).components.size() == 5);
-  // As large and as small as floats go, in one mesh.
+  // Magnitudes near the largest and the smallest float in one mesh.
   Mesh extreme;
   extreme.positions = {
       {3e38f, 0, 0}, {-3e38f, 0, 0}, {0, 3e38f, 0}, {1e-45f, 0, 0}, {0, 1e-45f, 0}};

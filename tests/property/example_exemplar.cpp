@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blurred white noise, ranked and coloured.
+// Blurs white noise, ranks it and assigns colours by rank.
 #include "example_exemplar.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ MapExemplar threeMaterials(int width, int height, std::uint64_t seed, int blurRa
   map.values.resize(order.size() * 3);
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const std::size_t i = order[rank];
-    // A half, three tenths and a fifth of the area.
+    // Areas: 1/2, 3/10 and 1/5.
     const double share = double(rank) / double(order.size());
     const std::size_t material = share < 0.5 ? 0 : share < 0.8 ? 1 : 2;
     for (std::size_t c = 0; c < 3; ++c) {

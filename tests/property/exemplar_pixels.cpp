@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading an exemplar's pixels: what resampling keeps and takes away, colours under transparency,
-// channels joined, and names.
+// Reading an exemplar's pixels: what resampling preserves and removes, colours under transparency,
+// joined channels, and names.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -43,7 +43,7 @@ double mean(const MapExemplar& map) {
   return std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
 }
 
-/// Each pixel moved right and down, around the borders.
+/// Shifts each pixel right and down, with wraparound.
 MapExemplar rolled(const MapExemplar& map, int right, int down) {
   MapExemplar result = map;
   const std::size_t channels = map.channels.size();
@@ -66,9 +66,9 @@ double largestDifference(const MapExemplar& a, const MapExemplar& b) {
   return largest;
 }
 
-constexpr double kRounding = 1e-6; // of sums of floats below 1
+constexpr double kRounding = 1e-6; // from sums of floats below 1
 
-/// Central differences to the right and upwards, around the borders.
+/// Central differences to the right and upwards, with wraparound.
 std::array<double, 2> slopesAt(const SrgbImage& height, int x, int y) {
   const auto at = [&](int column, int row) {
     return double(*height.pixel((column + height.width) % height.width,
@@ -77,7 +77,7 @@ std::array<double, 2> slopesAt(const SrgbImage& height, int x, int y) {
   return {0.5 * (at(x + 1, y) - at(x - 1, y)), 0.5 * (at(x, y - 1) - at(x, y + 1))};
 }
 
-/// The normals of a height, as the colours of a normal map.
+/// The normals of a height map, as the colours of a normal map.
 SrgbImage normalsOf(const SrgbImage& height, bool greenPointsDown) {
   SrgbImage normals(height.width, height.height, 3);
   for (int y = 0; y < height.height; ++y)
@@ -96,7 +96,7 @@ SrgbImage normalsOf(const SrgbImage& height, bool greenPointsDown) {
 TEST_CASE("a resampled map has its size, and its mean when the ratio is whole") {
   const MapExemplar map = test::threeMaterials(48, 36, 3);
   MapExemplar linear = map;
-  linear.encoding = ValueEncoding::linear; // else it is the mean of light that stays
+  linear.encoding = ValueEncoding::linear; // otherwise resampling preserves the mean of the light
   const MapExemplar half = resampled(linear, 24, 12, true);
   CHECK(half.width == 24);
   CHECK(half.height == 12);
@@ -124,9 +124,9 @@ TEST_CASE("resampling keeps slow waves and takes those away that the size cannot
       most = std::max(most, std::abs(double(value) - 0.5) / 0.4);
     return most;
   };
-  // The Fourier transform of the cubic by quadrature, at f cycles a pixel of the result: 0.9913 at
-  // 1/16, 0.8450 at 1/4, 0 at 1 and 2, 0.0047 at 3/2. The largest sample of a wave is half a pixel
-  // from its crest.
+  // The Fourier transform of the cubic by quadrature, at f cycles per pixel of the result: 0.9913
+  // at 1/16, 0.8450 at 1/4, 0 at 1 and 2, 0.0047 at 3/2. The largest sample of a wave is half a
+  // pixel from its crest.
   const auto crest = [](double f) { return std::cos(std::numbers::pi * f); };
   CHECK(amplitude(1) == Approx(0.9913 * crest(1.0 / 16.0)).margin(0.002));
   CHECK(amplitude(4) == Approx(0.8450 * crest(1.0 / 4.0)).margin(0.002));
@@ -136,7 +136,7 @@ TEST_CASE("resampling keeps slow waves and takes those away that the size cannot
 }
 
 TEST_CASE("enlarging draws a straight line between pixels") {
-  // [MN88]: where B + 2 C = 1, straight lines are reproduced.
+  // [MN88]: if B + 2 C = 1, the filter reproduces straight lines.
   const MapExemplar ramp = heightMap(16, 1, [](int x, int) { return x / 16.0; });
   const MapExemplar large = resampled(ramp, 48, 1, false);
   for (int i = 9; i < 39; ++i) // farther from the ends than the cubic reaches
@@ -182,7 +182,7 @@ TEST_CASE("a transparent pixel takes its colour from the covered ones around it"
     MapExemplar other = original;
     fillInvisible(color, opacity);
     fillInvisible(other, opacity);
-    CHECK(color.values == other.values); // whatever was hidden
+    CHECK(color.values == other.values); // independent of the hidden values
     for (std::size_t i = 0; i < color.values.size(); ++i)
       if (opacity.values[i / 3] == 1.0f)
         REQUIRE(color.values[i] == original.values[i]);
@@ -281,7 +281,7 @@ TEST_CASE("the names of those who publish materials say which map each file is")
       {"rusty-metal_ao", occlusion},
       {"rusty-metal_height", height},
       {"rusty-metal_preview", std::nullopt},
-      // 3dtextures.me, now and once
+      // 3dtextures.me, current and former names
       {"Metal_Plate_047_basecolor", baseColor},
       {"Metal_Plate_047_ambientOcclusion", occlusion},
       {"Metal_Plate_047_metallic", metallic},
@@ -316,8 +316,8 @@ TEST_CASE("normals are turned with the pixels, so that they stay those of the he
   SrgbImage height(12, 7, 1);
   for (std::size_t i = 0; i < height.values.size(); ++i)
     height.values[i] = float(transport::randomUniform(4, i));
-  // A code is rounded by 2^-25, a component by twice that, and a slope s of it, below 1/2, by
-  // (1 + s) / nz times that, where nz is above 1 / 1.3: 4 of 2^-25. Twice that for the quotient.
+  // A code is rounded by 2^-25, and a component by twice that. A slope s below 1/2 is then off by
+  // (1 + s) / nz times that, with nz above 1 / 1.3: 4 of 2^-25. The quotient doubles it.
   constexpr double kRounding = 8.0 * 0x1p-25;
   for (const bool greenPointsDown : {false, true})
     for (int orientation = 1; orientation <= 8; ++orientation) {

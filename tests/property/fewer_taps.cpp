@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiling with fewer taps than three: how many there are, that mean, variance and histogram stay,
-// that nothing jumps but in the middles of triangles, and that views from afar keep their colour.
+// Tiling with fewer taps than three: the number of taps, preserved mean, variance and histogram,
+// continuity except at the centres of triangles, and preserved colour in distant views.
 #include "example_exemplar.h"
 #include "filtered_views.h"
 
@@ -25,7 +25,7 @@ using namespace lichen::tiling;
 
 namespace {
 
-constexpr int kTexels = 128; // a side of the exemplar
+constexpr int kTexels = 128; // texels per side of the exemplar
 
 const Bundle& exampleBundle() {
   static const Bundle bundle = [] {
@@ -44,7 +44,7 @@ const Bundle& exampleBundle() {
 
 shader::LichenNoise parameters() { return shaderNoise(exampleBundle(), MaterialNoise{}, {}); }
 
-/// The place (f, g) in the cell (i, j) of the lattice, with a square pixel of this side [tiles].
+/// The point (f, g) in the cell (i, j) of the lattice, with a square pixel of this side [tiles].
 TileFootprint placeIn(double i, double j, double f, double g, double side = 0.0) {
   TileFootprint at;
   at.position = {float((i + f + 0.5 * (j + g)) / kLatticeColumnsPerTile),
@@ -65,10 +65,10 @@ int takenOf(const Taps& taps) {
                            [](float weight) { return weight > 0.0f; }));
 }
 
-/// The side of which a pixel is so far on the way to one tap, in units of the quality's.
+/// The side of a pixel at this share of the transition to one tap, in units of the quality's limit.
 constexpr double sideOf(double share) { return 0.5 * (1.0 + share); }
 
-/// Two sorted samples: the greatest difference of their distribution functions.
+/// Greatest difference between the distribution functions of two sorted samples.
 double kolmogorovSmirnov(std::vector<double> a, std::vector<double> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());
@@ -104,7 +104,7 @@ TEST_CASE("two taps are those of the greatest weights, less the third's, and the
         placeIn(double(random[2] % 16u), 2.0, random[0] * 0x1p-32, random[1] * 0x1p-32);
     Taps three = tapsAt(parameters(), at.position);
     const Taps two = tapsOf(at, {2, 0.0});
-    // The order is another; the tile tells which is which.
+    // The order of taps differs; the tile identifies each tap.
     const auto of = [&](const std::array<float, 2>& position) {
       const auto found = std::find(three.position.begin(), three.position.end(), position);
       REQUIRE(found != three.position.end());
@@ -114,7 +114,7 @@ TEST_CASE("two taps are those of the greatest weights, less the third's, and the
     REQUIRE(two.weight[2] == 0.0f);
     REQUIRE(two.weight[0] + two.weight[1] == Approx(1.0f).epsilon(1e-6));
     REQUIRE(two.norm == Approx(std::hypot(two.weight[0], two.weight[1])).epsilon(1e-6));
-    // What is left of the sum of 1, of which floats leave an error of 1e-7 each.
+    // The remainder of a sum of 1; floats leave an error of 1e-7 each.
     const double left = 1.0 - 3.0 * least;
     for (std::size_t t = 0; t < 2; ++t)
       REQUIRE(two.weight[t] == Approx((of(two.position[t]) - least) / left).margin(1e-6 / left));
@@ -156,7 +156,7 @@ TEST_CASE("pixels of the limit and larger take one tap, those of half of it all,
         REQUIRE(taps.weight[0] + taps.weight[1] + taps.weight[2] == Approx(1.0f).epsilon(1e-6));
         REQUIRE(double(taps.weight[0]) >= before - 1e-5);
         before = double(taps.weight[0]);
-        REQUIRE(before >= greatest - 1e-5); // and the tile of the greatest weight keeps it
+        REQUIRE(before >= greatest - 1e-5); // and the tile of the greatest weight keeps that rank
       }
     }
 }
@@ -169,15 +169,15 @@ TEST_CASE("slanted pixels count by their area, and those of more than 16 to 1 as
     return takenOf(tapsOf(at, {3, 0.25}));
   };
   CHECK(taken(0.5, 0.125) == 1); // an area of 1/4 x 1/4
-  CHECK(taken(0.5, 0.12) == 2);  // a little less: the least weight is the first to go
-  CHECK(taken(1.0, 0.0) == 1);   // as 1 x 1/16
-  CHECK(taken(0.49, 0.0) == 3);  // as 0.49 x 0.03, less than half of the limit's side
+  CHECK(taken(0.5, 0.12) == 2);  // a little less: the tap of least weight is the first to go
+  CHECK(taken(1.0, 0.0) == 1);   // like 1 x 1/16
+  CHECK(taken(0.49, 0.0) == 3);  // like 0.49 x 0.03, less than half of the limit's side
   CHECK(taken(0.125, 0.125) == 3);
 }
 
 TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies", "[large]") {
-  // One pixel a texel, in texel centres, where a fetch loses nothing; the limit of one tap is set
-  // so that such pixels are on the way to it.
+  // One pixel per texel, at texel centres, where a fetch loses nothing. The limit of one tap is set
+  // so that such pixels are in the transition to it.
   constexpr double kPixel = 1.0 / kTexels;
   const auto samples = [](double f, double g, const TilingQuality& quality) {
     const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0, quality);
@@ -204,8 +204,9 @@ TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies
       const Moments moments = momentsOf(found);
       INFO(quality.taps << " taps, one from " << quality.oneTapTiles << " tiles, at " << f << ", "
                         << g);
-      // 8100 cells: standard errors of 1.6 % of a deviation for the difference of two means and
-      // at most 2.2 % for that of two variances. 4.5 of them for 16 places: alpha 1e-4 in all.
+      // 8100 cells: the standard error of the difference of two means is 1.6 % of a standard
+      // deviation, and that of two variances at most 2.2 %. The limits are 4.5 of these for 16
+      // positions: alpha 1e-4 in all.
       CHECK(std::abs(moments.mean - wanted.mean) < 0.07 * std::sqrt(wanted.variance));
       CHECK(moments.variance == Approx(wanted.variance).epsilon(0.10));
       // False alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 8100).
@@ -214,17 +215,17 @@ TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies
 }
 
 TEST_CASE("what borders between tiles take from correlations is what is written down") {
-  // At a distance, the correlation of the exemplar is multiplied by the mean of the sum of w w' /
-  // (W W') over the tiles that two places share: docs/decisions/023-fewer-taps.md has it, from
-  // another program, for 1/32 and 1/8 of a tile. 40000 pairs, whose products spread by at most
-  // 0.45: 4.4 standard errors of 0.0023, alpha 1e-5 each.
+  // Over a distance, the exemplar's correlation is multiplied by the mean of the sum of w w' / (W
+  // W') over the tiles that two positions share. docs/decisions/023-fewer-taps.md lists it for 1/32
+  // and 1/8 of a tile, computed by another program. 40000 pairs, whose products have a standard
+  // deviation of at most 0.45: 4.4 standard errors of 0.0023, alpha 1e-5 each.
   struct Kept {
     TilingQuality quality;
     double side, near, far;
   };
   const auto kept = [](const TilingQuality& quality, double side, double distance) {
     constexpr std::uint32_t kPairs = 40000;
-    constexpr float kSameTile = 0.5f / kTexels; // offsets differ by a texel and more
+    constexpr float kSameTile = 0.5f / kTexels; // offsets differ by a texel or more
     double sum = 0.0;
     for (std::uint32_t k = 0; k < kPairs; ++k) {
       const auto random = pcg3d({k, 7u, 8u});
@@ -259,8 +260,8 @@ TEST_CASE("what borders between tiles take from correlations is what is written 
 }
 
 TEST_CASE("in the very middle of a triangle one tap is left, and the value is one") {
-  // All weights are alike there, which is a point where the borders of three tiles meet. Floats hit
-  // it or not: both are asked.
+  // All weights are equal at this point, where the borders of three tiles meet. Floats may or may
+  // not hit it exactly: the test checks both cases.
   Taps taps;
   taps.weight = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
   for (const TilingQuality& quality : {TilingQuality{2, 0.0}, TilingQuality{3, 0.25}}) {
@@ -281,8 +282,8 @@ TEST_CASE("in the very middle of a triangle one tap is left, and the value is on
 }
 
 TEST_CASE("as a pixel grows nothing pops, and away from the middles of triangles nothing jumps") {
-  // The largest step of a value: a jump would be there at any step's size, and what is continuous
-  // is in proportion to it.
+  // The largest step of a value. A jump keeps its height at any step size; a continuous change is
+  // proportional to the step size.
   const auto largestStep = [](const Plane& plane, const auto& footprintAt, int steps) {
     double largest = 0.0;
     Light before = plane(footprintAt(0));
@@ -309,8 +310,8 @@ TEST_CASE("as a pixel grows nothing pops, and away from the middles of triangles
     };
     constexpr int kOctaves = 18; // an eighth of a texel to 256 tiles
     CHECK(growing(1.0 / 512, 512 * kOctaves) < 0.3 * growing(1.0 / 64, 64 * kOctaves));
-    // Along a line 4 texels from the nearest middles, over 3.5 triangles, in pixels that are a
-    // third of the way to one tap of the last quality.
+    // A line 4 texels from the nearest centres, over 3.5 triangles, in pixels that are a third into
+    // the transition to one tap of the last quality.
     const auto across = [&](double stepTexels) {
       return largestStep(
           plane,
@@ -338,7 +339,7 @@ TEST_CASE("with fewer taps, views keep their mean colour and contrast at all dis
       // TARGETS.md, and three standard errors of the pixels' mean.
       CHECK(view.meanError <
             0.004 + 3.0 * std::sqrt(std::max(0.0, view.squaredDifference) / kPixels));
-      if (texels <= 4.0) // beyond, this exemplar has little left
+      if (texels <= 4.0) // beyond that, this exemplar has little contrast left
         CHECK(std::abs(view.contrast() - 1.0) < 0.12);
       else
         CHECK(view.filteredVariance < 1.5 * std::max(0.0, view.sampledVariance) + 3e-4);

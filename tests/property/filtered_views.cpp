@@ -18,10 +18,10 @@ Light lightOf(const std::array<float, 4>& value) {
   return {double(value[0]), double(value[1]), double(value[2])};
 }
 
-/// A place of a plane through the origin that lies askew to x, y and z.
+/// A point of a plane through the origin that is oblique to x, y and z.
 TriplanarFootprint askew(const TileFootprint& at, float tileMetres) {
   using Vec3 = std::array<float, 3>;
-  // Of unit length and at right angles; all three planes count at the normal.
+  // Unit vectors at right angles. With their normal, all three planes have weight.
   constexpr Vec3 kAlong{2.0f / 11.0f, -9.0f / 11.0f, 6.0f / 11.0f};
   constexpr Vec3 kAcross{9.0f / 11.0f, -2.0f / 11.0f, -6.0f / 11.0f};
   constexpr Vec3 kNormal{6.0f / 11.0f, 6.0f / 11.0f, 7.0f / 11.0f};
@@ -34,8 +34,7 @@ TriplanarFootprint askew(const TileFootprint& at, float tileMetres) {
   return {inSpace(at.position), inSpace(at.dx), inSpace(at.dy), kNormal};
 }
 
-/// Two averages over a pixel's points that have no point in common, so that what one is off by has
-/// nothing to do with what the other is.
+/// Two averages over disjoint sets of points in a pixel, so that their errors are independent.
 struct Sampled {
   Light filtered, first, second;
 };
@@ -62,7 +61,7 @@ Sampled sampled(const Plane& plane, const TileFootprint& pixel, int samples, std
           averaged(plane, pixel, samples, 2 * seed + 1)};
 }
 
-/// Adds up what one channel of pixels shows.
+/// Accumulates the statistics of one channel over pixels.
 struct Moments {
   void add(double filtered, double first, double second) {
     const double mean = 0.5 * (first + second);
@@ -109,8 +108,8 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
 
 FilteredView filteredView(const Plane& plane, double width, double height, int pixels,
                           int samples) {
-  // Over so many tiles that the pixels have little to do with each other, and few enough that
-  // floats resolve a thousandth of a texel of 256.
+  // Spread over enough tiles that pixels are nearly independent, and few enough that floats resolve
+  // a thousandth of a texel out of 256.
   constexpr double kLeastSide = 32.0;
   const double side = std::max(kLeastSide, 2.0 * std::max(width, height));
   std::vector<Sampled> all(static_cast<std::size_t>(pixels));
@@ -137,16 +136,17 @@ FilteredView filteredView(const Plane& plane, double width, double height, int p
 }
 
 CameraMove cameraMove(const Plane& floor, int samples) {
-  constexpr int kFrames = 60, kColumns = 96, kRows = 64, kEvery = 6; // pixels, of which places
+  constexpr int kFrames = 60, kColumns = 96, kRows = 64, kEvery = 6; // pixels
   constexpr double kHeight = 0.5, kFocal = 1.2; // tiles; half the picture's width is 1
   constexpr double kPixel = 2.0 / kColumns;
-  constexpr double kFirstRow = 1.0; // under the horizon, the top of the picture: 69 tiles away
-  // Of a frame: a seventh of a pixel to the side and the floor's nearest pixel in 30 frames, at
-  // ratios that have no period.
+  constexpr double kFirstRow = 1.0; // below the horizon, the top of the picture: 69 tiles away
+  // Per frame: a seventh of a pixel sideways, and in 30 frames the length of the nearest pixel. The
+  // ratios have no period.
   constexpr double kSideways = 0.0027, kForwards = 0.0041;
   struct Camera {
     double x, z;
-    /// Where a place of the picture, in pixels from the top's middle, sees the floor.
+    /// The point of the floor at a position of the picture, in pixels from the middle of its top
+    /// edge.
     [[nodiscard]] std::array<double, 2> seen(double column, double row) const {
       const double depth = kFocal * kHeight / (row * kPixel);
       return {x + column * kPixel * depth / kFocal, z + depth};
@@ -174,7 +174,7 @@ CameraMove cameraMove(const Plane& floor, int samples) {
       const auto at = camera.seen(middleX, middleY);
       TileFootprint pixel, point;
       point.position = pixel.position = {float(at[0]), float(at[1])};
-      // The derivatives at the middle of the pixel.
+      // The derivatives at the centre of the pixel.
       const double depth = kFocal * kHeight / (middleY * kPixel);
       pixel.dx = {float(kPixel * depth / kFocal), 0.0f};
       pixel.dy = {float(-middleX * kPixel * depth / (kFocal * middleY)), float(-depth / middleY)};

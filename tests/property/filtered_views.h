@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A noise on a plane as pixels see it, filtered, against the same pixels supersampled: from one
-// distance, and over the frames of a camera's move.
-// light of a pixel (three channels), footprints (tiles) -> means, variances, differences.
+// Compares filtered pixels of a noise on a plane with the same pixels supersampled, from one
+// distance and over the frames of a camera move. light of a pixel (three channels), footprints
+// (tiles) -> means, variances, differences.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -16,48 +16,50 @@ namespace lichen::test {
 
 using Light = std::array<double, 3>;
 
-/// The light of a pixel of the plane, whose position and derivatives are in tiles; with derivatives
-/// of 0, of a point. Called from many threads.
+/// Returns the light of a pixel of the plane. Position and derivatives are in tiles; with zero
+/// derivatives the footprint is a point. Called from many threads.
 using Plane = std::function<Light(const TileFootprint&)>;
 
 /// The first map of a bundle's first noise, on texture coordinates or, with Mapping::triplanar, on
-/// a plane that lies askew to all three. The quality is that of tiling.
+/// a plane that is oblique to all three axes. `quality` applies to tiling.
 [[nodiscard]] Plane noisePlane(const Bundle& bundle, Mapping mapping,
                                const Placement& placement = {}, const TilingQuality& quality = {},
                                double contrast = 1.0);
 
-/// Pixels against the averages of points in them. Variances, their covariance and the squared
-/// difference are sums over the channels; of the averages, without what their few points add.
+/// Compares filtered pixels with averages of point samples in them. The variances, their covariance
+/// and the squared difference are sums over the channels. The variance that sampling adds to the
+/// averages is removed.
 struct FilteredView {
-  double meanError = 0.0; ///< of the channel that is off the most
+  double meanError = 0.0; ///< of the channel with the largest error
   double filteredVariance = 0.0;
   double sampledVariance = 0.0;
   double squaredDifference = 0.0;
 
-  /// Of the deviation that an exact filter would leave.
+  /// Relative to the standard deviation that an exact filter would leave.
   [[nodiscard]] double contrast() const;
-  /// Root mean square difference over the deviation that an exact filter would leave.
+  /// Root mean square difference, relative to the standard deviation that an exact filter would
+  /// leave.
   [[nodiscard]] double difference() const;
 };
 
-/// `pixels` pixels of these sides [tiles] at random places, each with 2 `samples` x `samples`
-/// points.
+/// Measures `pixels` pixels with these sides [tiles] at random positions, each with 2 `samples` x
+/// `samples` point samples.
 [[nodiscard]] FilteredView filteredView(const Plane& plane, double width, double height, int pixels,
                                         int samples);
 
-/// What places of a floor show over 60 frames of a camera that moves over it: sums over the places,
+/// What points of a floor show over 60 frames while a camera moves over it: sums over the points,
 /// channels and frames.
 struct CameraMove {
-  double filteredVariance = 0.0; ///< over the frames, at a place
+  double filteredVariance = 0.0; ///< over the frames, at one point
   double sampledVariance = 0.0;
-  double filteredStep = 0.0; ///< squared, from a frame to the next
+  double filteredStep = 0.0; ///< squared, between consecutive frames
   double sampledStep = 0.0;
-  double pointStep = 0.0; ///< of one point a pixel, unfiltered
+  double pointStep = 0.0; ///< with one unfiltered point sample per pixel
 };
 
-/// A floor of one tile a unit, seen at a grazing angle in a picture of 96 x 64, from a pixel of a
-/// 53rd by a 43rd of a tile to one of 0.6 by 19 tiles; each place with 2 `samples` x `samples`
-/// points a frame.
+/// A floor with one tile per unit, seen at a grazing angle in a picture of 96 x 64 pixels. Pixels
+/// cover from 1/53 by 1/43 of a tile to 0.6 by 19 tiles. Each point takes 2 `samples` x `samples`
+/// point samples per frame.
 [[nodiscard]] CameraMove cameraMove(const Plane& floor, int samples);
 
 } // namespace lichen::test

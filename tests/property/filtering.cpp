@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Noise at every distance: views from eight pixels a texel to one per 100 tiles, and a camera that
-// moves over a floor, against the same pixels supersampled; steps of the level and of the tiles.
-// Both methods, on texture coordinates and in three planes.
+// Noise at every distance. Compares views from eight pixels per texel to one pixel per 100 tiles,
+// and a camera that moves over a floor, with the same pixels supersampled; also checks steps in the
+// level of detail and between tiles. Covers both methods, on texture coordinates and triplanar.
 #include "example_exemplar.h"
 #include "filtered_views.h"
 
@@ -20,9 +20,9 @@ using namespace lichen::test;
 
 namespace {
 
-constexpr int kTexels = 128; // a side of the exemplar
+constexpr int kTexels = 128; // texels per side of the exemplar
 
-/// How much a plane varies, and how much from a place to one a quarter of a texel further.
+/// The variance of a plane, and its change over a quarter of a texel.
 struct Sharpness {
   double variance = 0.0, step = 0.0;
 };
@@ -54,7 +54,7 @@ Bundle bundleOf(Result<Bake> bake) {
 struct NamedPlane {
   std::string name;
   Plane plane;
-  int pixels; // of a view: texton noise costs more
+  int pixels; // per view: texton noise costs more
 };
 
 const std::vector<NamedPlane>& planes() {
@@ -82,13 +82,14 @@ double meanTolerance(const FilteredView& view, int pixels) {
 
 TEST_CASE("a view has the mean colour, contrast and features of its supersampled pixels",
           "[large]") {
-  // In pixels of up to a tile's 25th, beyond which this exemplar has little left; narrow pixels
-  // are a quarter as wide as long.
+  // Pixels of up to 1/25 of a tile; beyond that, this exemplar has little contrast left. Narrow
+  // pixels are a quarter as wide as long.
   struct Size {
     double texels, slant, contrast, difference;
   };
-  // The worst of these planes, by at most 0.03 more, the spread of 400 pixels' ratios. At the level
-  // of the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and 0.3 of narrow pixels.
+  // The worst of these planes plus at most 0.03, the spread of the ratios of 400 pixels. At the
+  // level of the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and by 0.3 for narrow
+  // pixels.
   for (const auto& [texels, slant, contrast, difference] :
        {Size{0.125, 1, 0.01, 0.02}, Size{0.5, 1, 0.05, 0.09}, Size{1, 1, 0.12, 0.22},
         Size{1.41, 1, 0.10, 0.25}, Size{2, 1, 0.08, 0.30}, Size{2.83, 1, 0.05, 0.31},
@@ -116,8 +117,8 @@ TEST_CASE("a view of more contrast than the exemplar's has that contrast too", "
         INFO("contrast " << contrast << (mapping == Mapping::uv ? ", uv, " : ", triplanar, ")
                          << texels << " texels: contrast " << view.contrast() << ", mean off by "
                          << view.meanError << ", difference " << view.difference());
-        // Measured 0.86 to 1.05, and 0.11 to 0.23; the spread of ratios as above. With the table's
-        // last level where all is missing that it averages over, contrast is 0.
+        // Measured 0.86 to 1.05, and 0.11 to 0.23; the spread of the ratios is as above. With the
+        // table's last mip level, which averages over all lost variance, contrast would be 0.
         CHECK(view.meanError < meanTolerance(view, 1200));
         CHECK(std::abs(view.contrast() - 1.0) < 0.17);
         CHECK(view.difference() < 0.26);
@@ -131,8 +132,8 @@ TEST_CASE("from afar a view has the mean colour of its supersampled pixels and n
       const FilteredView view = filteredView(one.plane, tiles, tiles, one.pixels, 6);
       INFO(one.name << ", " << tiles << " tiles a pixel");
       CHECK(view.meanError < meanTolerance(view, one.pixels));
-      // 36 points in each of 400 pixels know a channel's variance to (0.15 / 6)^2 / sqrt(400):
-      // three of it, of three channels.
+      // 36 points in each of 400 pixels estimate a channel's variance to (0.15 / 6)^2 / sqrt(400).
+      // The margin is three of these for three channels.
       CHECK(view.filteredVariance < 1.5 * std::max(0.0, view.sampledVariance) + 9 * 3.1e-5);
     }
 }
@@ -143,18 +144,18 @@ TEST_CASE("a camera's move over a floor shimmers no more than its supersampled f
     INFO(one.name << ": variance " << move.filteredVariance / move.sampledVariance << ", steps "
                   << move.filteredStep / move.sampledStep << ", of points "
                   << move.pointStep / move.sampledStep);
-    // Measured, steps and variance: of tiling 0.81 to 1.07 on four exemplars, of textons 0.92 to
-    // 1.43. At the level of the longer side tiling has 0.4, a blur.
+    // Measured for steps and variance: 0.81 to 1.07 for tiling on four exemplars, 0.92 to 1.43 for
+    // textons. At the level of the longer side, tiling has 0.4: it blurs.
     CHECK(move.filteredStep / move.sampledStep < 1.6);
     CHECK(move.filteredVariance / move.sampledVariance < 1.6);
     CHECK(move.filteredVariance / move.sampledVariance > 0.6);
-    CHECK(move.pointStep / move.sampledStep > 2.0); // there is shimmer to be filtered
+    CHECK(move.pointStep / move.sampledStep > 2.0); // without filtering there is shimmer
   }
 }
 
 TEST_CASE("as a pixel grows nothing pops, and across a floor there is no line") {
-  // The largest change of a value from one step to the next. Of what is continuous it halves with
-  // the step; a jump stays.
+  // The largest change of a value between consecutive steps. A continuous change halves with the
+  // step; a jump does not.
   const auto largestStep = [](const Plane& plane, const auto& footprintAt, int steps) {
     double largest = 0.0;
     Light before = plane(footprintAt(0));
@@ -191,7 +192,7 @@ TEST_CASE("as a pixel grows nothing pops, and across a floor there is no line") 
             int(kTexels / stepTexels)); // 3.5 triangles of the lattice
       };
       INFO(texels << " texels a pixel");
-      // Where the exemplar's materials meet, its table is steep: small steps.
+      // The table is steep where the exemplar's materials meet, so steps must be small.
       CHECK(across(1.0 / 512) < 0.3 * across(1.0 / 64));
     }
   }
@@ -208,10 +209,11 @@ TEST_CASE("ten million tiles from the origin the pattern is as sharp as there") 
     const Sharpness here = sharpnessOf(noisePlane(bundle, mapping));
     const Sharpness there = sharpnessOf(noisePlane(bundle, mapping, far));
     INFO(nameOf(mapping));
-    // Of 3000 places 2 to 3 % for a variance, 5 % for the squared steps, of which few are large.
+    // Standard errors for 3000 points: 2 to 3 % for a variance, 5 % for the squared steps, few of
+    // which are large.
     CHECK(there.variance == Approx(here.variance).epsilon(0.15));
     CHECK(there.step == Approx(here.step).epsilon(0.25));
-    // Floats of ten million tiles alone are whole tiles: no step at all.
+    // At ten million tiles a float coordinate has no fraction: there would be no step at all.
     CHECK(here.step > 0.0);
   }
 }

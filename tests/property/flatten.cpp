@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What flattening removes and what it keeps, by waves, spectra and the cloudiness that is left.
+// What flattening removes and preserves, measured by waves, spectra and the remaining cloudiness.
 #include "example_exemplar.h"
 #include "generated_exemplar.h"
 #include "measured_cloudiness.h"
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Two slopes a pixel, the second zero.
+/// Two slopes per pixel; the second is zero.
 template <typename SlopeAt>
 MapExemplar slopes(int width, int height, const SlopeAt& slopeAt) {
   MapExemplar map;
@@ -49,7 +49,7 @@ MapExemplar flattened(MapExemplar map, double period, bool periodic = true) {
   return map;
 }
 
-/// Amplitude of the first channel's wave of `cycles` across the map.
+/// Amplitude of the wave with `cycles` cycles across the map, in the first channel.
 double amplitude(const MapExemplar& map, int cycles) {
   std::complex<double> sum = 0.0;
   const std::size_t channels = map.channels.size();
@@ -115,8 +115,8 @@ TEST_CASE(
     "A ramp is continued by its mirror image where the exemplar does not tile, else by itself") {
   constexpr int kSide = 64;
   const MapExemplar ramp = slopes(kSide, kSide, [](int x, int) { return double(x) / kSide; });
-  // The first pixel of what the filter leaves of a row of `period` pixels, as the sum over its
-  // frequencies: gains by 1 - 2^-(cycles a period)^2 for a period of half a side.
+  // The first pixel of a filtered row of `period` pixels, as the sum over its frequencies. The gain
+  // is 1 - 2^-(cycles per period)^2 with a period of half a side.
   const auto filteredStart = [](int period, const auto& valueAt) {
     double start = 0.0;
     for (int cycles = 1 - period / 2; cycles <= period / 2; ++cycles) {
@@ -136,10 +136,10 @@ TEST_CASE(
   const auto mirroredAt = [&](int x) { return rampAt(x < kSide ? x : 2 * kSide - 1 - x); };
   const double mirrored = filteredStart(2 * kSide, mirroredAt);
   const double repeated = filteredStart(kSide, rampAt);
-  // Float transforms err by about 1e-7 of the plane's values, twice.
+  // Float transforms have an error of about 1e-7 of the plane's values, twice.
   CHECK(start(false) == Approx(mirrored).margin(1e-6));
   CHECK(start(true) == Approx(repeated).margin(1e-6));
-  // The jump of 1 at the border stays a step of nearly a half to each side.
+  // The jump of 1 at the border remains as a step of nearly 1/2 on each side.
   CHECK(std::abs(mirrored) < 0.25 * std::abs(repeated));
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("Uneven light goes as a factor: what is left is what even light shows"
   const MapExemplar even = generatedExemplar(exemplars::sand, 128);
   const MapExemplar flatLit = flattened(lit, 128.0, false);
   const MapExemplar flatEven = flattened(even, 128.0, false);
-  // What the period leaves of the slope's border, clipped highlights and rounding to 8 bits: 0.28.
+  // Periodic treatment of the slope's border, clipped highlights and rounding to 8 bits leave 0.28.
   CHECK(rootMeanSquare(flatLit.values, flatEven.values) <
         0.35 * rootMeanSquare(lit.values, even.values));
   double before = 0.0, after = 0.0;
@@ -156,7 +156,7 @@ TEST_CASE("Uneven light goes as a factor: what is left is what even light shows"
     before += double(srgbToLinear(lit.values[i]));
     after += double(srgbToLinear(flatLit.values[i]));
   }
-  CHECK(after == Approx(before).epsilon(0.01)); // but for clipped highlights
+  CHECK(after == Approx(before).epsilon(0.01)); // except for clipped highlights
 }
 
 TEST_CASE("Detail faster than the period is kept") {
@@ -166,8 +166,8 @@ TEST_CASE("Detail faster than the period is kept") {
     return radialPowerSpectrum(luminancePlane(imageOf(map)), map.width, map.height, 64);
   };
   const std::vector<double> before = power(carpet), after = power(flat);
-  // From 4 cycles per period, of which the filter keeps all but 2^-16; the factor by which dark
-  // places are brightened moves power between frequencies: up to 6 %.
+  // From 4 cycles per period on, the filter keeps all but 2^-16. The factor that brightens dark
+  // areas moves power between frequencies: up to 6 %.
   for (std::size_t ring = 4; ring < before.size(); ++ring) {
     INFO("ring " << ring);
     CHECK(after[ring] == Approx(before[ring]).epsilon(0.1));
@@ -184,7 +184,7 @@ TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
   const MapExemplar less = flattened(carpet, std::numbers::sqrt2 * *period);
   CHECK(std::max(scoreOf(less, "cloudiness", true), scoreOf(less, "low-frequency", true)) >=
         1.0 / 3.0);
-  // As measured on the decoded noise: from about 0.27 to 0.1 and less.
+  // As measured on the decoded noise: from about 0.27 to 0.1 or less.
   constexpr int kSamples = 200;
   CHECK(test::measuredCloudiness(carpet, kSamples) > 0.2);
   CHECK(test::measuredCloudiness(flat, kSamples) < 0.11);
@@ -237,7 +237,7 @@ TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly t
   add(0.0);
   data.target = MapTarget::height;
   data.channels = {MapChannel::height};
-  add(0.4); // a tilt, which no light shows
+  add(0.4); // a tilt, which changes no light
   data.target = MapTarget::emissive;
   data.channels = {MapChannel::red};
   add(0.4);
@@ -248,7 +248,7 @@ TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly t
   CHECK(choice.value().flattened == std::vector{MapTarget::baseColor, MapTarget::emissive});
   CHECK(maps[1].values == before[1].values);
   CHECK(maps[2].values == before[2].values);
-  // The light that is left is what its own period leaves.
+  // The remaining light is what the map's own period leaves.
   CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
 }
 
@@ -324,7 +324,7 @@ TEST_CASE("Data stay within their range, and opacity stays as it is") {
   map.target = MapTarget::height;
   map.encoding = ValueEncoding::linear;
   map.width = map.height = 64;
-  // A bar of 1 on 0, around which a high-pass undershoots by a quarter.
+  // A bar of 1 on 0; a high-pass filter undershoots by a quarter around it.
   for (int i = 0; i < 64 * 64; ++i)
     map.values.push_back(i % 64 < 16 ? 1.0f : 0.0f);
   const MapExemplar flat = flattened(map, 32.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The generated pictures, each made once for all cases of a test: making one takes longer than
-// judging it.
+// Generated pictures, each made once for all cases of a test, because generating one takes longer
+// than judging it.
 #pragma once
 
 #include "measured_cloudiness.h"
@@ -10,7 +10,7 @@
 
 namespace lichen::test {
 
-/// What one of the generators of lichen::exemplars makes of this side, as a map of base colours.
+/// Returns the output of a generator of lichen::exemplars at this side as a base-colour map.
 inline const MapExemplar& generatedExemplar(SrgbImage (*generate)(int sidePixels), int sidePixels) {
   static std::map<std::pair<SrgbImage (*)(int), int>, MapExemplar> made;
   const auto [place, isNew] = made.try_emplace({generate, sidePixels});

@@ -51,7 +51,7 @@ double measuredCloudiness(const MapExemplar& map, int samples) {
   std::vector<double> variances;
   for (int sample = 0; sample < samples; ++sample) {
     std::vector<double> luminance;
-    for (int y = 0; y < map.height; y += 2) // every second pixel: the slow variation counts
+    for (int y = 0; y < map.height; y += 2) // every second pixel is enough for slow variation
       for (int x = 0; x < map.width; x += 2) {
         std::array<float, 3> sum{};
         for (int k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cloudiness as an eye sees it, by the tables of a bake.
+// Measures visible cloudiness with the tables of a bake.
 #pragma once
 
 #include <lichen/image.h>
@@ -9,15 +9,15 @@
 
 namespace lichen::test {
 
-/// The image as the map of base colours that it is, RGB.
+/// Returns the image as a base-colour map (RGB).
 [[nodiscard]] MapExemplar baseColor(const SrgbImage& image);
 
 [[nodiscard]] double mean(const std::vector<double>& values);
 [[nodiscard]] double variance(const std::vector<double>& values);
 
-/// Relative standard deviation, over `samples` random offsets of three equally weighted taps, of
-/// the variance of the blended, decoded luminance over the whole tile. The map tiles and has three
-/// dimensions of colour.
+/// Blends three equally weighted taps at each of `samples` random offsets, and returns the relative
+/// standard deviation of the variance of the decoded luminance over the whole tile. The map must
+/// tile and have three colour dimensions.
 [[nodiscard]] double measuredCloudiness(const MapExemplar& map, int samples);
 
 } // namespace lichen::test

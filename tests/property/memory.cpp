@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happens when memory runs out: from each allocation in turn on, all fail, and the function
-// reports it and leaves nothing behind (AddressSanitizer's runs look for leaks).
+// Out-of-memory behaviour: all allocations from the n-th on fail, for one n after another. Each
+// time the function must report the error and leak nothing (AddressSanitizer runs detect leaks).
 #include "example_exemplar.h"
 
 #include <lichen/bundle_merge.h>
@@ -31,22 +31,22 @@ using namespace lichen;
 
 namespace {
 
-/// Which allocations are the first to fail.
+/// Which allocation is the first to fail.
 enum class First {
   each,
-  sampled ///< each up to the 64th, then every 16th part farther
+  sampled ///< each up to the 64th, then at steps of a sixteenth
 };
 
-/// What the operation says with memory enough.
+/// The result of the operation with enough memory.
 enum class Outcome { success, refusal };
 
-/// How an operation ended.
+/// How one attempt ended.
 struct Attempt {
-  bool reached = false; ///< the allocation that was to fail
+  bool reached = false; ///< the n-th allocation was requested
   std::optional<Error> error;
 };
 
-/// Runs `operation`, which returns a Result, with memory that ends at its `failing`th allocation.
+/// Runs `operation`, which returns a Result; memory ends at its `failing`th allocation.
 template <class Operation>
 Attempt attempt(const Operation& operation, int failing) {
   Attempt ended;
@@ -61,14 +61,15 @@ Attempt attempt(const Operation& operation, int failing) {
   return ended;
 }
 
-/// Attempts an operation with memory that ends at one allocation after another until it is enough;
-/// each failure must be reported as one of resources. One thread only: the count is the thread's.
-/// `afterFailure` is called with memory there again. Returns how many failures there were.
+/// Attempts an operation with memory that ends at one allocation after another, until memory
+/// suffices. Each failure must be reported as a resource error. One thread only, because the count
+/// is per thread. Memory is available again when `afterFailure` runs. Returns the number of
+/// failures.
 int exhaustMemory(First first, Outcome outcome,
                   const std::function<Attempt(int failing)>& operation,
                   const std::function<void()>& afterFailure) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  tbb::parallel_for(0, 1, [](int) {}); // oneTBB waits for ever where its first use lacks memory
+  tbb::parallel_for(0, 1, [](int) {}); // oneTBB hangs if its first use runs out of memory
   constexpr int kSteps = 16;
   int failures = 0;
   for (int failing = 1;; failing += first == First::each ? 1 : std::max(1, failing / kSteps)) {
@@ -94,7 +95,7 @@ int exhaustMemory(First first, const Operation& operation) {
       first, Outcome::success, [&](int failing) { return attempt(operation, failing); }, [] {});
 }
 
-/// Of an operation that refuses its input, whose message is the first that needs memory.
+/// For an operation that rejects its input, where the message is the first allocation.
 template <class Operation>
 int exhaustRefusal(const Operation& operation) {
   return exhaustMemory(
@@ -162,7 +163,7 @@ TEST_CASE("an assessment that runs out of memory says so, whichever allocation f
 }
 
 TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
-  MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy: all steps are tried
+  MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy, so that all steps are tried
   CHECK(exhaustMemory(First::each, [&] { return flattenAutomatically({&map, 1}, false); }) > 10);
   CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
 }
@@ -202,13 +203,13 @@ TEST_CASE("an evaluation that runs out of memory says so, whichever allocation f
 
 TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no file is left") {
   BundleFile file;
-  MapExemplar height = oneChannel(test::threeMaterials(8, 8, 1, 1)); // whose table is small
+  MapExemplar height = oneChannel(test::threeMaterials(8, 8, 1, 1)); // its table is small
   height.target = MapTarget::height;
   height.channels = {MapChannel::height};
   height.encoding = ValueEncoding::linear;
   file.bundle = bakedBundle(height);
   file.bundle.materials = {MaterialNoise{}};
-  // Long enough not to fit into the string object; with a texture transform, and every slot.
+  // Too long for the small-string buffer; with a texture transform and every slot.
   file.bundle.materials[0]->scale = 3.0;
   file.bundle.materialNames = {"a material with a long name"};
   file.generator = "a generator with a long name";

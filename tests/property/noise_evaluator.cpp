@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Noises at points, by NoiseEvaluator: texture coordinates are tiles after the material's affine
-// map, as MaterialNoise defines it; slopes turn with it; a mix takes the material's weight.
+// NoiseEvaluator at points: texture coordinates become tiles by the material's affine map, as
+// MaterialNoise defines it; slopes rotate with the map; a mix uses the material's weight.
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
@@ -30,8 +30,8 @@ MaterialNoise movedMaterial() {
   return material;
 }
 
-/// Tile coordinates by the definition of MaterialNoise::scale, less the whole tiles of the offset,
-/// which the constants hold as the tile origin.
+/// Tile coordinates by the definition of MaterialNoise::scale, minus the whole tiles of the offset,
+/// which the constants store as the tile origin.
 TileFootprint onTiles(const MaterialNoise& material, double u, double v) {
   const double cosine = std::cos(material.rotation), sine = std::sin(material.rotation);
   const auto fraction = [](double x) { return x - std::floor(x); };
@@ -50,7 +50,7 @@ std::unique_ptr<const NoiseEvaluator> evaluatorOf(const Bundle& bundle,
 }
 
 void checkSame(const Value& value, const Value& expected) {
-  constexpr double kMargin = 2e-3; // positions are floats, and values change by 2 a texel at most
+  constexpr double kMargin = 2e-3; // positions are floats, and values change by at most 2 per texel
   for (std::size_t c = 0; c < value.size(); ++c)
     CHECK(double(value[c]) == Approx(double(expected[c])).margin(kMargin));
 }
@@ -106,7 +106,7 @@ TEST_CASE("a mix takes the weight of its material: constant, or along a directio
   for (const float u : {0.0f, 0.37f, 2.2f}) {
     checkSame(constant->evaluateUv(0, {{u, 1.6f}, {}, {}}),
               constant->evaluate(0, onTiles(material, double(u), 1.6), {0.8f, {}}));
-    // At v = 1.6 of 2 the weight is 0.8; its derivative by tiles is (sin, cos) scale / 2.
+    // At v = 1.6 of 2 the weight is 0.8; its derivative in tiles is (sin, cos) scale / 2.
     const float rise = float(material.scale / 2.0);
     const MixPlace place{
         0.8f,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether exemplars that tile are told from crops that do not: on the generated materials; and, by
-// hand where they are, `property_seam_detection "[photographs]"`, on those of ../shared/exemplars.
+// Whether seam detection separates exemplars that tile from crops that do not: on the generated
+// materials and, if run by hand with `property_seam_detection "[photographs]"`, on the photographs
+// in ../shared/exemplars.
 #include "checkout_paths.h"
 #include "example_exemplar.h"
 
@@ -44,7 +45,7 @@ std::vector<Named> generatedMaterials(int side) {
   return result;
 }
 
-/// All of them tile, by their README.
+/// All of them tile, according to their README.
 std::vector<Named> photographs() {
   const std::filesystem::path folder = sourcePath("../shared/exemplars");
   std::vector<std::filesystem::path> paths;
@@ -63,7 +64,7 @@ std::vector<Named> photographs() {
   return result;
 }
 
-/// Crops of a share of the side, `places` positions along each axis.
+/// Crops with a share of the side, at `places` positions along each axis.
 std::vector<MapExemplar> cropsOf(const MapExemplar& map, double share, int places) {
   const int width = int(share * map.width);
   const int height = int(share * map.height);
@@ -80,7 +81,8 @@ double strongest(const MapExemplar& map) {
   return std::max(strength.betweenColumns, strength.betweenRows);
 }
 
-/// White grain: pixels across any border are as unlike as neighbours, so no seam is there to see.
+/// White grain: pixels across any border differ as much as neighbours do, so a crop has no visible
+/// seam.
 constexpr const char* kWhiteGrain = "painted_plaster_wall/normal.png";
 
 void checkToldApart(const Named& exemplar) {
@@ -123,7 +125,7 @@ TEST_CASE("a seam is measured in units of the interior's steps") {
   const exemplar::SeamStrength ramp = imageOf([](int x) { return float(x) / 16.0f; });
   CHECK(ramp.betweenColumns == Approx(15.0));
   CHECK(ramp.betweenRows == 0.0);
-  // A single step inside is fewer than a tenth of the lines.
+  // A single step inside affects fewer than a tenth of the lines.
   const exemplar::SeamStrength halves = imageOf([](int x) { return x < 8 ? 0.0f : 1.0f; });
   CHECK(std::isinf(halves.betweenColumns));
 }

@@ -7,7 +7,7 @@
 namespace lichen::test {
 namespace {
 
-/// The values of each channel less their mean.
+/// The values of each channel minus their mean.
 std::vector<std::vector<double>> centredChannels(const LinearImage& image) {
   std::vector<std::vector<double>> channels(std::size_t(image.channels));
   for (std::size_t i = 0; i < image.values.size(); ++i)

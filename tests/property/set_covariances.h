@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Covariances between the maps of a set, of an exemplar and of its results.
+// Covariances between the maps of a set, for an exemplar and for its results.
 #pragma once
 
 #include <lichen/image.h>
@@ -10,10 +10,11 @@
 
 namespace lichen::test {
 
-/// Covariances of each channel of `a` with each of `b`, those of `b` fastest; images of one size.
+/// Covariances of each channel of `a` with each channel of `b`; the channels of `b` vary fastest.
+/// Both images have the same size.
 [[nodiscard]] std::vector<double> crossCovariances(const LinearImage& a, const LinearImage& b);
 
-/// The exemplar's maps as `synthesize` gives maps: light, slopes, data.
+/// Decodes the exemplar's maps as `synthesize` outputs maps: light, slopes, data.
 [[nodiscard]] std::vector<LinearImage> decodedMaps(std::span<const MapExemplar> maps);
 
 [[nodiscard]] double norm(const std::vector<double>& values);

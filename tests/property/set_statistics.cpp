@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the maps of a set belong together in the noise as they do in the exemplar.
+// Whether the maps of a set are related in the noise as they are in the exemplar.
 #include "set_covariances.h"
 
 #include <lichen/image.h>
@@ -22,12 +22,12 @@ namespace {
 
 constexpr int kSide = 64;
 constexpr int kResultSide = 256;
-/// More than the exemplar's side, and prime to it: no two pixels of a result share a tile, so that
-/// each is a sample of its own, and together they visit all texels of the exemplar.
+/// Larger than the exemplar's side, and coprime with it: no two pixels of a result share a tile, so
+/// that the samples are independent, and together they visit all texels of the exemplar.
 constexpr int kStride = 67;
 constexpr std::uint32_t kSeeds = 8;
-constexpr std::uint32_t kSeedsOfFewValues = 4; // whose covariances scatter less than slopes'
-constexpr std::uint32_t kSeedsOfControl = 2;   // what it finds is far from the limit
+constexpr std::uint32_t kSeedsOfFewValues = 4; // its covariances scatter less than those of slopes
+constexpr std::uint32_t kSeedsOfControl = 2;   // the control is far from the limit
 
 MapExemplar mapLike(const MapExemplar& sizes, MapTarget target, std::vector<MapChannel> channels,
                     ValueEncoding encoding) {
@@ -40,8 +40,8 @@ MapExemplar mapLike(const MapExemplar& sizes, MapTarget target, std::vector<MapC
   return map;
 }
 
-/// Smooth Gaussian noise of variance 1 that continues over the borders: white noise averaged over
-/// windows of 3 x 3 pixels, four times.
+/// Smooth, periodic Gaussian noise of variance 1: white noise averaged over windows of 3 x 3
+/// pixels, four times.
 std::vector<double> smoothField(std::uint32_t seed) {
   constexpr std::size_t kPixels = std::size_t(kSide) * kSide;
   std::mt19937 generator(seed);
@@ -68,10 +68,10 @@ std::vector<double> smoothField(std::uint32_t seed) {
   return field;
 }
 
-/// A relief with its slopes; a colour that follows height, stains of its own and the light from one
-/// side; roughness that follows height and grain of its own; occlusion. Every relation is bent, so
-/// that no map is Gaussian. Maps whose relation jumps, as between patches of several materials,
-/// keep their covariances less well: each is Gaussianized by itself.
+/// A relief with its slopes; a colour that follows height, stains of its own and light from one
+/// side; roughness that follows height and its own grain; occlusion. Every relation is nonlinear,
+/// so that no map is Gaussian. Maps whose relation jumps, as between patches of several materials,
+/// preserve their covariances less well, because each map is Gaussianized separately.
 std::vector<MapExemplar> materialSet() {
   using enum MapChannel;
   const std::vector<double> relief = smoothField(1), stain = smoothField(2), grain = smoothField(3);
@@ -115,12 +115,12 @@ Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
   return bundle;
 }
 
-/// Of a field of variance 1, about two deviations a step: the roughness of a photographed plaster
-/// wall has as few values.
+/// About two standard deviations per step, for a field of variance 1. The roughness of a
+/// photographed plaster wall has as few values.
 constexpr double kCoarseStep = 0.05;
 
-/// The colour of materialSet() and a roughness of a few values, which follows the light in it or
-/// has nothing to do with it.
+/// The colour of materialSet() and a roughness of few values. The roughness follows the colour's
+/// light or is unrelated to it.
 std::vector<MapExemplar> coarseSet(bool related) {
   const MapExemplar color = materialSet().front();
   MapExemplar orm = mapLike(color, MapTarget::occlusionRoughnessMetallic, {MapChannel::roughness},
@@ -135,7 +135,7 @@ std::vector<MapExemplar> coarseSet(bool related) {
   return {color, orm};
 }
 
-/// Covariances between every two channels of different maps; all images of one size.
+/// Covariances between every two channels of different maps; all images have one size.
 std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
   std::vector<double> covariances;
   for (std::size_t a = 0; a < maps.size(); ++a)
@@ -145,7 +145,7 @@ std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {
   return covariances;
 }
 
-/// Map m of a result in the pattern of `seed`, or of seed + m where patterns are to differ.
+/// Map m of a result in the pattern of `seed`, or of seed + m if the patterns are to differ.
 std::vector<LinearImage> resultMaps(const Bundle& bundle, std::uint32_t seed, bool onePattern) {
   std::vector<LinearImage> images;
   const std::vector<NoiseMap>& maps = bundle.noises[0].maps;
@@ -162,8 +162,8 @@ std::vector<LinearImage> resultMaps(const Bundle& bundle, std::uint32_t seed, bo
   return images;
 }
 
-/// How far the mean over seeds is from what is wanted, and how far chance alone takes it: the norm
-/// of the standard errors. Both as shares of the norm wanted.
+/// The distance of the mean over seeds from the wanted values, and its standard error (the norm of
+/// the standard errors). Both are relative to the norm of the wanted values.
 struct Deviation {
   double error = 0.0;
   double standardError = 0.0;
@@ -171,11 +171,11 @@ struct Deviation {
 
 /// The target of the result (TARGETS.md).
 constexpr double kTarget = 0.03;
-/// No error beyond 1.6 times the target passes.
+/// Errors beyond 1.6 times the target always fail.
 constexpr double kLargestStandardError = kTarget / 5.0;
 
-/// The target, and chance: the covariances err together, so that their norm is about as a single
-/// normal value, 3 standard errors of which are exceeded once in 370 times.
+/// The target plus 3 standard errors. The covariances' errors are correlated, so their norm behaves
+/// like a single normal value, which exceeds 3 standard errors once in 370 times.
 double limitOf(const Deviation& deviation) { return kTarget + 3.0 * deviation.standardError; }
 
 Deviation deviationOf(const Bundle& bundle, const std::vector<double>& wanted, std::uint32_t seeds,
@@ -207,8 +207,7 @@ TEST_CASE("covariances between the maps of a set are those of the exemplar") {
   INFO("error " << together.error << ", standard error " << together.standardError);
   CHECK(together.standardError < kLargestStandardError);
   CHECK(together.error < limitOf(together));
-  // The measure sees what it is for: maps in patterns of their own have nothing to do with one
-  // another.
+  // Control: maps in separate patterns are unrelated, and the measure shows it.
   const Deviation apart = deviationOf(bundle, wanted, kSeedsOfControl, false);
   INFO("apart: error " << apart.error << ", standard error " << apart.standardError);
   CHECK(apart.error > 1.0 - 3.0 * apart.standardError);
@@ -227,7 +226,7 @@ TEST_CASE("a map of few values keeps its covariances with the others") {
 TEST_CASE("a map of few values that has nothing to do with the others stays so") {
   const std::vector<MapExemplar> maps = coarseSet(false);
   const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
-  // As shares of what the covariances would be if the maps had all to do with one another.
+  // Relative to the covariances that fully related maps would have.
   const double related = norm(crossCovariances(decodedMaps(coarseSet(true))));
   Deviation found = deviationOf(bakedBundle(maps), wanted, kSeedsOfFewValues, true);
   found.error *= norm(wanted) / related;
@@ -242,7 +241,7 @@ TEST_CASE("the Gaussian values of a map on a line keep the order of its values b
   const Bundle bundle = bakedBundle(maps);
   const std::vector<float> gaussian =
       decodeLevel(bundle.tables[bundle.noises[0].maps[1].as<TilingMap>().gaussian], 0);
-  std::map<float, std::pair<float, float>> ranges; // of Gaussian values, by roughness
+  std::map<float, std::pair<float, float>> ranges; // range of Gaussian values for each roughness
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);
     auto& [least, most] = place->second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the detail of a noise is measured, and that a fit has its exemplar's.
+// How the detail of a noise is measured, and that a fit has its exemplar's detail.
 #include "example_exemplar.h"
 
 #include <lichen/image_io.h>
@@ -23,13 +23,13 @@ namespace {
 
 constexpr int kSide = 256;
 
-/// An image of 256 x 256 has 16 windows of 64 x 64 without their overlap, a ring of radius r about
-/// pi r / 1.5 independent exponential powers, each of 4.3 dB: the mean over rings 4 to 32 has a
-/// deviation of 0.04 dB, for the exemplar and for the image that is blended, 0.057 together. Four
-/// of them: one false alarm in 16,000.
+/// An image of 256 x 256 has 16 non-overlapping windows of 64 x 64. A ring of radius r has about pi
+/// r / 1.5 independent exponential powers, each with a standard deviation of 4.3 dB. The mean over
+/// rings 4 to 32 has a standard deviation of 0.04 dB for the exemplar and for the blended image,
+/// 0.057 together. The margin is four of these: one false alarm in 16,000.
 constexpr double kMargin = 0.23;
 
-/// White noise of the Gaussian's mean and deviation [BM58].
+/// White noise with the Gaussian's mean and standard deviation [BM58].
 std::vector<float> whiteNoise(std::uint64_t seed) {
   std::vector<float> values;
   for (std::uint64_t i = 0; i < std::uint64_t(kSide) * kSide; ++i) {
@@ -64,7 +64,7 @@ MapExemplar linearMap(std::vector<float> values) {
   return map;
 }
 
-/// Its blends are the noise itself: the table gives the Gaussian value back.
+/// Its blends are the noise itself: the table returns the Gaussian value unchanged.
 Gaussianized gaussianImage(const std::vector<float>& values) {
   Gaussianized gaussian;
   gaussian.width = gaussian.height = kSide;
@@ -80,7 +80,7 @@ InverseTable identityTable() {
   return table;
 }
 
-/// Mean over radii from 4 to half a window's cycles of 10 log10 of the filter's mean power there.
+/// Mean of 10 log10 of the filter's mean power, over radii from 4 to half a window's cycles.
 double filterDecibels(int window) {
   std::vector<double> power(std::size_t(window / 2 + 1), 0.0), count(power.size(), 0.0);
   for (int v = -window / 2 + 1; v <= window / 2; ++v)
@@ -111,8 +111,8 @@ TEST_CASE("the spectrum's error is the power that the noise has over its exempla
 }
 
 TEST_CASE("the error of colours is that of their luminance") {
-  // In the exemplar all channels vary, in the noise green alone: 0.7152 of luminance, a third of
-  // the channels.
+  // All channels vary in the exemplar, only green in the noise: 0.7152 of luminance, a third of the
+  // channels.
   MapExemplar map = linearMap({});
   map.target = MapTarget::baseColor;
   map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
@@ -135,8 +135,7 @@ TEST_CASE("exemplars too small for a window have no spectrum, and the usual shar
 }
 
 TEST_CASE("the share for a large map is that of its middle", "[large]") {
-  // Two channels of it: a table of two axes takes less time, and one axis is always given the usual
-  // share.
+  // Two of its channels: a table of two axes is faster, and one axis always gets the usual share.
   MapExemplar whole = test::threeMaterials(520, 64, 7, 3);
   for (std::size_t i = 0; i < whole.values.size() / 3; ++i)
     for (std::size_t c = 0; c < 2; ++c)
@@ -150,7 +149,7 @@ TEST_CASE("the share for a large map is that of its middle", "[large]") {
   const float share = fitMap(whole, exemplar::colorSpaceOf(whole), options).share;
   options.periodic = false;
   CHECK(share == fitMap(middle, exemplar::colorSpaceOf(whole), options).share);
-  // Its content decides: of some of its values in random order, which have no patches, it is less.
+  // The content matters: the same values in random order have no patches, and the share is smaller.
   MapExemplar shuffled = test::cropped(middle, 0, 0, 64, 64);
   for (std::size_t i = shuffled.values.size() / 2; i-- > 1;) {
     const auto other = std::size_t(transport::randomUniform(11, i) * double(i + 1));
@@ -193,8 +192,8 @@ TEST_CASE("a fit whose first share is good enough has told of nearly all its pro
   options.share = fit.share;
   static_cast<void>(fitMap(map, exemplar::colorSpaceOf(map), options));
   INFO("share " << fit.share << ", reached " << reached << " of " << told.back());
-  REQUIRE(told.size() == steps); // one trial is a fit with a share given
-  // A fit may end with a step that it says nothing of, here its table.
+  REQUIRE(told.size() == steps); // one trial is a fit with a given share
+  // A fit may end with a step that it does not report, here its table.
   CHECK(reached > 0.75 * told.back());
 }
 
@@ -208,7 +207,7 @@ TEST_CASE("the share for an exact transport is that for the usual one", "[large]
 
 TEST_CASE("a fit has its exemplar's detail where the usual share of the surroundings has not",
           "[large]") {
-  // Grain within patches of one colour each, which transport alone spreads over the Gaussian.
+  // Grain within patches of one colour each; transport alone spreads the grain over the Gaussian.
   const MapExemplar map = test::threeMaterials(96, 96, 7, 3);
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
   const std::vector<Point> points = exemplar::transportPoints(map, space);
@@ -225,7 +224,7 @@ TEST_CASE("a fit has its exemplar's detail where the usual share of the surround
   const MapFit fit = fitMap(map, space, {});
   CHECK(std::abs(spectrumErrorDb(map, fit.gaussian, fit.table)) < 0.25);
 
-  // The whole way, by the measure of results and its target.
+  // The whole bake, by the measure of results and its target.
   Result<TilingBake> bake =
       bakeTiling("patches", {&map, 1}, {.periodic = Periodic::yes, .progress = {}});
   REQUIRE(bake);

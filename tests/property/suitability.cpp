@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The risks of exemplars, against closed forms, exhaustive sums and pictures that work or fail.
+// The risks of exemplars, against closed forms, exhaustive sums, and pictures known to work or
+// fail.
 #include "example_exemplar.h"
 #include "generated_exemplar.h"
 #include "measured_cloudiness.h"
@@ -72,7 +73,7 @@ float uniform(int x, int y, std::uint32_t seed) {
   return float(pcg3d({std::uint32_t(x), std::uint32_t(y), seed})[0] >> 8u) * 0x1p-24f;
 }
 
-/// Of unit variance, with the given value at each pixel before.
+/// Standardized to unit variance from the given value at each pixel.
 template <typename ValueAt>
 std::vector<float> standardized(int width, int height, const ValueAt& valueAt) {
   std::vector<float> values;
@@ -98,7 +99,8 @@ double predictedCloudiness(const MapExemplar& map) {
 } // namespace
 
 TEST_CASE("a small map of a set is judged by the texels that the set's texton has of it") {
-  // Two waves a side: of 32 of the map's own pixels, and of 64 texels of the largest map's.
+  // Two waves per side: a period of 32 of the map's own pixels, and of 64 texels of the largest
+  // map.
   constexpr int kSide = 64;
   std::vector<float> values;
   for (int i = 0; i < kSide * kSide; ++i)
@@ -129,11 +131,12 @@ TEST_CASE("Outlines that a texton loses are told whatever their direction, and r
         plane.push_back(map.values[i]);
       const std::vector<float> random =
           phaseRandomizedPlane(forwardFft(plane, map.width, map.height), 1);
-      for (std::size_t i = 0; i < random.size(); ++i) // of less contrast, to stay in range
+      for (std::size_t i = 0; i < random.size(); ++i) // less contrast, to stay in range
         gaussian.values[3 * i + c] = std::clamp(0.4f + 0.1f * random[i], 0.0f, 1.0f);
     }
-    // The coarsest of four octaves, of the least weight on the scatter but most of it, has some 400
-    // independent values: sqrt(24 / 400) / 4 of its mean is 0.06, and five of these below mild.
+    // The coarsest of four octaves has the least weight on the scatter but most of the scatter
+    // itself. It has some 400 independent values: sqrt(24 / 400) / 4 of its mean is 0.06, and five
+    // of these stay below mild.
     const std::vector<Risk> risks = assessTextonSuitability(gaussian, 64).value();
     CHECK(named(risks, "outlines").level == Risk::Level::none);
   }
@@ -187,9 +190,9 @@ TEST_CASE("The closed form of cloudiness is the exact sum over all offsets") {
 }
 
 TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
-  // The standard error of a deviation measured on 400 samples is 3.5 %, somewhat more for their
-  // skewed distribution. One channel by rank stands for three by transport: that made the foretold
-  // values 7, 15 and 13 % larger.
+  // The standard error of a standard deviation over 400 samples is 3.5 %, and somewhat more for
+  // this skewed distribution. One channel by rank stands for three by transport; this made the
+  // predicted values 7, 15 and 13 % larger.
   const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
   const MapExemplar granite = generatedExemplar(exemplars::granite, 128);
   constexpr int kSamples = 400;
@@ -214,7 +217,7 @@ TEST_CASE("The plane of an exemplar that does not tile is continuous over its bo
     }
     return sum;
   };
-  CHECK(jump(true) > 4.0); // from the lowest to the highest Gaussian, more than two deviations each
+  CHECK(jump(true) > 4.0); // more than two standard deviations each
   CHECK(jump(false) < 1.0);
 }
 
@@ -225,20 +228,20 @@ TEST_CASE("A wave's share of the variance is found as a lattice, at any size") {
       return uniform(x, y, 4) +
              std::sqrt(1.0 / 6.0) * std::cos(2.0 * std::numbers::pi * 11 * x / width);
     });
-    // The noise's variance is uncertain by 1 %, the wave's by the noise at its own frequency.
+    // The noise's variance is uncertain by 1 %, and the wave's by the noise at its own frequency.
     CHECK(latticeShare(forwardFft(plane, width, height)) == Approx(0.5).margin(0.02));
   }
 }
 
 TEST_CASE("Noise has no lattice") {
-  // 0.13 lines are expected by chance in 16 images of 8192 frequencies; two of them pass.
+  // Chance produces 0.13 lines in 16 images of 8192 frequencies; the test allows two.
   double lines = 0.0;
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
     const std::vector<float> plane =
         standardized(128, 128, [&](int x, int y) { return uniform(x, y, 100 + seed); });
     lines += latticeShare(forwardFft(plane, 128, 128));
   }
-  constexpr double kLine = 30.0 / 8192.0; // a strong one's share
+  constexpr double kLine = 30.0 / 8192.0; // share of a strong line
   CHECK(lines < 2.0 * kLine);
 }
 
@@ -263,7 +266,7 @@ TEST_CASE("Slow variation is that of a ramp and of a wave, and no faster one") {
     return slowVariation(grey(kWidth, kHeight, std::move(values)));
   };
   const double turn = 2.0 * std::numbers::pi;
-  // A ramp of height 1: amplitude 1 / pi at one cycle, of variance 1 / (2 pi^2).
+  // A ramp of height 1: its wave of one cycle has amplitude 1 / pi and variance 1 / (2 pi^2).
   CHECK(slow([](double x, double) { return x; }) ==
         Approx(std::sqrt(0.5) / std::numbers::pi).epsilon(1e-3));
   CHECK(slow([&](double x, double y) { return 0.3 * std::sin(turn * (x - y)); }) ==
@@ -282,7 +285,7 @@ TEST_CASE("White and black pixels are counted where they mean lost detail") {
     paint(pixel, 1.0f);
   for (std::size_t pixel = 1024; pixel < 1536; ++pixel)
     paint(pixel, 0.0f);
-  map.values[3 * 2000] = 1.0f; // one channel alone
+  map.values[3 * 2000] = 1.0f; // in one channel only
   CHECK(clippedShare(map).white == 1024.0 / 4096.0);
   CHECK(clippedShare(map).black == 512.0 / 4096.0);
   CHECK(named(risksOf(map), "clipping").level == Risk::Level::severe);
@@ -292,8 +295,8 @@ TEST_CASE("White and black pixels are counted where they mean lost detail") {
 
 TEST_CASE("The spacing of codes is that of their distribution, and few colours are counted") {
   constexpr int kSide = 64, kPixels = kSide * kSide;
-  // Levels k / n of equal frequency, 255 / n codes apart: entropy ln n, and the deviation of n
-  // points of a line of that spacing, sqrt((n^2 - 1) / 12).
+  // n levels k / n of equal frequency, 255 / n codes apart: entropy ln n, and the standard
+  // deviation of n points at that spacing on a line, sqrt((n^2 - 1) / 12).
   for (const int n : {2, 4, 8, 16}) {
     INFO(n << " levels");
     SrgbImage image = constant(kSide, kSide, 0.0f);
@@ -307,12 +310,12 @@ TEST_CASE("The spacing of codes is that of their distribution, and few colours a
     CHECK(few.spacing == Approx(spacing));
     CHECK(few.count == Approx(spacing < 10.0 ? 0.0 : n));
   }
-  SrgbImage colors = constant(kSide, kSide, 0.0f); // one channel with all codes: a photograph
+  SrgbImage colors = constant(kSide, kSide, 0.0f); // one channel uses all codes, as in a photograph
   for (std::size_t i = 0; i < kPixels; ++i) {
     colors.values[3 * i] = float(i % 2);
     colors.values[3 * i + 1] = float(i % 256) / 255.0f;
   }
-  // A uniform distribution: sqrt(2 pi e / 12), but for steps of 1 / 256.
+  // A uniform distribution: sqrt(2 pi e / 12), up to the steps of 1 / 256.
   CHECK(fewColors(baseColor(colors)).spacing ==
         Approx(std::sqrt(std::numbers::pi * std::numbers::e / 6.0)).epsilon(1e-4));
   CHECK(fewColors(baseColor(constant(8, 8, 1.0f))).spacing == 0.0);
@@ -368,7 +371,7 @@ TEST_CASE("Risks do not depend on the number of threads") {
 TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of itself") {
   constexpr int kSide = 64;
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  // A slow wave that would be a risk of other data, and a fast one of nearly all the slopes.
+  // A slow wave that would be a risk for other data, and a fast one with nearly all the slope.
   MapExemplar height = grey(kSide, kSide, {});
   height.target = MapTarget::height;
   height.channels = {MapChannel::height};
@@ -377,8 +380,8 @@ TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of i
   normal.target = MapTarget::normal;
   normal.channels = {MapChannel::slopeX, MapChannel::slopeY};
   normal.encoding = ValueEncoding::slope;
-  // Half the difference of neighbours takes a wave of k cycles times sin(2 pi k / side). Slopes are
-  // scaled to deviations of 0.27 in the mean square of both.
+  // Half the difference of neighbours multiplies a wave of k cycles by sin(2 pi k / side). Slopes
+  // are scaled to standard deviations of 0.27, in the mean square of both.
   const double slow = 0.06 * std::sin(kTurn / kSide), fast = 0.1 * std::sin(kTurn * 23 / kSide);
   const double scale = 0.27 / std::sqrt(0.25 * (slow * slow + fast * fast));
   for (int y = 0; y < kSide; ++y)
@@ -416,8 +419,9 @@ TEST_CASE("The slopes of heights above 1 are those of the heights, not of their 
     height.values.push_back(value);
     logarithm.values.push_back(std::log2(1.0f + kHighest * value));
   }
-  // Codes below 8 are rounded by 2^-22, 1 + height by that times ln 2 and 2^-23 of its own; the two
-  // heights of a slope, halved, by no more than one. A share as large is left to the scales.
+  // Codes below 8 are rounded by 2^-22, 1 + height by that times ln 2 and by 2^-23 of its own. Half
+  // the difference of two heights is off by no more than one height. The scales may add the same
+  // share again.
   const double rounding = (kHighest + 1.0) * (std::numbers::ln2 * 0x1p-22 + 0x1p-23);
   for (const bool periodic : {true, false}) {
     const MapExemplar wanted = slopesOfHeight(height, periodic);
@@ -427,7 +431,7 @@ TEST_CASE("The slopes of heights above 1 are those of the heights, not of their 
       worst = std::max(worst, std::abs(double(found.values[i]) - double(wanted.values[i])));
       steepest = std::max(steepest, std::abs(double(wanted.values[i])));
     }
-    // A slope of 1/2 the range, or all of it at a border, is the steepest at most.
+    // The steepest slope is 1/2 the range, or the whole range at a border.
     CHECK(worst < 4.0 * steepest * rounding / kHighest);
   }
 }
@@ -453,8 +457,8 @@ TEST_CASE(
     return edgeConcentration(grey(kSide, kSide, std::move(values)), periodic);
   };
   const auto wave = [](int at) { return 0.2 * std::sin(2.0 * std::numbers::pi * at / kSide); };
-  // Means of cos^4 over those of cos^2 squared: 3/8 / 1/4; and of two across each other, 5/4. The
-  // last differences are left out: one 63rd of a period at most.
+  // The mean of cos^4 over the squared mean of cos^2: 3/8 / 1/4; for two crossed waves, 5/4. The
+  // last differences are left out: at most 1/63 of a period.
   CHECK(of([&](int x, int) { return wave(x); }, true) == Approx(1.5).epsilon(2.0 / 63.0));
   CHECK(of([&](int x, int y) { return wave(x) + wave(y); }, true) ==
         Approx(1.25).epsilon(2.0 / 63.0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Verdicts on pictures that had no part in choosing the thresholds of decision 013: generators of
-// this file, each picture with a seed, colours and sizes of its own. What each kind is was decided
-// before any of them was judged.
+// Verdicts on pictures that were not used to choose the thresholds of decision 013. This file's
+// generators make each picture with its own seed, colours and sizes. The expected verdict of each
+// kind was fixed before any picture was judged.
 #include "measured_cloudiness.h"
 
 #include <lichen/suitability.h>
@@ -20,8 +20,9 @@ using namespace lichen::exemplars;
 
 namespace {
 
-/// Another side than what was calibrated with has, large enough for every measure. Of less material
-/// slow variation is a larger part: at 144 two of those that work are told to have it, mildly.
+/// Not the side of the calibration pictures, and large enough for every measure. The less material
+/// a picture shows, the larger the share of slow variation: at 144, two of the suitable pictures
+/// are reported to have it, mildly.
 constexpr int kSide = 160;
 
 struct Picture {
@@ -43,7 +44,7 @@ SrgbImage painted(const ColorAt& colorAt) {
   return canvas.resolve();
 }
 
-/// Every pixel's code values times a factor, clipped.
+/// Multiplies every pixel's code values by a factor and clips them.
 template <typename FactorAt>
 SrgbImage relit(SrgbImage image, const FactorAt& factorAt) {
   for (int y = 0; y < kSide; ++y)
@@ -55,7 +56,7 @@ SrgbImage relit(SrgbImage image, const FactorAt& factorAt) {
   return image;
 }
 
-/// Grains of 5 to 12 pixels, each of one colour between two.
+/// Grains of 5 to 12 pixels; each has one colour between the given two.
 SrgbImage gravel(std::uint32_t seed) {
   Random random(seed);
   const Mosaic grains(
@@ -79,7 +80,7 @@ SrgbImage mottled(std::uint32_t seed) {
       [&](int sx, int sy) { return mix(dark, light, smoothStep(-2.0f, 2.0f, spots.at(sx, sy))); });
 }
 
-/// Flakes here and there on an even ground.
+/// Scattered flakes on an even ground.
 SrgbImage speckled(std::uint32_t seed) {
   Random random(seed);
   const Mosaic flakes(
@@ -115,7 +116,7 @@ Picture tiles(std::uint32_t seed) {
   })};
 }
 
-/// Bands across, 8 to 20 pixels each.
+/// Bands across the picture, 8 to 20 pixels each.
 Picture stripes(std::uint32_t seed) {
   Random random(seed);
   const float count = std::floor(random.range(8.0f, 21.0f));
@@ -127,7 +128,7 @@ Picture stripes(std::uint32_t seed) {
   })};
 }
 
-/// Light that falls from one side to the other.
+/// Light that falls off from one side to the other.
 Picture slopingLight(std::uint32_t seed) {
   Random random(seed);
   const Direction to = randomDirection(random);
@@ -141,7 +142,7 @@ Picture slopingLight(std::uint32_t seed) {
           false};
 }
 
-/// Grain with clouds of every size, whose power falls as the frequency cubed.
+/// Grain with clouds of every size; the power falls with the cube of the frequency.
 Picture clouds(std::uint32_t seed) {
   Random random(seed);
   const float gain = std::sqrt(0.5f); // an octave at f has the energy f^2 f^-3
@@ -154,7 +155,7 @@ Picture clouds(std::uint32_t seed) {
   })};
 }
 
-/// A quarter to a half of it white.
+/// A quarter to a half of the picture is white.
 Picture overexposed(std::uint32_t seed) {
   const SrgbImage image = anySuitable(seed);
   std::vector<float> least;
@@ -205,8 +206,8 @@ std::vector<Risk> risksOf(const Picture& picture) {
   return std::move(risks).value();
 }
 
-/// Pictures of which none may be judged wrongly: were a tenth of them or more, as TARGETS.md has
-/// for the bound, none of 30 would be so with a probability of 0.9^30 = 4 % at most.
+/// No picture may be judged wrongly. TARGETS.md allows fewer than a tenth: if a tenth or more of
+/// the verdicts were wrong, 30 pictures would all pass with a probability of at most 0.9^30 = 4 %.
 constexpr std::uint32_t kPictures = 30;
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statistics of texton noise on surfaces as the CPU twin evaluates it, against closed forms; its
-// impacts against the specification's test vectors.
+// Statistics of texton noise on surfaces, from the CPU twin, against closed forms; its impacts
+// against the specification's test vectors.
 #include "checkout_paths.h"
 #include "texton/surface_impacts.h"
 #include "texton_evaluation.h"
@@ -29,7 +29,7 @@ Vec cross(const Vec& a, const Vec& b) {
 }
 Vec unit(const Vec& v) { return sum(1.0 / std::hypot(v[0], v[1], v[2]), v, 0.0, v); }
 
-/// A tangent plane: where the exemplar's right and down point on it, and the normal.
+/// A tangent plane: the directions of the exemplar's right and down on it, and the normal.
 struct Plane {
   explicit Plane(const Vec& normal, const Vec& along = {0.36, 0.48, -0.8}) : outward(unit(normal)) {
     right = unit(cross(along, outward));
@@ -43,13 +43,13 @@ MaterialNoise onSurface(MaterialNoise material) {
   return material;
 }
 
-/// Of a material of the mapping surface.
+/// For a material with surface mapping.
 struct Evaluation : TextonEvaluation {
   Evaluation(const SyntheticTexton& source, const MaterialNoise& material,
              const Placement& placement = {})
       : TextonEvaluation(source, onSurface(material), placement) {}
 
-  /// A pixel that shows textons at this mip, at a place in texels on a plane.
+  /// A pixel that fetches textons at this mip level, at a position in texels on a plane.
   [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
                                            double level = 0.0) const {
     const double metresPerTexel = double(noise.tileSizeMetres) /
@@ -69,7 +69,7 @@ struct Evaluation : TextonEvaluation {
     return at;
   }
 
-  /// Stored values less their mean there.
+  /// Stored values minus their mean at this position.
   [[nodiscard]] Vec at(const Vec& place, const Plane& plane, double level = 0.0) const {
     return storedAt(footprint(place, plane, level));
   }
@@ -77,7 +77,7 @@ struct Evaluation : TextonEvaluation {
 
 const SyntheticTexton kColour{
     .coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .wholeFloats = true};
-/// Constant in a texel: integrals over it are sums.
+/// Constant within a texel, so that integrals over it are sums.
 const SyntheticTexton kSteps{.coefficientsX = 12,
                              .coefficientsY = 10,
                              .order = 0,
@@ -85,11 +85,11 @@ const SyntheticTexton kSteps{.coefficientsX = 12,
                              .channels = 1,
                              .wholeFloats = true};
 
-/// act(place) at `count` places, each anywhere in a cube of its own that lies further from the
-/// others than textons reach: values there are independent. [texels]
+/// Calls act(position) for `count` positions [texels]. Each is random in its own cube, and the
+/// cubes are further apart than textons reach, so that the values are independent.
 template <class Act>
 void atIndependentPlaces(int count, const Act& act) {
-  constexpr double kApart = 64.0; // more than what the textons above and all lags below reach
+  constexpr double kApart = 64.0; // more than the reach of the textons above and all lags below
   constexpr int kSide = 30;
   std::mt19937 generator(3u);
   std::uniform_real_distribution<double> inside(0.0, 16.0);
@@ -98,8 +98,8 @@ void atIndependentPlaces(int count, const Act& act) {
             k / (kSide * kSide) * kApart + inside(generator)});
 }
 
-/// The share of the covariance that is left between parallel tangent planes `distance` apart:
-/// int w(t) w(t + d) dt / int w^2 dt with w(t) = (1 - 2 |t| / r)+.
+/// The share of the covariance that remains between parallel tangent planes `distance` apart: int
+/// w(t) w(t + d) dt / int w^2 dt with w(t) = (1 - 2 |t| / r)+.
 double keptAcrossPlanes(double distance, double thickness) {
   constexpr int kSamples = 4000;
   const auto weight = [&](double t) { return std::max(0.0, 1.0 - 2.0 * std::abs(t) / thickness); };
@@ -132,7 +132,7 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
                           Case{{-1.0, 1.0, 1.0}, PointProcess::poisson}}) {
     const Plane plane(one.normal);
     const Evaluation noise(kColour, materialOf(one.process, 30.0, 5));
-    // Along the exemplar's x and y, and across planes. [texels]
+    // Lags along the exemplar's x and y, and across planes. [texels]
     for (const auto& [lagX, lagY, across] : std::vector<std::array<int, 3>>{
              {0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {3, -1, 0}, {13, 0, 0}, {0, 0, 3}, {1, 1, 6}}) {
       std::array<double, 9> products{};
@@ -154,7 +154,8 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
       const std::vector<double> inPlane = covarianceAt(kColour, alpha, lagX, lagY);
       INFO("lag " << lagX << ", " << lagY << ", " << across << ", " << nameOf(one.process));
       for (std::size_t c = 0; c < 3; ++c) {
-        // 5 standard errors, alpha 6e-7 each; Gaussian ones and a tenth for the kurtosis.
+        // 5 standard errors, alpha 6e-7 each; standard errors are Gaussian, plus a tenth for the
+        // kurtosis.
         CHECK(std::abs(mean[c]) < 5.0 * std::sqrt(whole[4 * c] / kCount));
         for (std::size_t d = 0; d < 3; ++d) {
           const double expected = kept * inPlane[3 * c + d];
@@ -168,15 +169,15 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
 }
 
 TEST_CASE("impacts, their weights and squared weights add up to what proposition 3 says") {
-  // [GLM17] section 6: lambda r^3 impacts; integrals of the weight over t of r / 2, of its square
-  // r / 3; and an amplitude that makes the variance that of the texton.
+  // [GLM17] section 6: lambda r^3 impacts. The integral of the weight over t is r / 2 and that of
+  // its square r / 3; the amplitude makes the variance that of the texton.
   const double area = double(kColour.coefficientsX + 1) * double(kColour.coefficientsY + 1);
   const double thickness = thicknessOf(kColour);
   for (const PointProcess process : {PointProcess::stratified, PointProcess::poisson})
     for (const Vec& normal : {Vec{0.0, 1.0, 0.0}, Vec{1.0, 2.0, 3.0}}) {
       const Evaluation noise(kColour, materialOf(process, 30.0, 8));
       const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
-      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // cells are rounded
+      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // whole cells
       const Vec expected{lambda * area * thickness, lambda * area * thickness / 2.0,
                          lambda * area * thickness / 3.0};
       CHECK(double(noise.texton.amplitude) * double(noise.texton.amplitude) * expected[2] ==
@@ -206,8 +207,8 @@ TEST_CASE("impacts, their weights and squared weights add up to what proposition
 }
 
 TEST_CASE("the kurtosis of the Poisson process on a surface is that of its closed form") {
-  // Cumulants by Campbell's theorem: lambda times the integral of the fourth power, of the weights
-  // r / 5 and of the texton sum alpha^4, over the square of the variance.
+  // Cumulants by Campbell's theorem: lambda times the integral of the fourth power (r / 5 for the
+  // weights, sum alpha^4 for the texton) over the squared variance.
   double squares = 0.0, fourths = 0.0;
   for (const double alpha : syntheticCoefficients(kSteps, 0)) {
     squares += alpha * alpha;
@@ -228,7 +229,7 @@ TEST_CASE("the kurtosis of the Poisson process on a surface is that of its close
   const double error = std::sqrt((eighth - fourth * fourth) / kPlaces);
   INFO("excess " << fourth - 3.0 << ", closed form " << excess << ", error " << error);
   CHECK(std::abs(fourth - 3.0 - excess) < 5.0 * error);
-  CHECK(excess > 10.0 * error); // a test that could fail
+  CHECK(excess > 10.0 * error); // the effect is large enough to test
 }
 
 TEST_CASE("the variance is the same all over a sphere") {
@@ -236,7 +237,7 @@ TEST_CASE("the variance is the same all over a sphere") {
   const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 8.0, 4));
   std::mt19937 generator(21u);
   std::normal_distribution<double> gaussian;
-  // Directions by which of their coordinates is least and which is greatest, and by signs.
+  // Classifies directions by their least and greatest coordinates and by signs.
   constexpr std::size_t kBins = 48;
   std::array<double, kBins> squares{}, counts{};
   double fourth = 0.0;
@@ -261,7 +262,7 @@ TEST_CASE("the variance is the same all over a sphere") {
     REQUIRE(counts[k] > 100.0);
     chiSquare += std::pow(squares[k] / counts[k] - 1.0, 2) * counts[k] / (fourth - 1.0);
   }
-  // 48 degrees of freedom: beyond 94.6 with probability 7e-5.
+  // 48 degrees of freedom: 94.6 is exceeded with probability 7e-5.
   CHECK(chiSquare < 94.6);
 }
 
@@ -277,7 +278,8 @@ TEST_CASE(
     atIndependentPlaces(kPlaces, [&](const Vec& place) {
       square += std::pow(noise.at(place, plane, level)[0], 2) / kPlaces;
     });
-    // 5 standard errors of a variance, alpha 6e-7, and the step of the loss's bytes.
+    // 5 standard errors of a variance, alpha 6e-7, plus the quantization of the lost variance to
+    // bytes.
     const double kept = variance * (1.0 - losses[std::size_t(level)]);
     const double step = variance * 2.0 * std::sqrt(1.0 - losses[std::size_t(level)]) / 510.0;
     INFO("level " << level);
@@ -301,11 +303,12 @@ TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far
     const Vec place{places(generator), places(generator), places(generator)};
     const Vec there = near.at(sum(1.0, place, tile, {3.0, -2.0, 5.0}), plane);
     const Vec here = moved.at(place, plane);
-    // Places of 400 texels are rounded to 2^-16 texels, slopes of 24 impacts are below 1 a texel.
+    // Positions of 400 texels are rounded to 2^-16 texels; slopes of 24 impacts are below 1 per
+    // texel.
     for (std::size_t c = 0; c < 3; ++c)
       CHECK(here[c] == Approx(there[c]).margin(1e-4));
   }
-  // Far away the next tile is the next tile still.
+  // Adjacent tiles remain adjacent far from the origin.
   placement.tileOriginX = placement.tileOriginZ = (std::int64_t(1) << 40) - 1;
   const Evaluation far(kColour, material, placement);
   ++placement.tileOriginX;
@@ -344,7 +347,7 @@ TEST_CASE("a direction is of the texture coordinates, wherever in space the tile
   placement.tileOriginZ = 5;
   const SyntheticTexton mixed{.steps = 3, .channels = 1};
   const Evaluation moved(mixed, material, placement);
-  // The way is (2.5, 3), of a squared length of 15.25: from (0.5, -2) to (0, 0), 4.75 of that.
+  // The path is (2.5, 3), with squared length 15.25. From (0.5, -2) to (0, 0) is 4.75 of that.
   CHECK(double(moved.texton.mixWeight) == Approx(4.75 / 15.25));
   CHECK(double(moved.texton.mixPerU) == Approx(2.5 / 15.25));
   CHECK(double(moved.texton.mixPerV) == Approx(3.0 / 15.25));
@@ -358,7 +361,7 @@ TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and nee
   const Plane plane({1.0, 1.0, -0.3});
   const Vec place{7.0, -3.0, 20.0};
   const SurfaceFootprint at = plain.footprint(place, plane);
-  // p = (c u + s v, -s u + c v): where the exemplar's x grows is (c, s).
+  // p = (c u + s v, -s u + c v): the exemplar's x grows along (c, s).
   SurfaceFootprint turned = at;
   const Vec along = sum(std::cos(0.7), plane.right, std::sin(0.7), plane.down);
   for (std::size_t k = 0; k < 3; ++k)
@@ -368,7 +371,7 @@ TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and nee
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(value[c] == Approx(expected[c]).margin(1e-5));
 
-  // The other side of the bitangent with the other direction: the exemplar turned half around.
+  // Flipping the bitangent and the direction rotates the exemplar by 180 degrees.
   const auto gaussianAt = [&](const SurfaceFootprint& seen) {
     return plain.twin.gaussian(0, plain.noise, plain.texton, seen)[0];
   };
@@ -378,7 +381,7 @@ TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and nee
     halfTurn.tangent[k] *= -1.0f;
     behind.normal[k] *= -1.0f;
   }
-  behind.tangent[3] = -1.0f; // seen from behind, the same frame but for its normal
+  behind.tangent[3] = -1.0f; // from behind, the same frame except for its normal
   CHECK(gaussianAt(mirrored) != Approx(gaussianAt(at)).margin(1e-3));
   CHECK(gaussianAt(halfTurn) != Approx(gaussianAt(at)).margin(1e-3));
   CHECK(gaussianAt(behind) == Approx(gaussianAt(at)).margin(1e-5));
@@ -399,7 +402,7 @@ TEST_CASE("impacts in space and their grid are those of the specification's test
     shader::LichenTexton texton{};
     texton.pointProcess =
         v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
-    texton::SurfaceImpacts one; // one cube, of which all places lie in reach
+    texton::SurfaceImpacts one; // one cube, with every position in reach
     for (std::size_t k = 0; k < 3; ++k) {
       one.cell[k] = std::uint32_t(std::int64_t(v["cell"][k]));
       one.axes[k][k] = k == 2 ? 0.5f : 1.0f;

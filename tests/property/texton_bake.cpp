@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A texton bake, judged by its stored tables alone: what covariance, between all channels of all
-// maps, their noise has, and what its mips keep.
+// Judges a texton bake by its stored tables alone: the covariance of the noise between all channels
+// of all maps, and what its mips preserve.
 #include "example_exemplar.h"
 
 #include <lichen/texton.h>
@@ -17,8 +17,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The B-spline of degree 2 order + 1 at the integers, as [GLM17] section 4.1 and ALGORITHMS state
-/// it.
+/// The B-spline of degree 2 order + 1 at the integers, as in [GLM17] section 4.1 and ALGORITHMS.
 double sampledSpline(int order, int lag) {
   constexpr double kOrder3[] = {151.0 / 315.0, 397.0 / 1680.0, 1.0 / 42.0, 1.0 / 5040.0};
   lag = std::abs(lag);
@@ -29,7 +28,7 @@ double sampledSpline(int order, int lag) {
   return lag < 4 ? kOrder3[lag] : 0.0;
 }
 
-/// What is stored of one channel's coefficients.
+/// The stored coefficients of one channel.
 struct Channel {
   std::vector<double> texels; ///< of one mip, row by row
   int width = 0;
@@ -52,7 +51,7 @@ std::vector<Channel> channelsOf(const TextonBake& bake, std::uint32_t level = 0)
   return all;
 }
 
-/// Sum over k, l of b(k - l) a(k) b(l), by the definition.
+/// Sum over k, l of b(k - l) a(k) b(l), by definition.
 double covariance(const Channel& a, const Channel& b, int order) {
   double sum = 0.0;
   for (int y = 0; y < a.height; ++y)
@@ -105,7 +104,7 @@ MatrixXd exemplarCovariance(std::span<const MapExemplar> maps) {
   return result;
 }
 
-/// Slopes and a roughness that follow the colours' light, so that all maps go together.
+/// Slopes and a roughness that follow the colours' light, so that all maps are related.
 std::vector<MapExemplar> materialSet(const MapExemplar& color) {
   MapExemplar normal = color, rough = color;
   normal.target = MapTarget::normal;
@@ -144,7 +143,7 @@ TextonOptions supportOf(int support, int order = 1, int bits = 16) {
   return options;
 }
 
-/// The largest error of a covariance over the deviations of its two channels.
+/// The largest error of a covariance relative to the standard deviations of its two channels.
 double worstError(const MatrixXd& stored, const MatrixXd& wanted) {
   double worst = 0.0;
   for (Eigen::Index i = 0; i < wanted.rows(); ++i)
@@ -154,7 +153,7 @@ double worstError(const MatrixXd& stored, const MatrixXd& wanted) {
   return worst;
 }
 
-/// A colour, and a roughness of another surface times `gain`.
+/// A colour map, and the roughness map of another surface times `gain`.
 std::vector<MapExemplar> colorAndRoughness(float gain) {
   const MapExemplar other = test::threeMaterials(64, 64, 18);
   MapExemplar rough = other;
@@ -168,7 +167,7 @@ std::vector<MapExemplar> colorAndRoughness(float gain) {
   return {test::threeMaterials(64, 64, 17), rough};
 }
 
-/// 32-bit texels have a rounding of 6e-8; the target asks for 1e-6.
+/// 32-bit texels are rounded by 6e-8; the target is 1e-6.
 constexpr double kCovarianceTolerance = 1e-6;
 
 } // namespace
@@ -187,13 +186,14 @@ TEST_CASE("half floats keep a texton's covariance to their rounding") {
   const MapExemplar map = test::threeMaterials(64, 64, 6);
   const MatrixXd wanted = exemplarCovariance({&map, 1});
   const TextonBake bake = bakeOf({&map, 1}, supportOf(32, 1, 8));
-  // Each of 961 texels a is off by a uniform error of at most 2^-11 a, and the covariance a^T B a
-  // by twice the sum of a (B a) times these: over the covariance a deviation of 2 2^-11 / sqrt(3
-  // 961), times the root of the flatness, 2 at most, times |a| |B a| / (a^T B a), at most 5/3 for
-  // eigenvalues of B between 1/9 and 1 (Kantorovich): 6.1e-5. Four deviations.
+  // Each of 961 texels a has a uniform error of at most 2^-11 a, and the covariance a^T B a has an
+  // error of twice the sum of a (B a) times these. Relative to the covariance, its standard
+  // deviation is 2 2^-11 / sqrt(3 961), times the root of the flatness, 2 at most, times |a| |B a|
+  // / (a^T B a), at most 5/3 for eigenvalues of B between 1/9 and 1 (Kantorovich): 6.1e-5. The
+  // limit is four of these.
   const double measured = worstError(storedCovariance(bake), wanted);
   CHECK(measured <= 2.4e-4);
-  // What is reported is of the halves, not of the coefficients before them.
+  // The reported error is that of the half floats, not of the coefficients before rounding.
   CHECK(bake.quality.covarianceError == Approx(measured).epsilon(1e-3));
 }
 
@@ -272,8 +272,8 @@ TEST_CASE("fewer coefficients than colours are refused, with what helps") {
 }
 
 TEST_CASE("what a texton does not vary by is left out below a thousandth, and refused above") {
-  // Two channels that are one: (1, 1) is all their covariance's range. Of unit variances and the
-  // correlation 1 - e, what lies outside is e / 2 in every entry.
+  // Two identical channels: (1, 1) spans the range of their covariance. For unit variances and
+  // correlation 1 - e, the part outside that range is e / 2 in every entry.
   texton::TextonCoefficients coefficients{8, 8, 2, std::vector<float>(128)};
   for (std::size_t i = 0; i < 64; ++i)
     coefficients.values[i] = coefficients.values[64 + i] = float(int(i * i % 17) - 8);
@@ -295,8 +295,8 @@ TEST_CASE("the losses of a texton's mips are those of the noise that is fetched 
   REQUIRE(bake.noise.as<TextonShape>().mipLevels == 3);
   REQUIRE(noise.as<TextonMap>().mipLoss.size() == 3 * kMaxTextonLosses);
   for (std::uint32_t level = 0; level < 3; ++level) {
-    // The integral of the bilinear fetch squared, midpoint by midpoint.
-    constexpr int kSteps = 8; // a texel: 1 / (3 kSteps^2) of a product of hats is missed, 0.5 %
+    // The integral of the squared bilinear fetch, by the midpoint rule.
+    constexpr int kSteps = 8; // per texel; misses 1 / (3 kSteps^2) of a product of hats, 0.5 %
     const double side = std::exp2(level);
     const std::vector<Channel> mips = channelsOf(bake, level), whole = channelsOf(bake);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -320,7 +320,7 @@ TEST_CASE("the losses of a texton's mips are those of the noise that is fetched 
       CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3)[level] == Approx(1.0 - kept).margin(0.01));
     }
   }
-  // Averages over far more than the support have next to nothing left.
+  // Averages over far more than the support have almost no variance left.
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3).back() > 0.999);
 }

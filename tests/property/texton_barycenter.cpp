@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Barycentres of Gaussian textures and of covariances against closed forms and brute force, and
-// models of different sizes on one grid.
+// Barycentres of Gaussian textures and of covariances, against closed forms and brute force; models
+// of different sizes on one grid.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The transform of a kernel of independent normal values, as of an exemplar that is white noise.
+/// The transform of a kernel of independent normal values, as for a white-noise exemplar.
 gaussian::GaussianModel randomModel(int width, int height, int channels, unsigned seed) {
   std::mt19937 bits(seed);
   std::normal_distribution<float> normal;
@@ -37,7 +37,7 @@ gaussian::GaussianModel randomModel(int width, int height, int channels, unsigne
   return model;
 }
 
-/// A model with `vector`, a value a channel, at its only pair of frequencies.
+/// A model that has `vector`, one value per channel, at its only pair of frequencies.
 gaussian::GaussianModel oneFrequency(const std::vector<Complex>& vector) {
   gaussian::GaussianModel model;
   for (const Complex value : vector)
@@ -70,14 +70,14 @@ double powerAt(const gaussian::GaussianModel& model, std::size_t i) {
   return power;
 }
 
-/// Whether frequency i is its own mirror, where phases are signs.
+/// Whether frequency i is its own mirror; phases are then signs.
 bool isReal(const HalfSpectrum& shape, std::size_t i) {
   const int u = int(i % std::size_t(shape.columns()));
   const int v = int(i / std::size_t(shape.columns()));
   return shape.multiplicity(u) == 1 && (2 * v) % shape.height == 0;
 }
 
-/// Largest difference of the power and cross-spectra, over the largest power.
+/// Largest difference of the power and cross spectra, relative to the largest power.
 double spectrumDifference(const gaussian::GaussianModel& a, const gaussian::GaussianModel& b) {
   double difference = 0.0;
   double largest = 0.0;
@@ -98,7 +98,7 @@ MatrixXd randomCovariance(int size, int rank, unsigned seed) {
   return factor * factor.transpose();
 }
 
-// Floats carry 24 bits, and values here are sums of a few products.
+// Floats have 24 bits, and the values here are sums of a few products.
 constexpr double kRounding = 1e-5;
 
 } // namespace
@@ -115,7 +115,7 @@ TEST_CASE("amplitudes of one channel are averaged, whatever the number of textur
       amplitude += weights[k] * std::abs(at(models[k], 0, i));
     CHECK(std::abs(at(found.model, 0, i)) == Approx(amplitude).epsilon(kRounding));
   }
-  // The root of the rounding of squares.
+  // The root of the rounding error of squares.
   CHECK(found.rankError < 1e-3);
 }
 
@@ -125,9 +125,9 @@ TEST_CASE("the barycentre of two is that of three of which two are the same") {
   const gaussian::GaussianModel two = barycenter(std::vector{a, b}, std::vector{0.3, 0.7}).model;
   const gaussian::GaussianModel three =
       barycenter(std::vector{a, b, b}, std::vector{0.3, 0.3, 0.4}).model;
-  // The fixed point ends where |m|^2 gains less than 1e-7: its phases are right to the root.
+  // The fixed point stops when |m|^2 gains less than 1e-7: its phases are accurate to the root.
   CHECK(spectrumDifference(two, three) < 2e-3);
-  // Aligned models are on the way there, in a straight line; the ends are the models.
+  // Aligned models lie on the path between the two, a straight line; its ends are the models.
   const std::vector<gaussian::GaussianModel> aligned = alignedModels(std::vector{a, b});
   CHECK(spectrumDifference(two, between(aligned[0], aligned[1], 0.7)) < kRounding);
   CHECK(spectrumDifference(a, aligned[0]) < kRounding);
@@ -140,8 +140,8 @@ TEST_CASE("phases of three textures are the best of all phases") {
   const std::vector<double> weights{0.25, 0.35, 0.4};
   const Barycenter found = barycenter(models, weights);
   constexpr int kAngles = 240;
-  // |m|^2 is a sum of three cosines of differences of phases; half a step from the best phases it
-  // is lower by at most (pi / 240)^2 / 2 of each, which together are at most |m|^2 and 1 / 2 more.
+  // |m|^2 is a sum of three cosines of phase differences. Half a step from the best phases, each is
+  // lower by at most (pi / 240)^2 / 2 of itself; together they are at most |m|^2 plus 1 / 2.
   const double slack = 2.0 * std::pow(kPi / kAngles, 2);
   const HalfSpectrum& shape = models[0].channels[0];
   for (std::size_t i = 1; i < shape.values.size(); ++i) {
@@ -157,13 +157,13 @@ TEST_CASE("phases of three textures are the best of all phases") {
     for (std::size_t c = 0; c < 3 && isReal(shape, i); ++c)
       CHECK(at(found.model, c, i).imag() == 0.0);
   }
-  // All but the two frequencies (0, 0) and (0, 3) are exact, and a step of the iteration that
-  // gains less than 1e-7 may leave some 1e-5 of the power.
+  // All frequencies but (0, 0) and (0, 3) are exact. The iteration stops at a gain below 1e-7,
+  // which may leave some 1e-5 of the power.
   CHECK(found.rankError < 0.02);
 }
 
 TEST_CASE("of several maxima over the phases of three textures the highest is found") {
-  // Of two channels, where two maxima are more frequent.
+  // Two channels, for which two maxima are more frequent.
   const std::vector<gaussian::GaussianModel> models{
       randomModel(601, 1, 2, 21), randomModel(601, 1, 2, 22), randomModel(601, 1, 2, 23)};
   const std::vector<double> weights(3, 1.0 / 3.0);
@@ -181,8 +181,8 @@ TEST_CASE("of several maxima over the phases of three textures the highest is fo
 }
 
 TEST_CASE("three textures with two best mixtures are one of them, and no kernel is missing") {
-  // At 120 degrees phases may go around either way, and any law between the two is a barycentre:
-  // |m|^2 = 1/2, of circles.
+  // At 120 degrees, the phases may go around in either direction, and any law between the two is a
+  // barycentre: |m|^2 = 1/2, a set of circles.
   std::vector<gaussian::GaussianModel> models;
   for (int k = 0; k < 3; ++k)
     models.push_back(oneFrequency({std::cos(2.0 * kPi * k / 3.0), std::sin(2.0 * kPi * k / 3.0)}));
@@ -193,8 +193,8 @@ TEST_CASE("three textures with two best mixtures are one of them, and no kernel 
 
 TEST_CASE("what four textures lack for one kernel is measured") {
   // Vectors whose directions are the corners of a tetrahedron: |t_k^* t_l|^2 = 1/3. Their Gram
-  // matrix G has the eigenvalues 2, 2, 0, 0 and is itself the best correlation matrix, as
-  // tr(G X) <= 2 tr X = 8 = tr G^2. The barycentre is 1/4 of the identity: power 1/2, two kernels.
+  // matrix G has the eigenvalues 2, 2, 0, 0 and is itself the best correlation matrix, because tr(G
+  // X) <= 2 tr X = 8 = tr G^2. The barycentre is 1/4 of the identity: power 1/2, two kernels.
   std::vector<gaussian::GaussianModel> models{oneFrequency({1.0, 0.0})};
   for (int k = 0; k < 3; ++k)
     models.push_back(oneFrequency(
@@ -210,7 +210,7 @@ TEST_CASE("what four textures lack for one kernel is measured") {
   REQUIRE(best < 0.49);
   const Barycenter found = barycenter(models, weights);
   const double power = powerAt(found.model, 1);
-  // Half a step of each of six differences of phases.
+  // Half a step for each of six phase differences.
   CHECK(power == Approx(best).epsilon(6.0 * std::pow(kPi / kAngles, 2)));
   CHECK(power >= best * (1.0 - kRounding));
   // Between S = I/4 and m m^*: tr S + |m|^2 - 2 (m^* S m)^(1/2).
@@ -225,7 +225,8 @@ TEST_CASE("a covariance between two is that of the straight line of their transp
     const MatrixXd line = (1.0 - rho) * MatrixXd::Identity(3, 3) + rho * map;
     const MatrixXd expected = line * pair[0] * line;
     const MatrixXd found = transport::covarianceBarycenter(pair, std::vector{1.0 - rho, rho});
-    // The map's own eigenvalues are rounded at 1e-12 of the largest, and enter by their roots.
+    // The map's own eigenvalues are rounded to 1e-12 of the largest; the result depends on their
+    // roots.
     CHECK((found - expected).norm() < 1e-5 * expected.norm());
   }
 }
@@ -243,7 +244,7 @@ TEST_CASE("covariances that commute, and such without variance in some direction
       along(squareOfMean(1, 4, 0), squareOfMean(0, 2, 3), squareOfMean(0.04, 0, 1), 0);
   const MatrixXd found = transport::covarianceBarycenter(three, std::vector{0.2, 0.3, 0.5});
   CHECK((found - expected).norm() < 1e-6);
-  // Lines at an angle: the barycentre is the line between them.
+  // Two degenerate covariances at an angle: the barycentre is the line between them.
   const Eigen::Vector2d first(1.0, 0.2), second(0.5, 1.0);
   const std::vector<MatrixXd> lines{first * first.transpose(), second * second.transpose()};
   const Eigen::Vector2d middle = 0.4 * first + 0.6 * second;
@@ -252,7 +253,8 @@ TEST_CASE("covariances that commute, and such without variance in some direction
 }
 
 TEST_CASE("a finer grid has the same texture, of even and odd sizes") {
-  // A smooth periodic image, sampled twice; no frequency reaches half of the coarser sampling.
+  // A smooth periodic image, sampled twice; all frequencies are below half the coarser sampling
+  // rate.
   const auto sampled = [](int width, int height) {
     std::vector<float> plane;
     for (int y = 0; y < height; ++y)
@@ -268,7 +270,7 @@ TEST_CASE("a finer grid has the same texture, of even and odd sizes") {
   REQUIRE(grid[0].width() == 36);
   REQUIRE(grid[0].height() == 30);
   CHECK(spectrumDifference(grid[0], grid[1]) < kRounding);
-  // Half of the sampling included, and sizes that divide nothing.
+  // Includes half the sampling, and sizes that do not divide each other.
   for (const auto& [width, height] : {std::pair{8, 6}, {7, 5}, {8, 5}, {5, 6}, {9, 7}}) {
     const gaussian::GaussianModel coarse = randomModel(width, height, 3, unsigned(width));
     const gaussian::GaussianModel fine =
@@ -280,8 +282,8 @@ TEST_CASE("a finer grid has the same texture, of even and odd sizes") {
 }
 
 TEST_CASE("a taller tile has the same texture wherever a compact kernel makes it") {
-  // The autocorrelation of a patch that sums to nothing: compact, and its spectrum is positive.
-  // Where it lies is no part of the texture, and it may lie across the border.
+  // The autocorrelation of a patch of sum 0: compact, with a positive spectrum. The patch's
+  // position is not part of the texture, and it may lie across the border.
   const std::vector<float> patch{1, -2, 0.5f, 0, 3, -1, -0.5f, -1, 0};
   const auto placed = [&](int width, int height, int shift) {
     std::vector<float> plane(std::size_t(width * height), 0.0f);
@@ -297,7 +299,7 @@ TEST_CASE("a taller tile has the same texture wherever a compact kernel makes it
       onOneGrid(std::vector{placed(16, 12, 6), placed(16, 23, 0)});
   REQUIRE(grid[0].height() == 23);
   CHECK(spectrumDifference(grid[0], grid[1]) < kRounding);
-  // Any kernel keeps its covariance, up to what frequency 0 takes of a cut one.
+  // Any kernel preserves its covariance, up to the loss at frequency 0 from cropping.
   const gaussian::GaussianModel white = randomModel(16, 12, 3, 4);
   const gaussian::GaussianModel tall = onOneGrid(std::vector{white, randomModel(32, 40, 3, 5)})[0];
   CHECK(tall.width() == 32);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The experiments of [GLM14] on generated materials, and the distance that they are judged by.
+// The experiments of [GLM14] on generated materials, and the distance that judges them.
 #include "example_exemplar.h"
 
 #include <lichen/spectrum.h>
@@ -41,12 +41,12 @@ FitOptions spotOptions(int side, std::uint32_t seed = 1) {
   return options;
 }
 
-/// The covariance matrix of all pixels and channels of a model's texture: kernels correlated,
-/// borders joined, pixel by pixel.
+/// The covariance matrix of all pixels and channels of a model's texture: kernels correlated on the
+/// torus, pixel by pixel.
 Eigen::MatrixXd covarianceMatrix(const gaussian::GaussianModel& model) {
   const int width = model.width(), height = model.height(), pixels = width * height;
   const int size = pixels * int(model.channels.size());
-  // Column i: the kernel of channel i / pixels moved to pixel i % pixels; the noise is its
+  // Column i is the kernel of channel i / pixels, moved to pixel i % pixels. The noise is the
   // transpose times white noise.
   Eigen::MatrixXd kernels(pixels, size);
   for (int i = 0; i < size; ++i) {
@@ -67,7 +67,8 @@ Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& matrix) {
 
 using Plane = std::vector<std::complex<double>>;
 
-/// The discrete Fourier transform by its sum; `sign` -1 forward, +1 back and divided by the size.
+/// The discrete Fourier transform by its definition; `sign` -1 is forward, +1 is inverse and
+/// divides by the size.
 Plane transformed(const Plane& plane, int width, int height, double sign) {
   Plane result;
   for (int v = 0; v < height; ++v) {
@@ -86,7 +87,8 @@ Plane transformed(const Plane& plane, int width, int height, double sign) {
 
 Plane planeOf(const std::vector<float>& values) { return {values.begin(), values.end()}; }
 
-/// [GLM14] algorithm 2 word for word, in double: the same starting phases as fitCoefficients.
+/// [GLM14] algorithm 2 word for word, in double precision, with the starting phases of
+/// fitCoefficients.
 std::vector<float> algorithmTwo(const gaussian::GaussianModel& model, const FitOptions& options) {
   const int width = model.width(), height = model.height();
   const std::size_t channels = model.channels.size();
@@ -120,10 +122,10 @@ std::vector<float> algorithmTwo(const gaussian::GaussianModel& model, const FitO
   return coefficients;
 }
 
-/// The textures of a model are those of a kernel: no error but rounding, 1e-4 in the root.
+/// The textures of the model are those of a kernel: the error is only rounding, 1e-4 in the root.
 constexpr double kNoError = 1e-3;
 
-/// The spot of the luminance of a spot's noise.
+/// The texton of the luminance of a spot's noise.
 TextonCoefficients luminanceOf(const TextonCoefficients& spot) {
   SrgbImage image(spot.width, spot.height, 3);
   const std::size_t pixels = image.pixelCount();
@@ -140,7 +142,7 @@ double energy(const TextonCoefficients& spot) {
   return sum;
 }
 
-/// Kolmogorov's distance of a sample to the normal law of mean 0 and this variance.
+/// Kolmogorov distance from a sample to the normal law with mean 0 and this variance.
 double distanceToNormal(std::vector<double> sample, double variance) {
   std::sort(sample.begin(), sample.end());
   const double count = double(sample.size());
@@ -188,7 +190,7 @@ TEST_CASE("the alternating projections of order 0 are algorithm 2") {
       difference += std::pow(double(texton.values[i]) - double(expected[i]), 2.0);
       size += std::pow(double(expected[i]), 2.0);
     }
-    // Projections do not make rounding grow much: 1e-5 after 50.
+    // Projections amplify rounding only slightly: 1e-5 after 50.
     CHECK(std::sqrt(difference / size) < 1e-4);
   }
 }
@@ -241,7 +243,7 @@ TEST_CASE(
       CHECK(std::abs(centred - power) < 1e-5);
     }
   }
-  // A smaller support is the middle of a larger one.
+  // A smaller support is the centre of a larger one.
   const TextonCoefficients middle = gaussian::luminanceTexton(model, 5, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x)
@@ -281,8 +283,8 @@ TEST_CASE("flatness is 1 for one magnitude, r^2 for one pixel, and of the weight
 }
 
 TEST_CASE("restarts gain less than 1 % over one run that takes as long", "[large]") {
-  // [GLM14] section 3.2. Best of 8 runs of 50 projections, and one of 400, the mean of two: on the
-  // six generated materials the gain is -0.7 % to 0.2 %.
+  // [GLM14] section 3.2. Compares the best of 8 runs of 50 projections with one run of 400, the
+  // mean of two: on the six generated materials the gain is -0.7 % to 0.2 %.
   for (const auto& generate : {exemplars::granite, exemplars::rust}) {
     const gaussian::GaussianModel model = modelOf(generate(128));
     const auto error = [&](std::uint32_t seed, int projections) {
@@ -313,7 +315,7 @@ TEST_CASE("starts scatter by less than 1 % of the error") {
 
 TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
           "[large]") {
-  // [GLM14] figure 4; their support of 31 pixels.
+  // [GLM14] figure 4, with the paper's support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
     INFO(material.name);
     const gaussian::GaussianModel model = modelOf(material.generate(128));
@@ -323,7 +325,7 @@ TEST_CASE("of one support the texton is nearest to the model, and as flat as a r
     // 0.95 to 0.99 of it.
     CHECK(comparison.texton.modelError < comparison.luminance.modelError);
     CHECK(comparison.luminance.modelError < comparison.randomPhase.modelError);
-    // Normally distributed values have 3; energy gathered in a few pixels has hundreds.
+    // Normally distributed values have 3; energy concentrated in a few pixels gives hundreds.
     CHECK(comparison.texton.flatness < 4.0);
     CHECK(comparison.randomPhase.flatness < 4.5);
     CHECK(comparison.luminance.flatness > 50.0);
@@ -334,8 +336,8 @@ namespace {
 
 constexpr std::size_t kOrders = 9; // 0 to 8
 
-/// Of spot noise with points of a Poisson process, over its deviation. Campbell's theorem: of order
-/// n the intensity times sum h^n.
+/// Cumulants of spot noise with Poisson points, relative to its standard deviation. Campbell's
+/// theorem: the cumulant of order n is the intensity times sum h^n.
 std::array<double, kOrders> cumulantsOf(const TextonCoefficients& spot, double intensity) {
   std::array<double, kOrders> cumulants{};
   for (std::size_t n = 2; n < kOrders; ++n) {
@@ -365,13 +367,13 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
           "[large]") {
   constexpr int kSupport = 31, kSamples = 16384;
   constexpr double kImpacts = 30.0, kIntensity = kImpacts / (kSupport * kSupport);
-  // Kolmogorov's law: a normal sample is farther with the probability 2 exp(-2 * 2.47^2) = 1e-5.
+  // Kolmogorov's law: a normal sample exceeds it with probability 2 exp(-2 * 2.47^2) = 1e-5.
   const double chance = 2.47 / std::sqrt(double(kSamples));
   struct Judgement {
-    double distance = 0.0; // Kolmogorov's, from the normal law
-    double excess = 0.0;   // kurtosis less 3
-    double error = 0.0;    // standard error of that
-    double skewness = 0.0; // of the closed form
+    double distance = 0.0; // Kolmogorov distance to the normal law
+    double excess = 0.0;   // kurtosis minus 3
+    double error = 0.0;    // standard error of the excess
+    double skewness = 0.0; // by the closed form
   };
   for (const auto& generate : {exemplars::granite, exemplars::rust}) {
     const gaussian::GaussianModel model = modelOf(generate(128));
@@ -381,7 +383,7 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
       Judgement judgement{.excess = -3.0};
       std::vector<double> sample;
       for (int i = 0; i < kSamples; ++i) {
-        // Pixels a support apart are independent.
+        // Pixels one support apart are independent.
         const gaussian::PixelDomain pixel{i * kSupport, 0, 1, 1, false};
         const gaussian::NoisePlanes noise = gaussian::discreteSpotNoise(
             luminance, kIntensity, pixel, 1, gaussian::Summation::direct);
@@ -392,7 +394,7 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
       const std::array<double, kOrders> cumulants = cumulantsOf(luminance, kIntensity);
       judgement.error = fourthPowerDeviation(cumulants) / std::sqrt(double(kSamples));
       judgement.skewness = cumulants[3];
-      // What the paper compares: flatness over impacts is how far the Gaussian limit is.
+      // The paper compares this: flatness over impacts is the distance to the Gaussian limit.
       const double excess = flatness(luminance, std::vector<float>{1.0f}) / kImpacts;
       CHECK(cumulants[4] == Approx(excess).epsilon(1e-4));
       CHECK(std::abs(judgement.excess - excess) < 5.0 * judgement.error);
@@ -403,7 +405,7 @@ TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminan
     const Judgement luminance = judged(gaussian::luminanceTexton(model, kSupport, kSupport));
     CHECK(texton.excess < 4.0 / kImpacts + 5.0 * texton.error);
     CHECK(luminance.excess > texton.excess + 5.0 * std::hypot(texton.error, luminance.error));
-    // A law that is nearly normal is off by its skewness / 6 times |1 - x^2| phi(x), at most 0.4.
+    // A nearly normal law deviates by its skewness / 6 times |1 - x^2| phi(x), at most 0.4.
     CHECK(texton.distance < chance + 0.4 / 6.0 * std::abs(texton.skewness));
     CHECK(luminance.distance > 2.0 * chance);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statistics of texton noise as the CPU twin evaluates it, against closed forms; its impacts
-// against the specification's test vectors; whole images of it.
+// Statistics of texton noise, from the CPU twin, against closed forms; its impacts against the
+// specification's test vectors; whole images of it.
 #include "checkout_paths.h"
 #include "texton/impacts.h"
 #include "texton_evaluation.h"
@@ -26,7 +26,7 @@ struct Evaluation : TextonEvaluation {
              std::uint32_t seed)
       : TextonEvaluation(source, materialOf(process, impacts, seed)) {}
 
-  /// Stored values less their mean, at a place in texels whose footprint is this mip's.
+  /// Stored values minus their mean, at a position in texels with the footprint of this mip level.
   [[nodiscard]] std::array<double, 3> at(double x, double y, double level = 0.0) const {
     const float side = std::exp2(float(level > 0.0 ? level + 0.5 : 0.0));
     const float pixelX = side / texton.texelsPerTileX;
@@ -44,8 +44,8 @@ const SyntheticTexton kColour{
 const SyntheticTexton kHeight{
     .coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .channels = 1, .wholeFloats = true};
 
-/// act(x, y) at `side` x `side` places, each anywhere in a square of its own that lies further from
-/// the others than textons reach: values there are independent. [texels]
+/// Calls act(x, y) for `side` x `side` positions [texels]. Each is random in its own square, and
+/// the squares are further apart than textons reach, so that the values are independent.
 template <class Act>
 void atIndependentPlaces(int side, double reachTexels, const Act& act) {
   std::mt19937 generator(3u);
@@ -58,7 +58,7 @@ void atIndependentPlaces(int side, double reachTexels, const Act& act) {
     }
 }
 
-/// h of order 1, sampled: integrals over it are sums.
+/// h of order 1, sampled, so that integrals over it are sums.
 class SampledTexton {
 public:
   explicit SampledTexton(const SyntheticTexton& source)
@@ -84,9 +84,10 @@ private:
   std::vector<double> coefficients_;
 };
 
-/// The excess kurtosis of the noise: the sum of the cells' fourth cumulants over the variance's
-/// square, by Campbell's theorem for a Poisson process. Of a stratified one a cell is one impact,
-/// whose fourth cumulant lacks three times its variance's square; averaged over the grid's place.
+/// The excess kurtosis of the noise. For a Poisson process, Campbell's theorem gives the sum of the
+/// cells' fourth cumulants over the squared variance. For a stratified process a cell holds one
+/// impact, whose fourth cumulant is smaller by three times its squared variance. Averaged over the
+/// position of the grid.
 double excessKurtosis(const Evaluation& noise, PointProcess process) {
   const SampledTexton h(kHeight);
   const double area = 1.0 / (SampledTexton::kPerTexel * SampledTexton::kPerTexel);
@@ -144,7 +145,8 @@ TEST_CASE("the covariance at a lag is sum b(k - l) alpha alpha^T, for both proce
       const std::vector<double> expected = covarianceAt(kColour, alpha, lagX, lagY);
       INFO("lag " << lagX << ", " << lagY << ", " << nameOf(process));
       for (std::size_t c = 0; c < 3; ++c) {
-        // 5 standard errors, alpha 6e-7 each; Gaussian ones and a tenth for the kurtosis.
+        // 5 standard errors, alpha 6e-7 each; standard errors are Gaussian, plus a tenth for the
+        // kurtosis.
         CHECK(std::abs(mean[c]) < 5.0 * std::sqrt(whole[4 * c] / kCount));
         for (std::size_t d = 0; d < 3; ++d) {
           const double error = std::sqrt(
@@ -186,10 +188,10 @@ TEST_CASE("the kurtosis of each process is that of its closed form, and variance
     double chiSquare = 0.0;
     for (std::size_t k = 0; k < squares.size(); ++k)
       chiSquare += std::pow(squares[k] / counts[k] - 1.0, 2) * counts[k] / (fourth - 1.0);
-    // 36 bins: beyond 78.6 with probability 5e-5.
+    // 36 bins: 78.6 is exceeded with probability 5e-5.
     CHECK(chiSquare < 78.6);
   }
-  // The two are far apart: the test tells them.
+  // The two processes are far apart, so the test can distinguish them.
   const Evaluation any(kHeight, PointProcess::stratified, 4.0, 9);
   CHECK(excessKurtosis(any, PointProcess::poisson) >
         0.5 + excessKurtosis(any, PointProcess::stratified));
@@ -208,8 +210,8 @@ TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mi
     atIndependentPlaces(kSide, reach, [&](double x, double y) {
       square += std::pow(noise.at(x, y, level)[0], 2) / kCount;
     });
-    // 5 standard errors of a variance, alpha 6e-7, and the step of the loss's bytes at small kept
-    // amplitudes.
+    // 5 standard errors of a variance, alpha 6e-7, plus the quantization of the lost variance to
+    // bytes at small kept amplitudes.
     const double kept = variance * (1.0 - losses[std::size_t(level)]);
     const double step = variance * 2.0 * std::sqrt(1.0 - losses[std::size_t(level)]) / 510.0;
     INFO("level " << level);
@@ -222,8 +224,8 @@ TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mi
                                .smoothings = 10};
   const Evaluation fine(smooth, PointProcess::stratified, 30.0, 2);
   for (const int level : {1, 2}) {
-    // A box average of texels, interpolated linearly: in the mean over where the mip's texels lie,
-    // an average over the quadratic B-spline of the pixel's width.
+    // A box average of texels, interpolated linearly. Averaged over the positions of the mip's
+    // texels, it is an average over the quadratic B-spline of the pixel's width.
     const auto spline = [](double x) {
       x = std::abs(x);
       return x < 0.5 ? 0.75 - x * x : 0.5 * std::pow(std::max(0.0, 1.5 - x), 2);
@@ -261,7 +263,7 @@ TEST_CASE("impacts and their grid are those of the specification's test vectors"
     shader::LichenTexton texton{};
     texton.pointProcess =
         v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
-    texton::Impacts one; // the window of one cell, of which all places lie in reach
+    texton::Impacts one; // the window of one cell, with every position in reach
     one.firstCell = {std::uint32_t(std::int64_t(v["cell"][0])),
                      std::uint32_t(std::int64_t(v["cell"][1]))};
     one.cellTexels = {1.0f, 1.0f};
@@ -307,7 +309,7 @@ TEST_CASE("a tileable image of texton noise moved by its origin is the same imag
     for (int y = 0; y < 72; ++y)
       for (int x = 0; x < 96; ++x) {
         const int fromX = ((x + shiftX) % 96 + 96) % 96, fromY = (y + shiftY) % 72;
-        // Places are rounded to 2^-17 texels, slopes of 30 impacts are below 1 a texel.
+        // Positions are rounded to 2^-17 texels; slopes of 30 impacts are below 1 per texel.
         for (int c = 0; c < 3; ++c)
           REQUIRE(moved.pixel(x, y)[c] == Approx(first.pixel(fromX, fromY)[c]).margin(1e-3));
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A texton noise made for the tests with its parameters and its CPU twin.
+// A synthetic texton noise with its parameters and its CPU twin.
 #pragma once
 
 #include "synthetic_texton.h"
@@ -27,7 +27,7 @@ struct TextonEvaluation {
         noise(shaderNoise(bundle, material, placement)),
         texton(shaderTexton(bundle, material, placement)) {}
 
-  /// Stored values less their mean at a place in the plane or on a surface.
+  /// Stored values minus their mean at a position in the plane or on a surface.
   template <class Footprint>
   [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {
     const TextonEvaluator::Value gaussian = twin.gaussian(0, noise, texton, place);

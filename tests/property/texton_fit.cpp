@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton coefficients against the definitions, and against the papers' algorithm.
+// Texton coefficients against the definitions and against the papers' algorithm.
 #include "example_exemplar.h"
 
 #include <lichen/spectrum.h>
@@ -36,7 +36,7 @@ FitOptions support(int side, int order = 1) {
   return options;
 }
 
-/// ALGORITHMS section 2, term by term over the full plane, in double.
+/// ALGORITHMS section 2, term by term over the full plane, in double precision.
 double errorByDefinition(const gaussian::GaussianModel& model, const TextonCoefficients& texton,
                          int order) {
   double distance = 0.0;
@@ -75,12 +75,12 @@ double errorByDefinition(const gaussian::GaussianModel& model, const TextonCoeff
 } // namespace
 
 TEST_CASE("the kernel's autocorrelation is the sampled B-spline of twice the degree and one") {
-  // [UAE93] table 1 for degree 3; the others by integrating the splines' products numerically.
+  // [UAE93] table 1 for degree 3; the others by numerical integration of products of splines.
   CHECK(kernelAutocorrelation(0) == std::vector<double>{1.0});
   for (int order = 1; order <= 4; ++order) {
     const std::vector<double> b = kernelAutocorrelation(order);
     REQUIRE(b.size() == std::size_t(order) + 1);
-    // A spline of degree d is the (d + 1)-fold convolution of a box: its samples, by Riemann sums.
+    // Samples of a spline of degree d, the (d + 1)-fold convolution of a box, by Riemann sums.
     constexpr int kStepsPerTexel = 64;
     std::vector<double> spline(kStepsPerTexel, 1.0);
     for (int degree = 1; degree <= 2 * order + 1; ++degree) {
@@ -90,8 +90,9 @@ TEST_CASE("the kernel's autocorrelation is the sampled B-spline of twice the deg
           next[i + j] += spline[i] / kStepsPerTexel;
       spline = next;
     }
-    // A box of n samples has 1 / (12 n^2) less variance than one of length 1; half of that for each
-    // of the boxes times the spline's second derivative, at most 2. Next order: n^-4.
+    // The variance of a box of n samples is 1 / (12 n^2) less than that of one of length 1. The
+    // error is half of that for each box times the spline's second derivative, at most 2. The next
+    // order is n^-4.
     const double tolerance =
         1.01 * double(2 * order + 2) / (12.0 * kStepsPerTexel * kStepsPerTexel);
     for (int j = 0; j <= order; ++j) {
@@ -139,14 +140,15 @@ TEST_CASE(
   const gaussian::GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
   struct Bound {
     int side;
-    double papers;     // error over that of the papers' algorithm
+    double papers;     // error relative to the papers' algorithm
     double visibility; // of the border, mean over the starts
   };
-  // No closed form has the least error that starts lead to. Changed by a float's rounding, as
-  // another machine's transforms do, the model has ratios of 1.0008, 0.9831 and 0.9815 for the
-  // worst of the orders, with deviations of 0.0009, 0.0008 and 0.0011; the bounds are four of these
-  // above. The visibilities are 0.73, 1.02 and 1.56, with deviations of 0.02, 0.04 and 0.06;
-  // without the border's penalty 0.9 and 1.2, 1.1 and 1.4, 2.5 and 2.0 for the orders 0 and 1.
+  // The least error that the starts reach has no closed form. If the model changes by a float's
+  // rounding, as with another machine's transforms, the ratios of the worst order are 1.0008,
+  // 0.9831 and 0.9815, with standard deviations of 0.0009, 0.0008 and 0.0011; the bounds are four
+  // of these above. The visibilities are 0.73, 1.02 and 1.56, with standard deviations of 0.02,
+  // 0.04 and 0.06; without the border's penalty 0.9 and 1.2, 1.1 and 1.4, 2.5 and 2.0 for the
+  // orders 0 and 1.
   for (const Bound& bound :
        {Bound{16, 1.0045, 0.81}, Bound{32, 0.9863, 1.05}, Bound{64, 0.9859, 1.7}}) {
     for (const int order : {0, 1, 3}) {
@@ -169,8 +171,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemplar") {
-  // As of scanned letters: what is not grey has 1e-7 of the one's variance and 2e-6 of the other's,
-  // and their product is below what counts as no variance.
+  // Like scanned letters. The deviation from grey has 1e-7 of the variance of one exemplar and 2e-6
+  // of the other's, and their product counts as zero variance.
   const gaussian::GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
   TextonCoefficients texton = fitCoefficients(model, support(23), FitMethod::transportDistance);
   const std::size_t texels = texton.values.size() / 3;
@@ -198,7 +200,7 @@ TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the 
 }
 
 TEST_CASE("a texton of what is nearly all slower than itself has no border that is seen as cloth") {
-  // Power as the frequency to the -4: 97 % of it is slower than the support.
+  // Power falls with frequency to the -4: 97 % of it is slower than the support.
   constexpr int kSide = 256;
   gaussian::GaussianModel model;
   model.channels.push_back({kSide, kSide, {}});
@@ -212,7 +214,7 @@ TEST_CASE("a texton of what is nearly all slower than itself has no border that 
       borderVisibility(fitCoefficients(model, support(63), FitMethod::transportDistance));
   const double papers =
       borderVisibility(fitCoefficients(model, support(63), FitMethod::alternatingProjections));
-  // 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/019).
+  // Measured 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/019).
   CAPTURE(ours, papers);
   CHECK(papers > 15.0);
   CHECK(ours < 7.0);
@@ -243,7 +245,8 @@ TEST_CASE("the visibility of a border is the mean step across it over that insid
 }
 
 TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
-  // A few dots on grey: the texton of least error would be a dot, and the noise single dots too.
+  // A few dots on grey: the texton of least error would be a dot, and the noise would be single
+  // dots.
   MapExemplar dots = threeMaterials(64, 64, 21);
   std::fill(dots.values.begin(), dots.values.end(), 0.5f);
   for (const std::size_t pixel : {517u, 1840u, 3033u})
@@ -260,16 +263,16 @@ TEST_CASE("a support as large as the exemplar holds the model whole by the paper
     int order;
     double error;
   };
-  // Any phases fit, but most have peaks and a border, and what the limits on these leave has no
-  // closed form: 0.021552, 0.009673 and 0.000397, which a model changed by a float's rounding has
-  // too.
+  // Any phases fit, but most have peaks and a visible border. The error that the limits on these
+  // leave has no closed form: 0.021552, 0.009673 and 0.000397, also for a model changed by a
+  // float's rounding.
   for (const auto& [order, cost] : {Cost{0, 0.0216}, Cost{1, 0.0097}, Cost{3, 0.0004}}) {
     FitOptions options = support(24, order);
     options.height = 20;
     const auto error = [&, order = order](FitMethod method) {
       return relativeModelError(model, fitCoefficients(model, options, method), order);
     };
-    // Rounding of floats, 2^-24 each, after 50 transforms there and back.
+    // Rounding of floats, 2^-24 each, after 50 forward and inverse transforms.
     CHECK(error(FitMethod::alternatingProjections) < 1e-6);
     CHECK(error(FitMethod::transportDistance) < cost);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a stored texton beside other spots, and the Gaussian texture it is held to.
+// The report on a stored texton next to other spots, and the Gaussian texture it is compared with.
 #include "example_exemplar.h"
 
 #include <lichen/texton.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// Three correlated channels of little contrast, so that no value is clamped.
+/// Three correlated channels of low contrast, so that no value is clamped.
 MapExemplar faint() {
   MapExemplar map = threeMaterials(kSide, kSide, 3);
   for (float& value : map.values)
@@ -59,10 +59,10 @@ KernelComparison comparisonOf(const Baked& baked, const MapExemplar& map) {
   return comparison.value();
 }
 
-/// Of spectra of floats in the root of a mean square.
+/// The rounding of float spectra, in the root of a mean square.
 constexpr double kRounding = 2e-6;
 
-/// The model of coefficients whose B-spline interpolation has the given one. [GLM17] eq. 4.
+/// [GLM17] eq. 4: the model of the coefficients whose B-spline interpolation has the given model.
 gaussian::GaussianModel deconvolved(gaussian::GaussianModel model, int order) {
   for (HalfSpectrum& channel : model.channels)
     for (int v = 0; v < kSide; ++v)
@@ -72,7 +72,8 @@ gaussian::GaussianModel deconvolved(gaussian::GaussianModel model, int order) {
   return model;
 }
 
-/// The optimal map from a covariance to the model's, of channels over the model's deviations.
+/// The optimal map from a covariance to the model's, for channels relative to the model's standard
+/// deviations.
 Eigen::MatrixXd correctionOf(const gaussian::GaussianModel& model, const Eigen::MatrixXd& covariance) {
   const Eigen::MatrixXd wanted = gaussian::modelCovariance(model);
   const Eigen::VectorXd units = wanted.diagonal().cwiseSqrt();
@@ -81,7 +82,7 @@ Eigen::MatrixXd correctionOf(const gaussian::GaussianModel& model, const Eigen::
   return units.asDiagonal() * transport::covarianceMap(from, to) * over;
 }
 
-/// The relative error of a model's own kernels with their colours changed so.
+/// The relative error of a model's own kernels after this change of colours.
 double errorOfColors(const gaussian::GaussianModel& model, const Eigen::MatrixXd& change) {
   double distance = 0.0, power = 0.0;
   const HalfSpectrum& first = model.channels[0];
@@ -116,11 +117,11 @@ TEST_CASE("a stored texton has the error and flatness that its bake found, at ev
     INFO("order " << order);
     const Baked baked = bakedOf(map, order, 24);
     const KernelComparison comparison = comparisonOf(baked, map);
-    // Texels are single floats, and the covariance is corrected twice, to 1e-6 each.
+    // Texels are 32-bit floats, and the covariance is corrected twice, to 1e-6 each.
     CHECK(comparison.texton.modelError == Approx(baked.quality.modelError).epsilon(4e-6));
     CHECK(comparison.texton.flatness == Approx(baked.quality.flatness).epsilon(4e-6));
     CHECK(comparison.texton.impactsNeeded() == Approx(10.0 * comparison.texton.flatness));
-    CHECK(comparison.texton.flatness <= 4.0); // what a fit allows
+    CHECK(comparison.texton.flatness <= 4.0); // the limit of a fit
     CHECK(comparison.luminance.flatness > 2.0 * comparison.texton.flatness);
     CHECK(comparison.randomPhase.modelError > comparison.texton.modelError);
   }
@@ -128,8 +129,9 @@ TEST_CASE("a stored texton has the error and flatness that its bake found, at ev
 
 TEST_CASE(
     "a spot as large as the exemplar is its Gaussian texture but for the colours' correction") {
-  // The covariance of a spot's noise is that of its texels within the support, the model's that of
-  // texels around the torus: for order 0 the same, else without the products across the border.
+  // The covariance of a spot's noise is that of its texels within the support, and the model's is
+  // that of texels on the torus. They agree for order 0; other orders lack the products across the
+  // border.
   const MapExemplar map = faint();
   const gaussian::GaussianModel model = gaussian::gaussianModel(map.values, kSide, kSide, 3);
   for (const int order : {0, 1, 3}) {
@@ -159,8 +161,9 @@ TEST_CASE(
   const MapExemplar& gaussian = made.value();
   CHECK(gaussian.width == 2 * kSide);
   CHECK(gaussian.height == 2 * kSide);
-  // Patches of some 7 x 7 texels: 330 independent values. Variances scatter by sqrt(2 / 330), 8 %,
-  // and covariances by less than their channels' deviations: 4.5 of them, alpha 7e-6 each.
+  // Patches of some 7 x 7 texels: 330 independent values. Variances have a standard error of sqrt(2
+  // / 330), 8 %, and covariances less than that relative to their channels' standard deviations.
+  // 4.5 of them: alpha 7e-6 each.
   constexpr double kScatter = 4.5 * 0.08;
   const double deviation = std::sqrt(noise.covariance[0] / 330.0);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -173,7 +176,7 @@ TEST_CASE(
             Approx(noise.covariance[3 * a + b])
                 .margin(kScatter * std::sqrt(noise.covariance[4 * a] * noise.covariance[4 * b])));
   }
-  // Four times the covariance is twice as far from the mean.
+  // Four times the covariance is twice the distance from the mean.
   for (double& value : noise.covariance)
     value *= 4.0;
   const MapExemplar doubled = gaussianVersion(noise, map, 1).value();

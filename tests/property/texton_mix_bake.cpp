@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Baked mixes: statistics of their steps, sets of maps, what is seen along the way, and refusals.
+// Baked mixes: the statistics of their steps, sets of maps, views along the mix, and errors.
 #include "example_exemplar.h"
 #include "synthetic_texton.h"
 
@@ -140,7 +140,7 @@ TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud o
   for (const std::uint64_t seed : {7u, 8u}) {
     const MapExemplar color = threeMaterials(48, 48, seed);
     MapExemplar height{MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 24, 24, {}};
-    for (int y = 0; y < 24; ++y) // of another size, and of 1e-4 of the variance
+    for (int y = 0; y < 24; ++y) // another size, and 1e-4 of the variance
       for (int x = 0; x < 24; ++x)
         height.values.push_back(0.5f + 0.01f * color.values[std::size_t(3 * (2 * y * 48 + 2 * x))]);
     exemplars.push_back({"set " + std::to_string(seed), {color, height}});
@@ -156,12 +156,12 @@ TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud o
 }
 
 TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what that step keeps") {
-  // Steps of deviations 1, 1.5 and 2 of the first, of unrelated white coefficients.
+  // Steps with 1, 1.5 and 2 times the first standard deviation, of unrelated white coefficients.
   BundleFile file = syntheticTextonBundle(
       {.coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .steps = 3, .channels = 1});
   const Evaluation noise(file.bundle.noises[0], file.bundle.tables);
   const NoiseMap& map = noise.bundle.noises[0].maps[0];
-  constexpr int kSide = 64; // places of 40 x 40 texels each, further apart than textons reach
+  constexpr int kSide = 64; // positions, 40 x 40 texels each: further apart than textons reach
   for (int step = 0; step < 3; ++step)
     for (const double level : {0.0, 1.0, 2.0}) {
       // Textons are fetched half a level below the footprint's (docs/decisions/018).
@@ -185,10 +185,11 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
       const std::vector<double>& losses =
           step == 0 ? map.as<TextonMap>().mipLoss
                     : map.as<TextonMap>().laterSteps[std::size_t(step) - 1].mipLoss;
-      // Amplitudes are kept as bytes.
+      // Kept amplitudes are stored as bytes.
       CHECK(lost == Approx(losses[std::size_t(level)]).margin(2.0 / 255.0));
-      // In units of the step's own variance: 4,096 independent values, of a kurtosis up to 4, have
-      // a variance of relative standard error sqrt(3 / 4096); five of them.
+      // In units of the step's own variance. The variance of 4,096 independent values with a
+      // kurtosis of up to 4 has a relative standard error of sqrt(3 / 4096). The limit is five of
+      // these.
       CHECK(36.0 * squares / count == Approx(1.0 - lost).epsilon(0.14));
       CHECK(std::abs(sum / count) <= 5.0 / 6.0 / std::sqrt(count));
     }
@@ -197,9 +198,9 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
 TEST_CASE("along a ramp local mean and variance stay those between the steps") {
   const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1)};
   const TextonMixBake bake = bakeOf(exemplars, smallOptions(9));
-  // One texel a pixel; windows as wide as a texton, two and more to a step of 27 columns.
+  // One texel per pixel; windows as wide as a texton, at least two per step of 27 columns.
   constexpr int kColumns = 216, kWindow = 12, kRows = 960, kStride = 3, kSeeds = 8;
-  constexpr float kTexels = 48.0f; // of a tile
+  constexpr float kTexels = 48.0f; // per tile
   std::vector<double> sums(kColumns / kWindow, 0.0), squares = sums, counts = sums;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     const Evaluation noise(bake.noise, bake.tables, seed);
@@ -219,9 +220,10 @@ TEST_CASE("along a ramp local mean and variance stay those between the steps") {
         }
       }
   }
-  // Values of one texton's square go together, and so do colours: 80 x 8 independent ones a window,
-  // whose variance has a relative standard error of sqrt(2 / 640). Five of them a window and four
-  // for all, where textons of half a step more or less take a hundredth and two.
+  // Values within one texton's square are correlated, and so are colours: each window has 80 x 8
+  // independent values, whose variance has a relative standard error of sqrt(2 / 640). The limits
+  // are five of these for a window and four for all; textons half a step off would change it by a
+  // hundredth and two.
   const double windowError = std::sqrt(2.0 / (double(kRows / kWindow) * kSeeds));
   double all = 0.0;
   for (std::size_t w = 0; w < sums.size(); ++w) {

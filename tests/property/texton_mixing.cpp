@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textons between exemplars: their ends, their covariances, and how smooth the way is.
+// Textons between exemplars: the ends of a mix, its covariances, and its smoothness.
 #include "example_exemplar.h"
 
 #include <catch2/catch.hpp>
@@ -61,7 +61,7 @@ TextonMix pathOf(std::span<const MixExemplar> exemplars, const MixOptions& optio
   return std::move(result).value();
 }
 
-/// Length of the difference over the root of the mean square of both.
+/// Length of the difference over the root mean square length of both.
 double relativeStep(const TextonCoefficients& a, const TextonCoefficients& b) {
   double difference = 0.0;
   double size = 0.0;
@@ -82,8 +82,8 @@ std::string messageOf(const Result<TextonMix>& result, ErrorKind kind) {
 
 TEST_CASE(
     "the textons at the ends of a path are nearly as near their exemplars as their own fits") {
-  // What one phase a frequency for two spectra costs: up to 7 % here, 1 % on photographs. A faint
-  // exemplar is not neglected.
+  // Sharing one phase per frequency between two spectra costs up to 7 % here and 1 % on
+  // photographs. A low-contrast exemplar is not neglected.
   for (const int order : {0, 1, 3}) {
     MapExemplar faint = threeMaterials(64, 64, 7);
     for (float& value : faint.values)
@@ -113,7 +113,7 @@ TEST_CASE("every step has the covariance of the exemplars' transport barycentre"
   for (const MixStep& step : mix.steps) {
     const MatrixXd line = step.weights[0] * MatrixXd::Identity(3, 3) + step.weights[1] * map;
     const MatrixXd expected = line * exemplars[0].covariance * line;
-    // What correctCovariance states, and the rounding of the pseudo-inverses.
+    // The accuracy that correctCovariance states, and the rounding of the pseudo-inverses.
     CHECK((noiseCovariance(step.texton, 1) - expected).norm() < 1e-5 * expected.norm());
   }
 }
@@ -134,7 +134,7 @@ TEST_CASE("a grey exemplar stored as colour, and one of one colour, can be an en
   const TextonMix mix = pathOf(std::vector{flat, color}, support(12, 4));
   for (const float value : mix.steps[0].texton.values)
     CHECK(std::abs(value) < 1e-6f);
-  // The deviation grows in a straight line, and the texture is the exemplar's throughout.
+  // The standard deviation grows linearly, and the texture remains the exemplar's throughout.
   for (const MixStep& step : mix.steps) {
     const MatrixXd expected = step.weights[1] * step.weights[1] * color.covariance;
     CHECK((noiseCovariance(step.texton, 1) - expected).norm() <= 1e-5 * color.covariance.norm());
@@ -158,7 +158,7 @@ TEST_CASE("neighbouring textons are near, and much nearer than those of fits by 
   TextonCoefficients last;
   for (std::size_t k = 0; k < mix.steps.size(); ++k) {
     const MixStep& step = mix.steps[k];
-    // As [GLM17] has it: the same start for all.
+    // As in [GLM17]: all fits have the same start.
     const Result<TextonMix> fitted = fitTextonBarycenter(exemplars, step.weights, support(16, 1));
     REQUIRE(fitted);
     error += step.modelError;
@@ -171,8 +171,8 @@ TEST_CASE("neighbouring textons are near, and much nearer than those of fits by 
     }
     last = fitted.value().steps[0].texton;
   }
-  // A straight line of 20 steps between two textons of alike length and no negative product is at
-  // most sqrt(2) long, and nearest to zero, by a factor of sqrt(2), in the middle.
+  // A straight line of 20 steps between two textons of similar length and non-negative product is
+  // at most sqrt(2) long. It is nearest to zero in the middle, by a factor of sqrt(2).
   CHECK(longest < 2.0 / 20.0);
   CHECK(sum < 0.2 * alone);
   CHECK(error < 1.05 * errorAlone);
@@ -184,7 +184,7 @@ TEST_CASE("a path leads through all exemplars, and exemplars of other sizes shar
                                            exemplarOf(threeMaterials(30, 40, 3))};
   const TextonMix mix = pathOf(exemplars, support(10, 3));
   CHECK(mix.width == 32);
-  CHECK(mix.height == 43); // 40 of 30 pixels, as large as 32
+  CHECK(mix.height == 43); // 40 x 30 pixels, with the area of 32
   REQUIRE(mix.steps.size() == 7);
   CHECK(mix.steps[0].texton.width == 10);
   const TextonMix whole = pathOf(exemplars, support(40, 1));
@@ -197,7 +197,7 @@ TEST_CASE("a path leads through all exemplars, and exemplars of other sizes shar
           1e-5 * exemplars[k].covariance.norm());
   }
   CHECK(mix.steps[4].weights == std::vector{0.0, 1.0 - 1.0 / 3.0, 1.0 / 3.0});
-  // Weights of any sum, more than two of them, and one kernel that is enough for three.
+  // Weights with any sum, for more than two exemplars; one kernel is enough for three.
   const Result<TextonMix> inside =
       fitTextonBarycenter(exemplars, std::vector{2.0, 1.0, 1.0}, support(10, 1));
   REQUIRE(inside);
@@ -227,11 +227,11 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
                   ErrorKind::usage) == "a weight of -0.5; 0 and more is accepted");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{0.0, 0.0}, support(8, 1)),
                   ErrorKind::usage) == "weights of sum 0; a positive one is accepted");
-  // One coefficient makes all channels go together, and those of the exemplars do not.
+  // One coefficient correlates all channels fully, unlike those of the exemplars.
   CHECK(messageOf(fitTextonPath(pair, support(1, 1)), ErrorKind::badInput) ==
         "a mix of 1 moss.png, 0 rust.png: 1 x 1 coefficients cannot vary as these colours do; a "
         "larger texton, or exemplars with detail, are accepted");
-  // A ramp is what its periodic component lacks.
+  // The periodic component removes a ramp entirely.
   MapExemplar ramp = constant(256, 16);
   for (std::size_t i = 0; i < ramp.values.size(); ++i)
     ramp.values[i] = float(i / 3 % 256) / 255.0f;
@@ -267,14 +267,14 @@ TEST_CASE("a mix tells how far it is, ends when it is told to, and is the same o
 namespace {
 
 constexpr int kStripSide = 8;    // of the textons
-constexpr int kStripLength = 24; // pixels from a step to the next
+constexpr int kStripLength = 24; // pixels between steps
 constexpr int kStripRows = 192;
 constexpr int kStripFields = 16;
-constexpr double kImpactsAPixel = 0.5; // 32 on each pixel
+constexpr double kImpactsAPixel = 0.5; // 32 per pixel
 
-/// Spot noise of order 0 in which each impact takes the texton of the strip it falls in, the next
-/// one every kStripLength columns; for each column the mean over rows and channels of its values,
-/// and of their squares over the variance that its strip is to have. Rows wrap.
+/// Spot noise of order 0. Each impact uses the texton of the strip it falls in; a new strip starts
+/// every kStripLength columns. For each column, the mean over rows and channels of its values, and
+/// of their squares relative to the variance expected in its strip. Rows wrap.
 struct ColumnStatistics {
   std::vector<double> mean;
   std::vector<double> variance;
@@ -314,9 +314,9 @@ ColumnStatistics stripsOf(std::span<const TextonCoefficients> steps, unsigned se
   return columns;
 }
 
-/// How much a column's statistic differs where textons of both strips overlap from what it is
-/// before and after, over what chance makes of it: for no difference, distributed as F with
-/// (strips - 1) and (strips - 1)(fields - 1) degrees of freedom.
+/// The change of a column's statistic where textons of both strips overlap, from before and after
+/// the overlap, relative to chance. Without a change it has an F distribution with (strips - 1) and
+/// (strips - 1)(fields - 1) degrees of freedom.
 double stepVisibility(const std::vector<std::vector<double>>& fields) {
   const int borders = int(fields[0].size()) / kStripLength - 1;
   const auto window = [](const std::vector<double>& columns, int from) {
@@ -366,11 +366,11 @@ TEST_CASE("no step of a path shows in the local mean and variance; those of fits
     }
     return std::array{stepVisibility(means), stepVisibility(variances)};
   };
-  // F of 10 and 150 degrees of freedom exceeds it with probability 0.001, for each statistic.
+  // F with 10 and 150 degrees of freedom exceeds it with probability 0.001, for each statistic.
   constexpr double kChance = 3.2;
   const std::array smooth = visibilities(path);
   CHECK(smooth[0] < kChance);
   CHECK(smooth[1] < kChance);
-  // The measure sees steps: unrelated neighbours do not add up to the variance of either.
+  // The measure detects steps: a sum of unrelated neighbours has the variance of neither.
   CHECK(visibilities(apart)[1] > kChance);
 }

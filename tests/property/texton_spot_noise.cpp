@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Spot noises and their Gaussian limit against closed forms.
+// Spot noises and their Gaussian limit, against closed forms.
 //
-// Statistics are means over independent tori, compared with the expected value within 4.5 of their
-// standard errors, which are estimated: one false alarm in 150,000 for each. The seeds are fixed.
+// The statistics are means over independent tori. Each must be within 4.5 of its estimated standard
+// errors from the expected value: one false alarm in 150,000 each. The seeds are fixed.
 #include "example_exemplar.h"
 
 #include <lichen/spectrum.h>
@@ -27,11 +27,11 @@ namespace {
 
 constexpr double kStandardErrors = 4.5;
 
-/// Sums of up to 84 points' values, of magnitude 20 before their mean is taken off: 2^-24 of that
-/// for each of some operations. An impact more or less changes values by 0.01 or more.
+/// Sums of up to 84 points' values, of magnitude 20 before the mean is subtracted: 2^-24 of that
+/// for each of several operations. One impact more or less changes values by at least 0.01.
 constexpr double kRounding = 1e-5;
 
-/// Two channels that are correlated, with a skewed distribution.
+/// Two correlated channels with a skewed distribution.
 Spot skewedSpot(int width, int height) {
   Spot spot{width, height, 2, {}};
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
@@ -110,8 +110,8 @@ double torusMean(const NoisePlanes& noise, const F& f) {
 
 constexpr std::array<std::pair<int, int>, 5> kLags{{{0, 0}, {1, 0}, {-2, 1}, {0, 3}, {2, 3}}};
 
-/// Mean, covariances at kLags, third and fourth moments of what `noise(seed)` gives on tori, of
-/// which 1 / intensity is `rarity`, against those of the spot.
+/// Mean, covariances at kLags, and third and fourth moments of `noise(seed)` on tori, against those
+/// of the spot. `rarity` is 1 / intensity.
 template <class Noise>
 void checkMoments(const Spot& spot, double rarity, const Noise& noise) {
   constexpr int kTori = 2000;
@@ -162,7 +162,7 @@ TEST_CASE("counts of points follow the Poisson law, of small means and of large"
       REQUIRE(std::size_t(count) < observed.size());
       ++observed[std::size_t(count)];
     }
-    // Pearson's test; classes of at least 10 expected, what is left over joins the last.
+    // Pearson's test; each class expects at least 10, and the remainder joins the last class.
     double chiSquare = 0.0, expected = 0.0, found = 0.0, left = double(counts.size());
     int classes = 0;
     const auto closeClass = [&] {
@@ -180,7 +180,7 @@ TEST_CASE("counts of points follow the Poisson law, of small means and of large"
     }
     expected += left;
     closeClass();
-    // [WH31]; 4.26 deviates: one false alarm in 100,000.
+    // [WH31]; 4.26 standard deviations: one false alarm in 100,000.
     const double freedom = classes - 1;
     const double limit =
         freedom *
@@ -290,7 +290,7 @@ TEST_CASE("a Gaussian texture on the model's torus has its spectra and cross-spe
   std::vector<HalfSpectrum> spectra;
   for (std::size_t c = 0; c < 3; ++c)
     spectra.push_back(forwardFft(std::span(noise.values).subspan(c * pixels, pixels), 47, 40));
-  // One white noise drives all channels: F_c t_d = F_d t_c at each frequency.
+  // The same white noise drives all channels: F_c t_d = F_d t_c at each frequency.
   double rest = 0.0, size = 0.0;
   for (std::size_t i = 0; i < spectra[0].values.size(); ++i) {
     const auto a = spectra[0].values[i] * model.channels[1].values[i];
@@ -299,7 +299,7 @@ TEST_CASE("a Gaussian texture on the model's torus has its spectra and cross-spe
     size += double(std::norm(a));
   }
   CHECK(rest < 1e-10 * size); // float rounding, squared
-  // Powers over those expected are exponential variates of mean 1, one for each pair of mirrored
+  // Powers relative to the expected ones are exponential with mean 1, one for each pair of mirrored
   // frequencies.
   for (std::size_t c = 0; c < 3; ++c) {
     const std::vector<float> power = powerSpectrum(spectra[c]);
@@ -332,7 +332,7 @@ TEST_CASE("a Gaussian texture smaller than the model has the model's covariances
       samples[k].add(sum / pairs);
     }
   }
-  // The model's transforms are those of planes over the root of their pixels: a mean is a sum.
+  // The model's transforms are divided by the root of the pixel count, so a mean is a sum.
   const std::vector<float> covariance =
       inverseFft(crossSpectrum(model.channels[0], model.channels[2]));
   for (std::size_t k = 0; k < kLags.size(); ++k) {
@@ -350,7 +350,7 @@ TEST_CASE("a Gaussian texture larger than the model has its covariances at short
       inverseFft(crossSpectrum(model.channels[0], model.channels[0]));
   const std::vector<double> measured =
       autocovariance(std::span(noise.values).first(std::size_t(700000)), 1000, 700, 4);
-  // Of patches of 7 pixels there are 14,000, so a relative deviation of sqrt(2 / 14,000) = 1.2 %.
+  // 14,000 patches of 7 pixels: a relative standard deviation of sqrt(2 / 14,000) = 1.2 %.
   const double variance = 64.0 * 64.0 * double(covariance[0]);
   for (std::size_t lag = 0; lag < 4; ++lag)
     CHECK(measured[3 * 7 + 3 + lag] ==

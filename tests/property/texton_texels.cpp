@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the checker says of a texton's texels: nothing of sound ones of every kind, and the fault's
-// name of texels that are not what the map says of them.
+// The checker on a texton's texels: no fault in valid texels of every kind, and the fault's name
+// for texels that contradict their map.
 #include "bundle_faults.h"
 #include "synthetic_texton.h"
 
@@ -28,7 +28,7 @@ const Table& soundTable() {
 
 std::vector<float> levelOf(std::uint32_t level) { return decodeLevel(soundTable(), level); }
 
-/// Writes texels over those of a level.
+/// Overwrites the texels of a level.
 void setLevel(GlbParts& parts, std::uint32_t level, const std::vector<float>& values) {
   constexpr std::size_t kLevelIndex = 80, kLevelEntry = 24; // of a KTX2 file
   std::vector<std::byte> texels;
@@ -39,7 +39,7 @@ void setLevel(GlbParts& parts, std::uint32_t level, const std::vector<float>& va
   std::copy(texels.begin(), texels.end(), parts.binary.begin() + std::ptrdiff_t(file + begin));
 }
 
-/// Where the component of a channel at (x, y) of a level is.
+/// Offset of the component of a channel at (x, y) of a level.
 std::size_t placeOf(std::uint32_t level, int x, int y, int channel) {
   const auto width = int(soundTable().width >> level);
   return std::size_t((y * width + x) * channelCount(soundTable().format) + channel);
@@ -56,7 +56,7 @@ void setTexel(GlbParts& parts, std::uint32_t level, int x, int y, int channel, f
   setLevel(parts, level, values);
 }
 
-/// Multiplies one channel of all levels.
+/// Multiplies one channel in all levels.
 void scaleChannel(GlbParts& parts, int channel, float factor) {
   for (std::uint32_t level = 0; level < soundTable().mipLevels; ++level) {
     std::vector<float> values = levelOf(level);
@@ -137,7 +137,7 @@ TEST_CASE("texels that are not what the map says of them are found") {
 }
 
 TEST_CASE("mips may be averages of texels before they were rounded, or after") {
-  // The sound file's are from before.
+  // The valid file averages the texels from before rounding; this one averages the rounded texels.
   GlbParts parts(soundFile());
   const auto channels = std::size_t(channelCount(soundTable().format));
   std::vector<float> fine = levelOf(0);

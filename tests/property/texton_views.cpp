@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texton noise as it is seen: from near and far, at any contrast, and on a floor that recedes,
-// against supersampling; its spectrum against its own Gaussian model.
+// Views of texton noise, from near and far, at any contrast, and on a receding floor, against
+// supersampling; its spectrum against its own Gaussian model.
 #include "sampling/repeating_image.h"
 #include "synthetic_texton.h"
 #include "texton/impacts.h"
@@ -42,7 +42,7 @@ Bundle bakedBundle(const SrgbImage& image, int order = 1) {
   return bundle;
 }
 
-/// A noise with one material, and its twin.
+/// A noise with one material, and its CPU twin.
 struct View {
   explicit View(Bundle of, double contrast = 1.0)
       : bundle(std::move(of)), twin(TextonEvaluator::create(bundle, 0).value()) {
@@ -52,11 +52,11 @@ struct View {
     texton = shaderTexton(bundle, material, {});
   }
 
-  /// A place seen through a pixel with these sides. [tiles]
+  /// A pixel's footprint with these sides. [tiles]
   [[nodiscard]] static TileFootprint place(double x, double y, double width, double height) {
     return {{float(x), float(y)}, {float(width), 0.0f}, {0.0f, float(height)}};
   }
-  /// Its light.
+  /// The light of such a pixel.
   [[nodiscard]] Colour at(double x, double y, double width, double height) const {
     const auto value = twin.evaluate(0, noise, texton, place(x, y, width, height));
     return {double(value[0]), double(value[1]), double(value[2])};
@@ -68,7 +68,7 @@ struct View {
   shader::LichenTexton texton;
 };
 
-/// Mean of sample(x, y) over a square grid, rows in parallel and summed in order.
+/// Mean of sample(x, y) over a square grid. Rows run in parallel and are summed in order.
 template <class Sample>
 Colour gridMean(int side, const Sample& sample) {
   std::vector<Colour> rows(std::size_t(side), Colour{});
@@ -86,11 +86,11 @@ Colour gridMean(int side, const Sample& sample) {
   return mean;
 }
 
-/// The largest difference of a channel between the mean of a view's pixels and that of points in
-/// them.
+/// The largest channel difference between the mean of a view's pixels and the mean of point samples
+/// in them.
 double meanColourError(const View& view, double pixelTiles) {
   constexpr int kPixels = 64;
-  constexpr int kSamples = 320; // a side: at a deviation of 0.2 their mean is off by 0.0006
+  constexpr int kSamples = 320; // per side; deviation 0.2: a mean error of 0.0006
   const Colour filtered = gridMean(kPixels, [&](int x, int y) {
     return view.at((x + 0.5 - kPixels / 2) * pixelTiles, (y + 0.5 - kPixels / 2) * pixelTiles,
                    pixelTiles, pixelTiles);
@@ -118,7 +118,7 @@ TEST_CASE("the mean colour of any view, from magnified to one pixel per 100 tile
     int order;
   };
   constexpr double kTarget = 0.004; // TARGETS.md
-  // Rust's red is of fine flakes and its blue of wide stains: each channel has its own losses.
+  // Rust's red has fine flakes and its blue wide stains: each channel has its own lost variance.
   for (const auto& [generate, order] :
        {Exemplar{exemplars::granite, 3}, Exemplar{exemplars::moss, 0},
         Exemplar{exemplars::rust, 1}}) {
@@ -145,15 +145,15 @@ namespace {
 /// Statistics over many pixels of one size, filtered and supersampled.
 struct Seen {
   Colour filteredMean{}, sampledMean{};
-  double filteredVariance = 0.0, sampledVariance = 0.0; ///< of all channels
+  double filteredVariance = 0.0, sampledVariance = 0.0; ///< summed over channels
 };
 
-/// `valueAt(x, y, width, height)` [tiles] of pixels far from each other, `width` x `height` texels
-/// of a tile of `side`.
+/// `valueAt(x, y, width, height)` [tiles] for pixels of `width` x `height` texels, far from each
+/// other; the tile has `side` texels.
 template <class ValueAt>
 Seen seenThrough(const ValueAt& valueAt, double width, double height, int side) {
-  constexpr int kPixels = 40; // a side
-  constexpr int kSamples = 5; // of a pixel's points, along each axis, twice
+  constexpr int kPixels = 40; // per side
+  constexpr int kSamples = 5; // points per pixel along each axis, twice
   struct Pixel {
     Colour filtered{};
     std::array<Colour, 2> sampled{};
@@ -183,7 +183,7 @@ Seen seenThrough(const ValueAt& valueAt, double width, double height, int side) 
     }
     for (const Pixel& pixel : pixels) {
       seen.filteredVariance += std::pow(pixel.filtered[c] - seen.filteredMean[c], 2) / count;
-      // Two sets of points, whose own chance is not in their covariance.
+      // Two sets of points, so that sampling noise is not in their covariance.
       seen.sampledVariance += (pixel.sampled[0][c] - seen.sampledMean[c]) *
                               (pixel.sampled[1][c] - seen.sampledMean[c]) / count;
     }
@@ -191,8 +191,8 @@ Seen seenThrough(const ValueAt& valueAt, double width, double height, int side) 
   return seen;
 }
 
-/// A channel of a texton of order 1, sampled in the plane. Noise is linear in its texton: the
-/// variance of a view is the energy of what it makes of one.
+/// One channel of a texton of order 1, sampled in the plane. Noise is linear in its texton: the
+/// variance of a view is the energy of the filtered texton.
 class FilteredTexton {
 public:
   FilteredTexton(const Bundle& bundle, std::size_t channel) {
@@ -209,7 +209,7 @@ public:
     }
   }
 
-  /// Of a trilinear fetch at this level, of mips that have no end.
+  /// The energy after a trilinear fetch at this level, from an unlimited mip chain.
   [[nodiscard]] double fetchedEnergy(double level) const {
     const auto m = std::size_t(level);
     const double t = level - double(m);
@@ -220,10 +220,10 @@ public:
     return energy;
   }
 
-  /// Of the average over pixels of `width` x `height` texels, whole samples.
+  /// The energy after averaging over pixels of `width` x `height` texels, in whole samples.
   [[nodiscard]] double averagedEnergy(double width, double height) const {
     const int w = int(width * kPerTexel), h = int(height * kPerTexel);
-    std::vector<double> sums(std::size_t(kSide + 1) * (kSide + 1)); // of all samples before
+    std::vector<double> sums(std::size_t(kSide + 1) * (kSide + 1)); // prefix sums
     const auto sum = [&](int x, int y) -> double& {
       return sums[std::size_t(y * (kSide + 1) + x)];
     };
@@ -276,7 +276,7 @@ private:
   std::vector<Mip> mips_;
 };
 
-/// docs/decisions/018: the level at which a pixel of these sides in texels is fetched.
+/// docs/decisions/018: the level that a pixel with these sides in texels fetches.
 double sharpLevel(double width, double height) {
   const double minor = std::max(1.0, width), major = std::max(1.0, height);
   const double lambda = std::log2(minor) + 0.75 * std::log2(major / minor);
@@ -316,13 +316,13 @@ TEST_CASE("a floor that recedes has the mean of its supersampled pixels and the 
       }
       const double expected = fetched / averaged;
       const double ratio = gaussian.filteredVariance / gaussian.sampledVariance;
-      // The variance of 1600 pixels is known to 3 %, and between mips what is left to 5 %.
+      // The variance of 1600 pixels is accurate to 3 %, and the remainder between mips to 5 %.
       CHECK(ratio == Approx(expected).epsilon(0.08));
     }
 }
 
 TEST_CASE("midway between two mips textons keep the variance that the two mips tell") {
-  // White coefficients under a bell, and ever smoother ones.
+  // White coefficients under a bell, then smoother and smoother ones.
   for (const int smoothings : {0, 1, 3, 10, 30}) {
     const SyntheticTexton source{.coefficientsX = 40,
                                  .coefficientsY = 40,
@@ -334,7 +334,7 @@ TEST_CASE("midway between two mips textons keep the variance that the two mips t
     const shader::LichenMap map = shaderMap(bundle, bundle.noises[0], 0);
     const RepeatingImage image(bundle.tables[0]);
     const auto energy = [&](float level) {
-      constexpr int kSamples = 480; // a side, 10 a texel
+      constexpr int kSamples = 480; // per side, 10 per texel
       double sum = 0.0;
       for (int k = 0; k < kSamples * kSamples; ++k)
         sum += std::pow(double(image.at(float(k % kSamples + 0.5) / kSamples,
@@ -346,7 +346,7 @@ TEST_CASE("midway between two mips textons keep the variance that the two mips t
     for (const float level : {0.5f, 1.5f, 2.25f}) {
       const double kept = energy(level) / whole;
       INFO("smoothings " << smoothings << ", level " << level << ", kept " << kept);
-      // Up to 3.6 %, and the rounding of small amplitudes to bytes.
+      // Up to 3.6 %, plus the quantization of small amplitudes to bytes.
       CHECK(double(texton::levelKept(map, level)[0]) == Approx(kept).epsilon(0.045));
     }
   }
@@ -359,7 +359,7 @@ TEST_CASE("each channel of a view keeps what its own losses leave, beyond the la
   for (const std::size_t level : {1u, 2u, 5u}) {
     // Textons are fetched half a level below the footprint's (docs/decisions/018).
     const float pixel = std::exp2(float(level) + 0.5f) / float(kSide);
-    constexpr int kPlaces = 64; // a side, further apart than textons reach
+    constexpr int kPlaces = 64; // per side, further apart than textons reach
     std::array<double, 3> variance{};
     for (int k = 0; k < kPlaces * kPlaces; ++k) {
       TileFootprint at;
@@ -373,8 +373,8 @@ TEST_CASE("each channel of a view keeps what its own losses leave, beyond the la
     for (std::size_t c = 0; c < 3; ++c) {
       INFO("level " << level << ", channel " << c);
       const double kept = 1.0 - lossRow(map.as<TextonMap>().mipLoss, c, 3)[level];
-      // Five standard errors of 4,096 values of a kurtosis up to 4, sqrt(3 / 4096) each, and the
-      // steps of the amplitudes' bytes.
+      // Five standard errors, sqrt(3 / 4096) each, for 4,096 values with a kurtosis of up to 4,
+      // plus the quantization of the kept amplitudes to bytes.
       CHECK(variance[c] == Approx(kept).epsilon(0.14).margin(std::sqrt(kept) / 255.0));
     }
   }
@@ -387,7 +387,7 @@ TEST_CASE("a cell has its number however far it is, modulo 2^32 or in its period
   texton.coefficientsX = texton.coefficientsY = 1;
   texton.frameX = texton.frameY = 2;
   texton.mipCount = 1;
-  noise.columnsPerTile = noise.rowsPerTile = 49152.0f; // 3 cells a texel
+  noise.columnsPerTile = noise.rowsPerTile = 49152.0f; // 3 cells per texel
   for (const std::int32_t period : {0, 7, 49152 * 5, 1 << 29})
     for (const std::int64_t tiles : {0ll, 1ll, -1ll, 43691ll, -65537ll, 1ll << 27, -(1ll << 27)}) {
       noise.periodColumns = noise.periodRows = period;

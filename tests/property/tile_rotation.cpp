@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What tiling with turned tiles promises, seen through the CPU twin: steps that are hashed evenly,
-// the exemplar's histogram, slopes that are those of the turned height, results that are isotropic,
-// and the same pattern from any origin, in any period and across the borders of triangles.
+// Tiling with rotated tiles, tested through the CPU twin: evenly hashed rotation steps, the
+// exemplar's histogram, slopes that match the rotated height, isotropic results, and the same
+// pattern from any origin, in any period and across the borders of triangles.
 #include "example_exemplar.h"
 
 #include <lichen/lattice.h>
@@ -33,13 +33,13 @@ MaterialNoise turnedBy(std::uint32_t steps) {
   return material;
 }
 
-/// Height over a texel at (x, y) texels, of whole periods in the exemplar, and its derivatives.
+/// Height per texel at (x, y) texels, with whole periods in the exemplar, and its derivatives.
 struct Wave {
   double height, alongX, alongDown;
 };
 using WaveAt = Wave (*)(double x, double y, double width, double height);
 
-/// Two slanted waves of different lengths: no turn brings it onto itself.
+/// Two oblique waves of different lengths: no rotation maps the sum onto itself.
 Wave slanted(double x, double y, double width, double height) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double ax = 2.0 * kTurn / width, ay = kTurn / height;
@@ -55,8 +55,8 @@ Wave stripes(double x, double, double width, double) {
   return {std::sin(a * x), a * std::cos(a * x), 0.0};
 }
 
-/// A noise of the wave's slopes and of its height, without tables or mips: values are affine in
-/// what is fetched. `meanSlope` is added to the slopes along x.
+/// A noise of the wave's slopes and height, without tables or mips: values are affine in what is
+/// fetched. `meanSlope` is added to the slopes along x.
 Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double meanSlope = 0.0) {
   constexpr double kSlopeDeviation = 0.05, kHeightDeviation = 0.04, kHeightScale = 0.02;
   std::vector<float> slopes, heights;
@@ -101,7 +101,7 @@ Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double
   return bundle;
 }
 
-/// Of the height that waveBundle() has, per texel.
+/// For the height in waveBundle(), per texel.
 constexpr double kHeightPerValue = 1.0 / 0.02;
 
 const Bundle& colorBundle() {
@@ -132,7 +132,7 @@ TileFootprint randomPoint(std::uint32_t k, double tiles) {
   return pointAt(tiles * (random[0] * 0x1p-32 - 0.5), tiles * (random[1] * 0x1p-32 - 0.5));
 }
 
-/// The vertex that is nearest, of the greatest weight.
+/// The nearest vertex, which has the greatest weight.
 std::array<double, 2> vertexOf(const TileFootprint& at) {
   const double row = double(at.position[1]) * kLatticeRowsPerTile;
   const double column = double(at.position[0]) * kLatticeColumnsPerTile - 0.5 * row;
@@ -192,7 +192,7 @@ Moments momentsOf(const std::vector<double>& values) {
 } // namespace
 
 TEST_CASE("the steps of tiles are even, independent of their neighbours' and of the offsets") {
-  // One false alarm in a million each, 24 in all.
+  // One false alarm in a million each; 24 comparisons in all.
   for (const std::uint32_t seed : {1u, 2u, 77u})
     for (const std::uint32_t steps : {2u, 4u, 7u, kMostTileRotation}) {
       const std::uint32_t bins = std::min(steps, 64u);
@@ -214,7 +214,7 @@ TEST_CASE("the steps of tiles are even, independent of their neighbours' and of 
         }
       INFO("seed " << seed << ", steps " << steps);
       CHECK(chiSquare(one) < chiSquareLimit(bins - 1.0));
-      if (4 % steps == 0 || steps == kMostTileRotation) { // where quarters are even
+      if (4 % steps == 0 || steps == kMostTileRotation) { // quarter turns are equally frequent
         const auto used = [&](const std::vector<int>& counts) {
           std::vector<int> filled;
           std::copy_if(counts.begin(), counts.end(), std::back_inserter(filled),
@@ -243,7 +243,7 @@ TEST_CASE("a step is its part of a turn, and quarters are exact") {
 }
 
 TEST_CASE("slopes are the gradient of the height, turned as its tiles are") {
-  // With one tap, where the height is not blended: a gradient of weights is none of the exemplar's.
+  // One tap, so that the height is not blended: a gradient of weights is not one of the exemplar's.
   constexpr TilingQuality kOneTap{3, 1e-5};
   for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}, {128u, 256u}}) {
     const Bundle bundle = waveBundle(slanted, width, height);
@@ -276,8 +276,9 @@ TEST_CASE("slopes are the gradient of the height, turned as its tiles are") {
       }
       INFO(width << " x " << height << ", steps " << steps);
       CHECK(compared > 1000);
-      // Slopes of up to 0.2 and 0.3, over differences of 4 texels in waves of 64 and more: those
-      // are off by (2 pi 2 / 64)^2 / 6 of them, and interpolation and half floats by as much.
+      // Slopes of up to 0.2 and 0.3, from differences over 4 texels in waves of at least 64 texels.
+      // Their relative error is (2 pi 2 / 64)^2 / 6; interpolation and half floats add as much
+      // again.
       CHECK(largest < 0.005);
     }
   }
@@ -295,7 +296,7 @@ TEST_CASE("turned colours keep mean, variance and histogram wherever in a triang
       for (int i = 0; i < 90; ++i) {
         TileFootprint at = pointAt((i + f + 0.5 * (j + g)) / kLatticeColumnsPerTile,
                                    (j + g) / kLatticeRowsPerTile, 1.0 / kTexels);
-        for (float& coordinate : at.position) // in texel centres, where a fetch loses nothing
+        for (float& coordinate : at.position) // at texel centres, where a fetch loses nothing
           coordinate = float((std::floor(double(coordinate) * kTexels) + 0.5) / kTexels);
         values.push_back(double(twin.evaluate(0, noise, at)[0]));
       }
@@ -315,8 +316,8 @@ TEST_CASE("turned colours keep mean, variance and histogram wherever in a triang
         CHECK(moments.variance == Approx(wanted.variance).epsilon(0.10));
         CHECK(kolmogorovSmirnov(found, vertex) < 0.0423);
       } else {
-        // Between texels a fetch averages, and the table is that of the average: less varies, by
-        // the share that these mips lose over a third of the way to the next.
+        // Between texels a fetch averages, and the table is that of the average. The variance falls
+        // by the share that these mips lose over a third of a level.
         CHECK(moments.variance < 1.10 * wanted.variance);
         CHECK(moments.variance > 0.60 * wanted.variance);
       }
@@ -345,10 +346,10 @@ TEST_CASE("turning makes the correlations of stripes the same along both axes, h
     }
     return (alongY - alongX) / squares;
   };
-  // Two places this far apart share 0.92 of their tiles: -0.92 along x, 0.92 along y.
+  // Two positions this far apart share 0.92 of their tiles: -0.92 along x, 0.92 along y.
   CHECK(differenceOf(0) > 1.7);
   CHECK(differenceOf(2) > 1.7);
-  // 20000 pairs, neighbours among them 40 to a triangle: standard errors of about 0.03.
+  // 20000 pairs, with about 40 neighbouring pairs per triangle: standard errors of about 0.03.
   CHECK(std::abs(differenceOf(4)) < 0.12);
   CHECK(std::abs(differenceOf(kMostTileRotation)) < 0.12);
 }
@@ -379,8 +380,8 @@ TEST_CASE("turned slopes keep their second moment, and their mean turns away") {
   for (const std::uint32_t steps : kSteps) {
     const auto [x, y, squares] = measure(steps);
     INFO("steps " << steps);
-    // 20000 points in 2.2 million triangles, of slopes that deviate by 0.06 along an axis:
-    // standard errors of 0.0005, and of about 1 % of the squares.
+    // 20000 points in 2.2 million triangles, with slopes of standard deviation 0.06 along an axis:
+    // standard errors of 0.0005, and of about 1 % for the squares.
     CHECK(std::abs(x) < 0.003);
     CHECK(std::abs(y) < 0.003);
     CHECK(squares == Approx(exemplar).epsilon(0.05));
@@ -405,7 +406,8 @@ TEST_CASE("turned tiles do not depend on the host's origin, near or far") {
           moved.position[1] -= 5.0f;
           for (std::size_t map = 0; map < 2; ++map) {
             const auto first = twin.evaluate(map, a, at), second = twin.evaluate(map, b, moved);
-            // Origins lie in the lattice to 5e-4 cells at 2^40 tiles, whose weights differ by that.
+            // At 2^40 tiles, lattice origins are accurate to 5e-4 cells, and weights differ by
+            // that.
             const float tolerance = far > 1000000 ? 5e-3f : 1e-4f;
             for (std::size_t c = 0; c < 2; ++c)
               REQUIRE(std::abs(first[c] - second[c]) < tolerance);
@@ -446,7 +448,8 @@ TEST_CASE("turned tiles meet without a seam at the borders of triangles") {
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, quality).value();
     for (const std::uint32_t steps : kSteps) {
       const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
-      // A jump would be there at any step's size, and what is continuous is in proportion to it.
+      // A jump keeps its height at any step size; a continuous change is proportional to the step
+      // size.
       const auto largestStep = [&](std::size_t map, double texels) {
         double largest = 0.0;
         for (int line = 0; line < 3; ++line) {

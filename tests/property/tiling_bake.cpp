@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a whole bake promises: tables of the right dimensions, the same for any number of threads,
-// or a refusal.
+// A whole bake: tables of the right dimensions, identical for any number of threads, or an error.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -32,11 +31,11 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
     CHECK(b.tables[0].format == TexelFormat::r8Unorm);
     CHECK(b.tables[1].width == 256);
     const std::vector<float> texels = decodeLevel(b.tables[1], 0);
-    for (std::size_t i = 0; i < texels.size(); i += 4) { // no rainbow
+    for (std::size_t i = 0; i < texels.size(); i += 4) { // stays grey
       REQUIRE(texels[i] == texels[i + 1]);
       REQUIRE(texels[i] == texels[i + 2]);
     }
-    for (std::size_t i = 4; i < std::size_t(256 * 4); i += 4) // brighter is more, but for a code
+    for (std::size_t i = 4; i < std::size_t(256 * 4); i += 4) // brighter, to one code
       REQUIRE(texels[i] >= texels[i - 4] - 2.0f / 255.0f);
     CHECK(texels[std::size_t(255 * 4)] > texels[0] + 0.1f);
   }
@@ -92,8 +91,8 @@ TEST_CASE("a bake does not depend on the number of threads") {
 }
 
 TEST_CASE("the bake of a set does not depend on the number of threads", "[large]") {
-  // Maps of three dimensions, two, two and one, the last of another size: in two, points are moved
-  // to go with the maps before; on a line, ties are exchanged.
+  // Maps of three, two, two and one dimensions; the last has another size. In two dimensions points
+  // move to follow the maps before; on a line, ties are exchanged.
   const MapExemplar color = test::threeMaterials(64, 64, 22);
   MapExemplar normal = color;
   normal.target = MapTarget::normal;
@@ -139,7 +138,7 @@ TEST_CASE("the bake of a set does not depend on the number of threads", "[large]
 }
 
 TEST_CASE("one map that does not tile makes the whole set be blended") {
-  const auto red = [](MapExemplar map) { // a table of one axis takes the least time
+  const auto red = [](MapExemplar map) { // a table of one axis is the fastest
     for (std::size_t i = 0; i < map.values.size() / 3; ++i)
       map.values[i] = map.values[3 * i];
     map.values.resize(map.values.size() / 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which exemplars tile, and how the borders of others are blended.
+// Which exemplars tile, and how the borders of the others are blended.
 #include "baked_exemplar.h"
 
 #include <catch2/catch.hpp>
@@ -48,7 +48,7 @@ TEST_CASE(
     "on its border a blended image is the displaced one, which goes on there, and inside it is "
     "as it was") {
   constexpr int kWidth = 96, kHeight = 80;
-  // A sixteenth of each side is blended, but in the first and the last line.
+  // A sixteenth of each side is blended, except in the first and the last line.
   constexpr int kBandX = kWidth / 16, kBandY = kHeight / 16;
   const Baked b = baked(cropped(threeMaterials(128, 128, 6, 5), 5, 5, kWidth, kHeight));
   const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, kWidth, kHeight);
@@ -71,7 +71,7 @@ TEST_CASE(
 
 TEST_CASE("the weights of a blend keep the variance and change little from pixel to pixel") {
   constexpr int kSide = 256, kBand = kSide / 16, kRow = kSide / 2;
-  // Beside the left border one half alone differs from the mean: its deviation is its weight.
+  // Only one half differs from the mean beside the left border: its deviation is its weight.
   const auto weights = [&](bool displaced) {
     std::vector<Point> image(std::size_t(kSide) * kSide, Point{0.5f, 0.5f, 0.5f});
     for (std::size_t i = 0; i < image.size(); ++i)
@@ -84,12 +84,12 @@ TEST_CASE("the weights of a blend keep the variance and change little from pixel
     return result;
   };
   const std::vector<double> own = weights(false), other = weights(true);
-  double before = 0.5 * std::numbers::pi; // on the seam the displaced image is alone
+  double before = 0.5 * std::numbers::pi; // on the seam only the displaced image has weight
   for (std::size_t x = 0; x < own.size(); ++x) {
     CHECK(own[x] * own[x] + other[x] * other[x] == Approx(1.0).epsilon(1e-6)); // floats below 1
     const double angle = std::atan2(other[x], own[x]);
-    // Of weights 1 - w and w the angle changes by at most 2 dw, and the smooth step w of t by at
-    // most 3/2 dt, with dt a pixel of the band: no pixel is a border of the blend.
+    // With weights 1 - w and w, the angle changes by at most 2 dw, and the smooth step w of t by at
+    // most 3/2 dt, where dt is a pixel of the band. No pixel is a border of the blend.
     CHECK(angle <= before);
     CHECK(before - angle <= 3.0 / kBand);
     before = angle;

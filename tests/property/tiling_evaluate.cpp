@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the evaluated noise promises, seen through the CPU twin.
+// Properties of the evaluated noise, tested through the CPU twin.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -89,11 +89,12 @@ TEST_CASE("the noise is continuous across the lattice's edges of all three direc
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
   const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
-  // Two points 2e-7 tiles to each side of an edge are 5e-5 texels apart; float rounding of the
+  // Two points 2e-7 tiles to each side of an edge are 5e-5 texels apart. Float rounding of the
   // coordinates, here below 1/2, moves each by at most 3e-8 tiles more. Texels differ by at most 1,
-  // blending amplifies by at most 1 / W <= sqrt(3), dU/dG <= 2.4, and 32 cells to a unit of U,
-  // which differ by at most 1, change the value on each of 3 axes: 6e-5 x 1.73 x 2.4 x 32 x 3 =
-  // 0.024. A wrong vertex shows another tile: a difference of the order of the deviation, 0.15.
+  // blending amplifies by at most 1 / W <= sqrt(3), and dU/dG <= 2.4. A unit of U has 32 cells,
+  // which differ by at most 1, and they change the value on each of 3 axes: 6e-5 x 1.73 x 2.4 x 32
+  // x 3 = 0.024. A wrong vertex selects another tile: a difference of about the standard deviation,
+  // 0.15.
   constexpr float kStep = 2e-7f;
   constexpr float kLargest = 0.024f;
   const auto valueAt = [&](double x, double y, double dx, double dy, float side) {
@@ -124,15 +125,16 @@ TEST_CASE("the noise is continuous across the lattice's edges of all three direc
             REQUIRE(std::abs(after[c] - before[c]) < kLargest);
           jumps = std::max(jumps, double(std::abs(after[0] - before[0])));
         }
-  // The points do differ: the two sides were looked at.
+  // The points must differ: otherwise the two sides were not tested.
   CHECK(jumps > 0.0);
 }
 
 TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]") {
-  // Patches of 7 x 7 texels: a value is correlated over sum rho = 49 texels, its square over
-  // sum rho^2 = 22. Standard errors over 1536^2 pixels: 0.46 % of a deviation for a mean, 0.43 %
-  // for a variance, 0.1 % of it for the offsets' (2/3) sqrt(3 x 22 / 128^2) a triangle. Tolerances
-  // of 4.3 of them and more: alpha 5e-5 for the three means, and likewise for the covariance.
+  // Patches of 7 x 7 texels: a value is correlated over sum rho = 49 texels, its square over sum
+  // rho^2 = 22. Standard errors over 1536^2 pixels: 0.46 % of a standard deviation for a mean, 0.43
+  // % for a variance, and 0.1 % of it from the offsets, (2/3) sqrt(3 x 22 / 128^2) per triangle.
+  // Tolerances are at least 4.3 of these: alpha 5e-5 for the three means, and likewise for the
+  // covariance.
   const LinearImage image = synthesized(sized(1536, 1536));
   const exemplar::Moments found = exemplar::momentsOf(image.values, 3);
   std::vector<float> light = test::threeMaterials(128, 128, 11).values;
@@ -144,8 +146,8 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]
 }
 
 TEST_CASE("variance does not depend on where in a triangle a point lies", "[large]") {
-  // At vertices one tap has all the weight, at centres three share it. Linear blending keeps a
-  // third of the variance there; the method keeps it all.
+  // At vertices one tap has all the weight; at centres three share it. There linear blending keeps
+  // a third of the variance, and the method all of it.
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
   const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
@@ -170,8 +172,8 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
   };
   using enum BlendOperator;
   const double vertex = varianceAt(0.001, 0.001, histogramPreserving);
-  // 8100 cells, independent given the exemplar: a variance's standard error is at most
-  // sqrt(2 / 8100), that of the difference of two 2.2 %; 3.6 of them, alpha 3e-4 each.
+  // 8100 cells, independent given the exemplar. The standard error of a variance is at most sqrt(2
+  // / 8100), and that of the difference of two 2.2 %. The limit is 3.6 of these, alpha 3e-4 each.
   CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, histogramPreserving) == Approx(vertex).epsilon(0.08));
   CHECK(varianceAt(0.5, 0.25, histogramPreserving) == Approx(vertex).epsilon(0.08));
   CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, linear) < 0.5 * vertex);
@@ -179,8 +181,8 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
 
 TEST_CASE("minified views keep the mean colour of a supersampled reference", "[large]") {
   // Views of 8 x 8 tiles show the reference's own part of the plane. The smaller scales show more
-  // of it: there the reference's standard error counts, 0.2 sqrt(49) / 1024 = 0.0014, and the
-  // tolerance is 2.9 of it, alpha 4e-3 a channel.
+  // of it, so the reference's standard error counts: 0.2 sqrt(49) / 1024 = 0.0014. The tolerance is
+  // 2.9 of it, alpha 4e-3 per channel.
   SynthesisOptions fine = sized(1024, 1024);
   const exemplar::Moments reference = exemplar::momentsOf(synthesized(fine).values, 3);
   for (const double texelsPerTile : {64.0, 16.0, 4.0, 1.0, 0.01}) {
@@ -189,7 +191,7 @@ TEST_CASE("minified views keep the mean colour of a supersampled reference", "[l
     if (texelsPerTile >= 16.0)
       coarse.width = coarse.height = int(8 * texelsPerTile);
     const exemplar::Moments found = exemplar::momentsOf(synthesized(coarse).values, 3);
-    // TARGETS.md: 0.004 a channel.
+    // TARGETS.md: 0.004 per channel.
     CHECK((found.mean - reference.mean).cwiseAbs().maxCoeff() < 0.004);
   }
 }
@@ -203,7 +205,7 @@ TEST_CASE("far beyond the tile only the mean colour is left") {
 }
 
 TEST_CASE("a window far from the origin shows exactly what an overlapping window shows") {
-  // Both have one tile origin, and pixels whose places in the tile are binary fractions.
+  // Both have the same tile origin, and pixels whose positions in the tile are binary fractions.
   SynthesisOptions options = sized(96, 64);
   options.origin = {1e7, -3e6};
   const LinearImage first = synthesized(options);
@@ -229,15 +231,15 @@ TEST_CASE("with a stride an image has every so-manieth pixel of the larger one, 
 }
 
 TEST_CASE("crossing an integer tile origin changes nothing") {
-  // The same place given as fraction and as integer, one whole tile apart on each axis.
+  // The same position as fraction and as integer, one whole tile apart on each axis.
   SynthesisOptions options = sized(160, 160);
   options.origin = {3.0, -2.0};
   const LinearImage first = synthesized(options);
   options.origin = {4.0, -1.0};
   const LinearImage second = synthesized(options);
-  // The taps are the same, whole texels away. A lattice coordinate below 6, of some five roundings
-  // of 2^-22 at most, moves two weights by 1.2e-6 and with them G by 4e-6: as much again through
-  // the norm, both over W >= 1 / sqrt(3). dU/dG <= 2.4, 32 cells to a unit of U, on 3 axes, and
+  // The taps are the same, whole texels away. A lattice coordinate below 6 has some five roundings
+  // of at most 2^-22. This moves two weights by 1.2e-6 and G by 4e-6, and as much again through the
+  // norm, both over W >= 1 / sqrt(3). dU/dG <= 2.4, a unit of U has 32 cells on each of 3 axes, and
   // neighbouring cells differ by at most 1: 9e-4.
   for (int y = 128; y < 160; ++y)
     for (int x = 128; x < 160; ++x)
@@ -245,8 +247,8 @@ TEST_CASE("crossing an integer tile origin changes nothing") {
 }
 
 TEST_CASE("an offset of the material is exact however far it goes") {
-  // A billion tiles and three eighths are a tile origin and an offset; of a periodic lattice, whole
-  // periods and what is left. All are binary fractions: nothing is rounded but the origin's place.
+  // A billion tiles and three eighths become a tile origin and an offset; for a periodic lattice,
+  // whole periods and a remainder. All are binary fractions: only the origin's position is rounded.
   MaterialNoise far;
   far.offset = {1e9 + 0.375, -1e9 + 0.25};
   MaterialNoise near;
@@ -300,9 +302,9 @@ TEST_CASE("a tileable image continues across all its borders as it does inside",
           inside += stepAfter(image, k, columns) / (lines - 1);
       }
       INFO(width << " x " << height << (columns ? ", columns" : ", rows"));
-      // At least 48 x 64 pairs of pixels, whose steps spread about as wide as their mean: a
-      // standard error of 2 %; five of them, alpha 3e-7 each. Unrelated borders differ by 30 % and
-      // more.
+      // At least 48 x 64 pairs of pixels, with a standard deviation of steps about equal to their
+      // mean: a standard error of 2 %. The limit is five of these, alpha 3e-7 each. Unrelated
+      // borders differ by at least 30 %.
       CHECK(seam < 1.1 * inside);
       CHECK(openSeam > 1.2 * inside);
     }
@@ -325,8 +327,8 @@ TEST_CASE("seeds give different patterns of one material, and no pattern repeats
           (double(one.pixel(x, y)[0]) - a.mean[0]) * (double(one.pixel(x + 128, y)[0]) - a.mean[0]);
     }
   const double variance = a.covariance(0, 0) * 128.0 * 128.0;
-  // Patches of 7 x 7 texels: some 340 independent values, standard error 0.054; 4 of them, alpha
-  // 6e-5 each.
+  // Patches of 7 x 7 texels: some 340 independent values, standard error 0.054. The limit is four
+  // of these, alpha 6e-5 each.
   CHECK(std::abs(product / variance) < 0.22);
   CHECK(std::abs(shifted / variance) < 0.22);
 }
@@ -370,7 +372,7 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
     options.material.contrast = contrast;
     CHECK(refused(options));
   }
-  options = sized(63, 128); // under half of the tile's 128 texels
+  options = sized(63, 128); // less than half of the tile's 128 texels
   options.tileable = true;
   CHECK(refused(options));
   CHECK_FALSE(synthesizePreview(exampleBundle(), MaterialNoise(), MapTarget::baseColor, 0));

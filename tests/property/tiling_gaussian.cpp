@@ -45,8 +45,9 @@ TEST_CASE("stratified Gaussian sets have mean 1/2 and covariance I / 36 exactly"
 }
 
 TEST_CASE("each coordinate of a stratified set has one value in the middle of each stratum") {
-  // Powers of the coordinates' bases fill their digits. Whitening moves what is left of the
-  // strata's middles: a correlation of about 0.01 times a value of at most 4 deviations, 0.007.
+  // Powers of the coordinates' bases, which fill their digits. Whitening moves the remainder of the
+  // strata's centres: a correlation of about 0.01 times a value of at most 4 standard deviations,
+  // 0.007.
   for (const auto& [count, axis] : {std::pair{std::size_t(4096), 0}, {4096, 1}, {6561, 2}}) {
     std::vector<float> values;
     for (const Point& p : gaussian::stratifiedGaussian(count, 3, gaussian::Precision::bits16))
@@ -67,8 +68,8 @@ TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at th
     REQUIRE(std::max({p.x, p.y, p.z}) <= 1.0f);
   }
   const exemplar::Moments moments = exemplar::momentsOf(values, 3);
-  // Rounding to 1/255 adds (1/255)^2 / 12 to the variance, 4.6e-5 of it; clamping would
-  // lose 5.6e-3.
+  // Rounding to 1/255 adds (1/255)^2 / 12 to the variance, a relative 4.6e-5; clamping would lose
+  // 5.6e-3.
   const exemplar::ChannelMatrix unit = exemplar::ChannelMatrix::Identity(3, 3) / 36.0;
   CHECK((moments.covariance - unit).cwiseAbs().maxCoeff() * 36.0 < 3e-4);
 }
@@ -85,7 +86,7 @@ TEST_CASE("the Gaussianized image is a permutation of the stratified set") {
 }
 
 TEST_CASE("flat regions stay smooth once Gaussianized") {
-  // Half of the pixels share one colour: their order is free, and follows the surroundings.
+  // Half of the pixels share one colour: their order is free and follows the surroundings.
   MapExemplar map = threeMaterials(96, 96, 12, 6);
   for (std::size_t i = 0; i < map.values.size(); i += 3)
     if (map.values[i] > 0.6f)
@@ -107,8 +108,8 @@ TEST_CASE("flat regions stay smooth once Gaussianized") {
     steps += double(dot(d, d));
     ++count;
   }
-  // In an arbitrary order neighbours would be independent draws of the colour's points, and their
-  // mean square difference twice the variance of those. Measured: 0.17 of that.
+  // In an arbitrary order, neighbours would be independent draws of the colour's points, with a
+  // mean square difference of twice their variance. Measured: 0.17 of that.
   const double arbitrary = 2.0 * exemplar::momentsOf(flat, 3).covariance.trace();
   INFO("steps of " << steps / double(count) / arbitrary << " of an arbitrary order's");
   CHECK(steps / double(count) < 0.5 * arbitrary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What 8 and 16 bits lose of an exemplar.
+// The loss of 8 and 16 bits for an exemplar.
 #include "example_exemplar.h"
 
 #include <lichen/tiling_precision.h>
@@ -41,9 +41,10 @@ TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[
   INFO("8 bits: " << eight.mean << ", " << eight.variance << ", " << eight.colorDistance << ", "
                   << *eight.roundTrip << "; 16 bits: " << sixteen.mean << ", " << sixteen.variance
                   << ", " << sixteen.colorDistance << ", " << *sixteen.roundTrip);
-  // Three colours with nothing between them are hard on interpolation. Measured on this exemplar,
-  // the larger of both precisions: 0.0007, 0.0071, 0.0097 and 0.166. The first two, differences of
-  // large numbers, get nearly three times that, the other two half as much again.
+  // Three colours with nothing between them are difficult for interpolation. Measured on this
+  // exemplar, the larger value of both precisions: 0.0007, 0.0071, 0.0097 and 0.166. The first two
+  // are differences of large numbers: their limits are nearly three times that, and those of the
+  // other two half as much again.
   constexpr double kMean = 0.002, kVariance = 0.02, kDistance = 0.015, kRoundTrip = 0.25;
   for (const PrecisionLoss& loss : {eight, sixteen}) {
     CHECK(loss.mean < kMean);
@@ -51,9 +52,10 @@ TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[
     CHECK(loss.colorDistance < kDistance);
     CHECK(*loss.roundTrip < kRoundTrip);
   }
-  // Rounding moves a colour by half a step at most. A step of G is 6/255 of its deviation, of which
-  // rounding has 1/sqrt(12) along each of three axes: 0.012 of a colour's deviation, if errors only
-  // added up. 0.006 is measured; colours that rounding takes to another cell get the rest.
+  // Rounding moves a colour by at most half a step. A step of G is 6/255 of its standard deviation,
+  // and the rounding error is 1/sqrt(12) of that along each of three axes: 0.012 of a colour's
+  // standard deviation if errors only added up. Measured: 0.006. The rest allows for colours that
+  // rounding moves to another cell.
   constexpr double kRounded = 0.02;
   CHECK(eight.colorDistance < sixteen.colorDistance + 0.5 / 255.0);
   CHECK(*eight.roundTrip < *sixteen.roundTrip + kRounded);
@@ -71,8 +73,8 @@ TEST_CASE("an image that is stored in fewer steps has lost more") {
 }
 
 TEST_CASE("the measures are those of the decoded texels") {
-  // A table that says the same everywhere: the whole variance is lost, and the distance is that of
-  // the exemplar to a single colour.
+  // A constant table: the whole variance is lost, and the distance is that of the exemplar to a
+  // single colour.
   const MapExemplar map = test::threeMaterials(64, 64, 3);
   Bundle bundle = bakedWith(map, 16);
   Table& table = bundle.tables[*bundle.noises[0].maps[0].as<TilingMap>().inverseTable];
@@ -84,7 +86,7 @@ TEST_CASE("the measures are those of the decoded texels") {
   double squares = 0.0;
   for (const float value : map.values)
     squares += double(value) * double(value);
-  // Over directions on the sphere a component has the mean square 1/3.
+  // Over directions on the sphere, a component has the mean square 1/3.
   CHECK(loss.colorDistance ==
         Approx(std::sqrt(squares / double(map.values.size() / 3) / 3.0)).epsilon(0.05));
 }
@@ -108,9 +110,9 @@ TEST_CASE("8-bit Gaussian images use all their codes and clamp few texels", "[la
       ++codes[std::size_t(std::lround(255.0f * texels[i]))];
   const double count = 3.0 * 128.0 * 128.0;
   CHECK(std::count(codes.begin(), codes.end(), std::size_t(0)) == 0);
-  // An end code holds what lies beyond three deviations less half a step, 1/510, where clamping has
-  // cost 5e-3 of the variance (gaussian_distribution.cpp) and whitening has scaled by its root. Of
-  // 128^2 stratified points an axis has that share to two points.
+  // An end code stands for all values beyond three standard deviations minus half a step, 1/510.
+  // Clamping there costs 5e-3 of the variance (gaussian_distribution.cpp), and whitening scales by
+  // its root. 128^2 stratified points have that share on an axis, to within two points.
   const double end = 6.0 * (0.5 - 0.5 / 255.0) / (1.0 + 0.5 * 5e-3);
   const double most = 0.5 * std::erfc(end / std::sqrt(2.0)) + 2.0 / (128.0 * 128.0);
   CHECK(double(codes.front()) / count < most);

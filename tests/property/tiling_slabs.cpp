@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mip chain of the Gaussian image, and the slabs of the table that go with what it loses.
+// The mip chain of the Gaussian image, and the table's slabs for the variance that it loses.
 #include "baked_exemplar.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ using namespace lichen::tiling;
 
 namespace {
 
-/// A normal deviate from counted uniform numbers [BM58].
+/// A normal variate from counted uniform numbers [BM58].
 double deviate(std::uint64_t seed, std::uint64_t counter) {
   const double u = transport::randomUniform(seed, 2 * counter);
   const double v = transport::randomUniform(seed, 2 * counter + 1);
@@ -31,7 +31,8 @@ double deviate(std::uint64_t seed, std::uint64_t counter) {
 } // namespace
 
 TEST_CASE("the mips of white noise lose what averaging of white noise must lose", "[large]") {
-  // Each mip averages four independent texels: it keeps a quarter of the variance before.
+  // Each mip averages four independent texels: it keeps a quarter of the variance of the level
+  // before.
   Gaussianized white{
       256, 256, 3, gaussian::stratifiedGaussian(256 * 256, 3, gaussian::Precision::bits16), {}};
   for (std::size_t i = white.image.size(); i-- > 1;)
@@ -41,8 +42,8 @@ TEST_CASE("the mips of white noise lose what averaging of white noise must lose"
   CHECK(scalarLoss(lost[0]) == 0.0);
   for (std::size_t mip = 1; mip < 5; ++mip) {
     const double kept = std::pow(0.25, double(mip));
-    // The mean of three sample variances over n texels has standard error kept sqrt(2 / (3 n)):
-    // five of them, false alarms below 1e-6 a level.
+    // The mean of three sample variances over n texels has the standard error
+    // `kept` * sqrt(2 / (3 n)). The limit is five of these: false alarms below 1e-6 per level.
     const double texels = 65536.0 * kept;
     CHECK(1.0 - scalarLoss(lost[mip]) ==
           Approx(kept).margin(5.0 * kept * std::sqrt(2.0 / (3.0 * texels))));
@@ -50,8 +51,8 @@ TEST_CASE("the mips of white noise lose what averaging of white noise must lose"
 }
 
 TEST_CASE("each mip texel is the average of the area it covers, for any size") {
-  // Sides odd and even, a side that reaches 1 first, D of 1 to 3. The slow average cuts both levels
-  // into the cells of their common grid and counts in integers.
+  // Odd and even sides, a side that reaches 1 first, D of 1 to 3. The slow average splits both
+  // levels into the cells of their common grid and counts in integers.
   for (const auto& [width, height, dimensions] :
        {std::array{45, 23, 3}, std::array{7, 61, 2}, std::array{64, 3, 1}, std::array{32, 32, 3}}) {
     const auto count = std::size_t(width) * std::size_t(height);
@@ -80,7 +81,8 @@ TEST_CASE("each mip texel is the average of the area it covers, for any size") {
             sums[std::size_t((y / aboveHeight * levelWidth + x / aboveWidth) * channels + c)] +=
                 double(above[std::size_t(
                     (y / levelHeight * aboveWidth + x / levelWidth) * channels + c)]);
-      // A half below 2 is off by at most 2^-11, and so are the halves averaged here.
+      // A half float below 2 has an error of at most 2^-11, and so have the half floats averaged
+      // here.
       for (std::size_t i = 0; i < level.size(); ++i)
         REQUIRE(double(level[i]) ==
                 Approx(sums[i] / (aboveWidth * aboveHeight)).margin(std::exp2(-10)));
@@ -96,7 +98,7 @@ TEST_CASE("blended mips decode to the mean colour, Gaussian or not", "[large]") 
   const std::vector<exemplar::ChannelMatrix> lost = lostVariance(image);
   std::vector<InverseTable> slabs = prefilteredSlabs(table, lost);
   restoreSlabMeans(slabs, image, lost);
-  // Between the slabs of a mip the mean is interpolated like the values.
+  // Between the slabs of two mips the mean is interpolated like the values.
   constexpr std::uint32_t kMip = 2;
   const std::vector<float> texels = decodeLevel(image, kMip);
   const std::size_t count = texels.size() / 4;
@@ -106,7 +108,7 @@ TEST_CASE("blended mips decode to the mean colour, Gaussian or not", "[large]") 
   const TableLookup<3> upper(slabs[slab + 1]);
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> anywhere(0, count - 1);
-  std::exponential_distribution<double> exponential; // three, normalised: uniform in a triangle
+  std::exponential_distribution<double> exponential; // three, normalized: uniform in a triangle
   constexpr int kSamples = 200000;
   std::array<double, 3> sum{};
   std::array<double, 3> squares{};
@@ -131,8 +133,8 @@ TEST_CASE("blended mips decode to the mean colour, Gaussian or not", "[large]") 
   for (std::size_t c = 0; c < 3; ++c) {
     const double mean = sum[c] / kSamples;
     const double variance = squares[c] / kSamples - mean * mean;
-    // Five standard errors of this sum and of the 65,536 fetches that the shift is measured with;
-    // the slab below and the one above are shifted for their own places between mips.
+    // Five standard errors of this sum and of the 65,536 fetches that measure the shift. The slabs
+    // below and above are shifted for their own positions between mips.
     const double error = 5.0 * std::sqrt(variance * (1.0 / kSamples + 1.0 / 65536.0));
     INFO("mean " << mean << ", slab mean " << slabs.back().values[c] << ", error " << error);
     CHECK(mean == Approx(double(slabs.back().values[c])).margin(error));
@@ -172,7 +174,7 @@ TEST_CASE("slabs blur a step along any axis as the Gaussian does", "[large]") {
           worst = std::max(worst, std::abs(double(slabs[k].values[place * stride]) - mean));
         }
       INFO(dimensions << " dimensions, axis " << axis);
-      // One of the 256 places on the axis at which the weights are taken.
+      // The weights are sampled at 256 positions on the axis; the tolerance is one of them.
       CHECK(worst < 1.0 / 256.0);
     }
 }
@@ -182,7 +184,7 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});
   exemplar::ChannelMatrix half(
-      3, 3); // of everything, with channels that lose differently and together
+      3, 3); // of the variance, for channels whose losses differ and correlate
   half << 0.7, 0.15, 0.0, 0.15, 0.5, -0.1, 0.0, -0.1, 0.3;
   const std::vector<double> levels = tableLevels();
   const std::vector<InverseTable> slabs = prefilteredSlabs(table, {half});
@@ -215,9 +217,9 @@ TEST_CASE("a slab holds the expectation of the table under what a fetch has lost
     }
     const double mean = sum / kSamples;
     const double deviationOfValue = std::sqrt(std::max(0.0, squares / kSamples - mean * mean));
-    // Five standard errors of the Monte Carlo mean, alpha 6e-7, and of the slab's own 32 samples: a
-    // fifth of independent ones', since they are stratified and take only what the directions lose
-    // differently.
+    // Five standard errors of the Monte Carlo mean, alpha 6e-7, and of the slab's own 32 samples.
+    // Their error is a fifth of that of independent samples: they are stratified, and contribute
+    // only where the directions lose differently.
     const double tolerance =
         5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 0.2 / std::sqrt(32.0));
     CHECK(double(slabs[kSlab].values[3 * cell]) == Approx(mean).margin(tolerance));

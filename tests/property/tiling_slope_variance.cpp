@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The variance of slopes that a slope map's table holds beside them.
+// The variance of slopes that a slope map's table stores beside the slopes.
 #include "baked_exemplar.h"
 
 #include <lichen/tiling_evaluate.h>
@@ -21,7 +21,7 @@ using namespace lichen::tiling;
 
 namespace {
 
-/// Slopes of three kinds of ground: far from Gaussian. On a line when `flatAcross`.
+/// Slopes of three kinds of ground, far from Gaussian; on a line if `flatAcross`.
 MapExemplar slopes(bool flatAcross = false) {
   const MapExemplar colours = threeMaterials(96, 96, 21);
   MapExemplar map;
@@ -43,7 +43,8 @@ struct SlopeTable {
   Table gaussian;
 };
 
-/// `shuffled`: the pixels of the Gaussian image lie anywhere, so that its mips are Gaussian.
+/// `shuffled`: puts the pixels of the Gaussian image in random order, so that its mips are
+/// Gaussian.
 SlopeTable slopeTable(const MapExemplar& map, bool shuffled) {
   Baked b = baked(map);
   SlopeTable result;
@@ -69,7 +70,7 @@ TEST_CASE("the third channel of a slope table is the variance of what a fetch ha
   constexpr int kSamples = 1000;
   for (const std::size_t k : {std::size_t(1), std::size_t(3), std::size_t(6)})
     for (const std::size_t cell : {std::size_t(2080), std::size_t(700), std::size_t(3300)}) {
-      const double level = tableLevels()[k]; // of white noise, along all directions alike
+      const double level = tableLevels()[k]; // white noise, equal along all directions
       double sum[2] = {}, squares[2] = {};
       for (int s = 0; s < kSamples; ++s) {
         std::array<double, 3> g{};
@@ -85,8 +86,8 @@ TEST_CASE("the third channel of a slope table is the variance of what a fetch ha
       }
       const double variance = 0.5 * (squares[0] - sum[0] * sum[0] + squares[1] - sum[1] * sum[1]);
       INFO("slab " << k << ", cell " << cell << ", whole variance " << whole);
-      // Of values in two or three clusters, a variance of 1000 samples has a standard error below
-      // that of a Gaussian's, 4.5 % of it. Two of the whole; parts of it have less.
+      // For values in two or three clusters, a variance over 1000 samples has a smaller standard
+      // error than for a Gaussian, 4.5 %. The limit is two of these for the whole; parts have less.
       CHECK(double(t.slabs[k].values[3 * cell + 2]) == Approx(variance).margin(0.1 * whole));
     }
 }
@@ -119,8 +120,8 @@ TEST_CASE("on every slab shown and hidden variance of the slopes add up to the e
       const double shown = 0.5 * (squares[0] - sum[0] * sum[0] + squares[1] - sum[1] * sum[1]);
       INFO("slab " << k << (flatAcross ? ", on a line" : "") << ": shown " << shown << ", hidden "
                    << sum[2] << " of " << whole);
-      // Bounded slopes in clusters: their sample variance has at most the relative error of a
-      // Gaussian's, sqrt(2 / 20000) = 1 % of what is shown. Four of them.
+      // Bounded slopes in clusters: the relative error of their sample variance is at most that of
+      // a Gaussian, sqrt(2 / 20000) = 1 %. The limit is four of these.
       CHECK(shown + sum[2] == Approx(whole).epsilon(0.04));
       if (k == 0)
         CHECK(sum[2] == 0.0);

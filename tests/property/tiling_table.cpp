@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inverse table, fitted to pairs of Gaussian point and value.
+// The inverse table, fitted to pairs of a Gaussian point and a value.
 #include "baked_exemplar.h"
 
 #include <catch2/catch.hpp>
@@ -24,20 +24,21 @@ TEST_CASE("lookups in the table have the exemplar's mean and covariance", "[larg
   CHECK((found.mean - wanted.mean).cwiseAbs().maxCoeff() < 1e-4);
   CHECK((found.covariance - wanted.covariance).norm() < 1e-3 * wanted.covariance.norm());
 
-  // The closed form of the moments, against lookups at stratified points.
+  // Compares the closed form of the moments with lookups at stratified points.
   std::vector<float> looked;
   for (const Point& p : gaussian::stratifiedGaussian(2000, 3, gaussian::Precision::bits16))
     for (int c = 0; c < 3; ++c)
       looked.push_back(float(slowLookup(table, {p.x, p.y, p.z}, c)));
   const exemplar::Moments sampled = exemplar::momentsOf(looked, 3);
-  // Standard error of a mean of 2000 is 2.2 % of a deviation; stratification makes it smaller.
+  // The standard error of a mean of 2000 is 2.2 % of a standard deviation; stratification reduces
+  // it.
   const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
   CHECK((sampled.mean - found.mean).cwiseAbs().maxCoeff() < 0.02 * deviation);
 }
 
 TEST_CASE("a one-dimensional cell averages the values whose ranks it covers") {
-  // Three values in 256 cells: cell 85 covers ranks 85 / 256 to 86 / 256, a third of it below 1
-  // / 3. Restoring the moments stretches the table by no more than the two mixed cells lost: 1 %.
+  // Three values in 256 cells. Cell 85 covers ranks 85 / 256 to 86 / 256, a third of it below 1 /
+  // 3. Restoring the moments stretches the table by no more than the two mixed cells lost: 1 %.
   MapExemplar map;
   map.channels = {MapChannel::red};
   map.encoding = ValueEncoding::linear;
@@ -56,7 +57,7 @@ TEST_CASE("a one-dimensional cell averages the values whose ranks it covers") {
 
 TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]") {
   // Lookups interpolate cells, so they stay inside the cells' convex hull: it is enough that no
-  // cell reaches farther in any direction than the exemplar does.
+  // cell extends beyond the exemplar in any direction.
   for (const std::uint64_t seed : {5u, 6u}) {
     const Baked b = baked(threeMaterials(128, 128, seed));
     const std::vector<float> values = light(b.map);
@@ -83,14 +84,15 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]"
 }
 
 TEST_CASE("cells beside each other in the tails of slopes differ by no more than means do") {
-  // Two independent slopes of Laplace's distribution, deviation 1, in random order. The outermost
-  // 1/64 of one is an exponential distribution of deviation sqrt(1/2) from the quantile on; T of
-  // one slope does not depend on the other, so along that edge all cells are alike but for chance.
+  // Two independent slopes with Laplace's distribution, standard deviation 1, in random order. The
+  // outermost 1/64 of one slope has an exponential distribution of standard deviation sqrt(1/2)
+  // beyond the quantile. T of one slope does not depend on the other, so all cells along that edge
+  // are alike except for chance.
   MapExemplar map;
   map.target = MapTarget::normal;
   map.channels = {MapChannel::slopeX, MapChannel::slopeY};
   map.encoding = ValueEncoding::slope;
-  map.width = map.height = 256; // 16 pixels a cell
+  map.width = map.height = 256; // 16 pixels per cell
   constexpr int kPixels = 256 * 256;
   const double scale = std::sqrt(0.5);
   std::vector<float> laplace(kPixels);
@@ -105,7 +107,8 @@ TEST_CASE("cells beside each other in the tails of slopes differ by no more than
   for (std::size_t i = 0; i < kPixels; ++i)
     map.values.insert(map.values.end(), {slopes[0][i], slopes[1][i]});
   const Baked b = baked(map);
-  // Mean and deviation over the last column, less four cells at each corner, of the first slope.
+  // Mean and standard deviation of the first slope over the last column, without four cells at each
+  // corner.
   const auto edge = [&](CellValue value) {
     const InverseTable table = fitInverseTable(b.gaussian, b.points, map.values, 2, {}, value);
     std::vector<float> column;
@@ -114,9 +117,10 @@ TEST_CASE("cells beside each other in the tails of slopes differ by no more than
     return exemplar::momentsOf(column, 1);
   };
   const exemplar::Moments means = edge(CellValue::mean);
-  // The means of 16 pixels have a quarter of the deviation: 0.18, over 56 cells 10 % off.
+  // Means of 16 pixels have a quarter of the standard deviation: 0.18, with a 10 % error over 56
+  // cells.
   CHECK(std::sqrt(means.covariance(0, 0)) < 1.5 * 0.25 * scale);
-  // Quantile and mean excess. Restoring the variance stretches by the 3 % that cells hide.
+  // Quantile plus mean excess. Restoring the variance stretches by the 3 % that cells average away.
   CHECK(means.mean[0] == Approx(scale * (std::log(32.0) + 1.0)).epsilon(0.05));
   CHECK(std::sqrt(edge(CellValue::onePixel).covariance(0, 0)) > 0.8 * scale);
 }
@@ -139,7 +143,7 @@ TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
   }
   const double variance = exemplar::momentsOf(values, 3).covariance.trace();
   INFO("off by " << squares / double(count) / variance << " of the variance");
-  // The table has one cell for half a pixel here. Measured: 0.019; a wrong inverse would leave
-  // twice the variance.
+  // The table has one cell per half pixel here. Measured: 0.019; a wrong inverse would leave twice
+  // the variance.
   CHECK(squares / double(count) < 0.05 * variance);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps without a table, and maps with a table for each axis.
+// Maps without a table, and maps with one table per axis.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -24,8 +24,8 @@ using namespace lichen::tiling;
 
 namespace {
 
-/// White Gaussian noise averaged over (2 radius + 1)^2 texels, of the given deviation, in three
-/// channels that go together; `bend` skews it.
+/// White Gaussian noise averaged over (2 radius + 1)^2 texels, with the given standard deviation,
+/// in three correlated channels; `bend` skews it.
 MapExemplar gaussianExemplar(int side, int radius, double deviation, std::uint64_t seed,
                              double bend = 0.0) {
   MapExemplar map;
@@ -34,7 +34,7 @@ MapExemplar gaussianExemplar(int side, int radius, double deviation, std::uint64
   map.values.resize(3 * std::size_t(side) * std::size_t(side));
   const auto white = [&](int x, int y, std::size_t c) {
     const auto i = std::size_t(((y + side) % side) * side + (x + side) % side);
-    double sum = -6.0; // twelve uniform numbers less their mean: Gaussian to four deviations
+    double sum = -6.0; // twelve uniform numbers minus their mean: Gaussian up to 4 deviations
     for (std::uint64_t k = 0; k < 12; ++k)
       sum += transport::randomUniform(seed + c, 12 * i + k);
     return sum;
@@ -99,8 +99,8 @@ TEST_CASE("exemplars that are Gaussian are told from those that are not", "[larg
 }
 
 TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance took there passes") {
-  // Between half a step and one step of 8 bits the surrogates decide. 16,384 independent values are
-  // skewed; patches of 15 x 15 texels hold some seventy.
+  // Between half a step and one step of 8 bits, surrogates decide. 16,384 independent values prove
+  // the skew; patches of 15 x 15 texels hold only some seventy.
   const MapExemplar skewed = gaussianExemplar(128, 0, 0.08, 4, 0.45);
   const MapExemplar smooth = gaussianExemplar(128, 7, 0.07, 4);
   for (const MapExemplar& map : {skewed, smooth}) {
@@ -112,8 +112,9 @@ TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance too
 }
 
 TEST_CASE("the distance to a Gaussian is that of the quantiles") {
-  // The uniform distribution on an interval of deviation s: the squared distance to the Gaussian of
-  // the same moments is 2 s^2 (1 - integral of sqrt(12) (u - 1/2) q(u)) = 2 s^2 (1 - sqrt(3 / pi)).
+  // The uniform distribution on an interval with standard deviation s: its squared distance to the
+  // Gaussian of the same moments is 2 s^2 (1 - integral of sqrt(12) (u - 1/2) q(u)) = 2 s^2 (1 -
+  // sqrt(3 / pi)).
   MapExemplar map;
   map.channels = {MapChannel::height};
   map.target = MapTarget::height;
@@ -137,7 +138,7 @@ TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
       for (const Point& p : image.image)
         values.insert(values.end(), {p.x, p.y, p.z});
       const exemplar::Moments found = exemplar::momentsOf(values, 3);
-      // Rounding to 8 bits: 1e-4 of the variance measured, and 1/255 / sqrt(12 x 4096) of a mean.
+      // Rounding to 8 bits: measured 1e-4 of the variance, and 1/255 / sqrt(12 x 4096) for a mean.
       const double tolerance = precision == gaussian::Precision::bits8 ? 2e-4 : 1e-6;
       CHECK((found.mean.array() - 0.5).abs().maxCoeff() < tolerance);
       CHECK((36.0 * found.covariance - Eigen::Matrix3d::Identity()).norm() < 36.0 * tolerance);
@@ -156,14 +157,14 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
   CHECK_FALSE(bundle.noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
   const exemplar::Moments wanted = lightMoments(map);
   const exemplar::Moments near = synthesizedMoments(bundle, 1024);
-  // 1024^2 pixels correlated over 9: standard errors of 0.3 % of a deviation and 0.4 % of a
-  // variance. Four of them.
+  // 1024^2 pixels, correlated over 9: standard errors of 0.3 % of a standard deviation and 0.4 % of
+  // a variance. The limits are four of these.
   const double deviation = std::sqrt(wanted.covariance.diagonal().maxCoeff());
   CHECK((near.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.012 * deviation);
   CHECK((near.covariance - wanted.covariance).norm() < 0.02 * wanted.covariance.norm());
   for (const double texelsPerTile : {32.0, 4.0, 0.1}) {
     const exemplar::Moments far = synthesizedMoments(bundle, 128, texelsPerTile);
-    // TARGETS: 0.004 a channel; the quadrature alone is within 0.005 at its worst.
+    // TARGETS: 0.004 per channel; the quadrature alone is within 0.005 at its worst.
     CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
   }
 }
@@ -183,7 +184,7 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
 }
 
 TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table") {
-  // More than rounding, but the format's covariance has not the digits to be definite with it.
+  // The covariance exceeds rounding, but the format has too few digits to store it as definite.
   MapExemplar dithered = gaussianExemplar(64, 1, 0.2, 8);
   dithered.encoding = ValueEncoding::linear;
   dithered.quantum = 1.0 / 65535.0;
@@ -218,7 +219,7 @@ TEST_CASE("a separable table's slabs are the integrals of each axis, at the midd
     for (const std::size_t k : {std::size_t(1), std::size_t(2), std::size_t(5)}) {
       const double lost = lossAt(levels[k], {half})(axis, axis);
       for (const std::size_t cell : {std::size_t(3), std::size_t(100), std::size_t(128)}) {
-        constexpr int kSteps = 20000; // of e, over eight deviations each way
+        constexpr int kSteps = 20000; // of e, over eight standard deviations in each direction
         const double middle = gaussian::gaussianQuantile((double(cell) + 0.5) / 256.0);
         double sum = 0.0, weights = 0.0;
         for (int n = 0; n < kSteps; ++n) {
@@ -232,7 +233,7 @@ TEST_CASE("a separable table's slabs are the integrals of each axis, at the midd
                  ((1.0 - t) * double(table.values[below]) + t * double(table.values[below + 1]));
           weights += weight;
         }
-        // The slabs take 256 stratified places.
+        // The slabs are sampled at 256 stratified positions.
         CHECK(double(slabs[k].values[cell]) ==
               Approx(sum / weights).margin(double(*high - *low) / 256.0));
       }
@@ -256,7 +257,8 @@ TEST_CASE("every level of a separable table has the exemplar's mean and its axis
   const Table image = gaussianTable(combinedImage(fit), 16);
   const std::vector<exemplar::ChannelMatrix> lost = lostVariance(image);
   const std::vector<InverseTable> slabs = separableSlabs(fit, 16, lost);
-  // Grain and patches: the axes lose differently. Each slab is the axis' own, moved by one number.
+  // Grain and patches: the axes lose differently. Each slab belongs to one axis and is moved by one
+  // number.
   const exemplar::ChannelMatrix middle = lossAt(tableLevels()[3], lost);
   CHECK(middle.diagonal().maxCoeff() - middle.diagonal().minCoeff() > 0.1);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -285,8 +287,8 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
   CHECK(bundle.tables[*baked.as<TilingMap>().inverseTable].texels.size() == 256 * kTableLevels * 8);
   const exemplar::Moments wanted = lightMoments(map);
   const exemplar::Moments near = synthesizedMoments(bundle, 1024);
-  // As of the joint table, tests/property/tiling_evaluate.cpp; and clamping what leaves the gamut
-  // moves a channel by some thousandths here, where three colours are far from independent axes.
+  // As for the joint table in tests/property/tiling_evaluate.cpp. Clamping values outside the gamut
+  // also moves a channel by some thousandths, because three colours are far from independent axes.
   CHECK((near.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.012);
   CHECK((near.covariance - wanted.covariance).norm() < 0.1 * wanted.covariance.norm());
   const exemplar::Moments far = synthesizedMoments(bundle, 32, 0.05);
@@ -295,8 +297,8 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
 
 TEST_CASE(
     "a colour that hardly varies in light has a joint table where a separable one is wanted") {
-  // Dark red and green vary by a step of their code; beside full blue, of which a step is seventeen
-  // times the light, that is nothing.
+  // Dark red and green vary by one code step. This is negligible beside full blue, whose code step
+  // is seventeen times the light.
   constexpr int kSide = 64;
   MapExemplar dark;
   dark.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};

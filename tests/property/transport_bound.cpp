@@ -36,9 +36,9 @@ TEST_CASE("the bound is below the exact cost, and close to it", "[large]") {
         CHECK(bound.cost == transportCost(source.points, target.points, exact));
         CHECK(bound.centredCost ==
               Approx(centredCost(source.points, target.points, exact)).margin(1e-12));
-        // A few units in the last place of the sum, where the bound is the cost itself.
+        // A few units in the last place of the sum, for sets whose cost equals the bound.
         CHECK(bound.lowerBound <= bound.cost * (1.0 + 1e-12));
-        // Half a step of the prices, and float rounding where the optimum is near 0.
+        // Half a price step, plus float rounding where the optimum is near 0.
         CHECK(bound.excess() < 3e-3);
       }
 }
@@ -51,8 +51,8 @@ TEST_CASE("the bound holds whatever matching it starts from") {
     const TransportBound bound = boundTransportCost(source.points, target, unsorted(300));
     INFO(source.name);
     CHECK(bound.lowerBound <= best * (1.0 + 1e-12));
-    // Prices of an auction are within a step of the optimal ones for every pair [epsilon
-    // complementary slackness]; the step is the tolerance's share of the start's cost.
+    // An auction's prices are within a step of the optimal ones for every pair [epsilon
+    // complementary slackness]; the step is the tolerance times the starting cost.
     constexpr double kDefaultTolerance = 5e-4;
     const double start = centredCost(source.points, target, unsorted(300));
     CHECK(bound.lowerBound > best - kDefaultTolerance * start);
@@ -87,8 +87,8 @@ TEST_CASE("a smaller step of the prices gives a closer bound") {
     return (best - bound.lowerBound) / centred;
   };
   constexpr double kCoarse = 1e-2, kFine = 1e-4;
-  // No more than a step, and what float coordinates may hide: kRounding + kLeftOut of
-  // lower_bound.cpp, 6e-6, of twice the norms, of which the cost is more than an eighth here.
+  // At most one step, plus what float coordinates may hide: kRounding + kLeftOut of
+  // lower_bound.cpp, 6e-6, times twice the norms; the cost is more than an eighth of these here.
   CHECK(missing(kCoarse) < kCoarse + 1e-4);
   CHECK(missing(kFine) < kFine + 1e-4);
   CHECK(missing(kFine) < missing(kCoarse));
@@ -142,7 +142,7 @@ TEST_CASE("a linear map between two clouds has the prices of its closed form") {
   const double variance = squares / n - sum * sum / n / n;
   const double residual =
       variance + ourSquares / n - ours * ours / n / n - 2.0 * (product / n - sum * ours / n / n);
-  // The trapezoidal rule is exact for it; what is left is where the solver stops: 1 % of the norm.
+  // The trapezoidal rule is exact for it; the solver's stopping error remains: 1 % of the norm.
   INFO("residual " << residual / variance);
   CHECK(residual < 1e-3 * variance);
 }
@@ -158,7 +158,7 @@ TEST_CASE("an auction makes any matching nearly optimal, and bounds what is left
     CHECK(std::is_permutation(assignment.begin(), assignment.end(), exact.begin()));
     CHECK(bound.cost == Approx(transportCost(source.points, target, assignment)).epsilon(1e-12));
     CHECK(bound.lowerBound <= transportCost(source.points, target, exact) * (1.0 + 1e-12));
-    // Two steps of the start's cost: one that the auction may be off, one for its bound.
+    // Two steps of the starting cost: one for the auction's error, one for its bound.
     CHECK(bound.cost - bound.lowerBound < 2e-3 * start);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle of the transport tests: the assignment problem solved exactly, and obviously.
+// The oracle of the transport tests: an exact, straightforward solver of the assignment problem.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace lichen::test {
 
-/// The bijection of least total squared distance, by the Hungarian method with potentials
-/// [K55], [EK72] in double precision. O(n^3).
+/// Returns the bijection of least total squared distance, by the Hungarian method with potentials
+/// [K55], [EK72], in double precision. O(n^3).
 [[nodiscard]] std::vector<std::uint32_t> exactAssignment(std::span<const Point> source,
                                                          std::span<const Point> target);
 
-/// Mean squared distance from one set to the other once both have mean 0: the cost that no
-/// translation explains, against which errors are stated.
+/// Mean squared distance between the two sets after both are moved to mean 0. This is the cost that
+/// no translation explains; errors are relative to it.
 [[nodiscard]] double centredCost(std::span<const Point> source, std::span<const Point> target,
                                  std::span<const std::uint32_t> assignment);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of the multiscale matching, each against a slow and obvious version.
+// The steps of the multiscale matching, each against a slow and simple version.
 #include "transport_exact.h"
 #include "transport_sets.h"
 
@@ -98,7 +98,7 @@ TEST_CASE("an auction among all sites ends within one increment a pair of the op
     auction.run(kIncrement, 1000000);
     INFO(set.name);
     REQUIRE(isPermutation(auction.siteOf(), kCount));
-    // Prices are sums of floats around 1: a thousand roundings of 2^-24 at most.
+    // Prices are sums of floats around 1: at most a thousand roundings of 2^-24.
     constexpr float kRounding = 1e-4f;
     for (std::size_t i = 0; i < kCount; ++i) {
       const std::uint32_t j = auction.siteOf()[i];
@@ -144,9 +144,9 @@ TEST_CASE("sets of several levels are matched to within half a per cent of the t
       const std::vector<std::uint32_t> assignment = assign(source.points, target, {});
       INFO(count << " of " << source.name);
       const TransportBound bound = boundTransportCost(source.points, target, assignment);
-      // Of the variance 3 / 36. The cost itself is no measure: between two samples of one
-      // distribution it is nothing but noise, of which a tenth more is left than need be. Measured:
-      // at most 0.0038, 0.0015 and 0.0004 of the variance, in the order of the kinds.
+      // Relative to the variance, 3 / 36. The cost itself is no reference: between two samples of
+      // one distribution it is only noise, and the matching leaves a tenth more than necessary.
+      // Measured: at most 0.0038, 0.0015 and 0.0004 of the variance, in the order of the kinds.
       CHECK(bound.cost - bound.lowerBound < 0.005 * 3.0 / 36.0);
     }
   }

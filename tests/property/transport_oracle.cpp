@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// assign() against the exact assignment, on sets small enough for it.
+// Compares assign() with the exact assignment, on sets small enough for the exact solver.
 #include "transport_exact.h"
 #include "transport_sets.h"
 
@@ -15,9 +15,9 @@ using namespace lichen::transport;
 
 namespace {
 
-/// By how much assign() costs more than the optimum, relative to the optimum of the centred sets.
-/// Rounding of the preconditioned points to float stands in the denominator too: it matters where
-/// the optimum is near 0.
+/// The cost of assign() above the optimum, relative to the optimum of the centred sets. The
+/// denominator includes the rounding of the preconditioned points to float, which matters where the
+/// optimum is near 0.
 double excess(const Points& source, const Points& target) {
   const std::vector<std::uint32_t> exact = exactAssignment(source, target);
   const double best = transportCost(source, target, exact);
@@ -58,9 +58,9 @@ TEST_CASE("a problem of several blocks is solved to within 0.8 %, or 6.5 % of me
         const double above = excess(source.points, target.points);
         INFO(source.name << " to " << target.name << ", seed " << seed);
         CHECK(above > -1e-6);
-        // The worst of TARGETS.md between kinds. No bound can be derived between two samples of
-        // one, whose optimum is nothing but their noise: 6.2 % in three dimensions and 2.2 % in
-        // fewer.
+        // The worst case of TARGETS.md between kinds. Between two samples of one kind no bound can
+        // be derived, because the optimum is only their noise: 6.2 % in three dimensions and 2.2 %
+        // in fewer.
         const double noise = source.name == "a Gaussian cloud" ? 0.065 : 0.025;
         CHECK(above < (source.name == target.name ? noise : 0.008));
         sum += above;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bake tells of its progress, and how it is stopped.
+// The progress that a bake reports, and how to stop a bake.
 #include "example_exemplar.h"
 
 #include <catch2/catch.hpp>
@@ -83,7 +83,7 @@ TEST_CASE(
   TilingOptions separable, gaussian;
   separable.lut = LookupTable::separable;
   gaussian.gaussian = GaussianOnly::yes;
-  // A step before and after each sort or whitening, at least.
+  // At least one step before and after each sort or whitening.
   check(separable, map, 6);
   check(gaussian, map, 4);
   separable.periodic = gaussian.periodic = Periodic::no;
@@ -125,12 +125,12 @@ TEST_CASE("an exact bake proves how near the optimum it is, and tells how far th
   const TransportBound& bound = bake.value().transportBounds[0].bound;
   CHECK(bound.lowerBound <= bound.cost);
   CHECK(bound.lowerBound > 0.0);
-  // Measured 0.0004; blocks reach the optimum of a set this small but for near-ties.
+  // Measured 0.0004; for a set this small, blocks reach the optimum except for near-ties.
   INFO("excess " << bound.excess());
   CHECK(bound.excess() < 0.005);
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.back() == 1.0);
-  // The proof is nearly all of it, in auctions that take much less each. Measured: 0.26.
+  // The proof takes nearly all the time, in auctions that are much shorter each. Measured: 0.26.
   double longest = 0.0;
   for (std::size_t k = 1; k < fractions.size(); ++k)
     longest = std::max(longest, fractions[k] - fractions[k - 1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds of every matching that assign() returns.
+// Properties of every matching that assign() returns.
 #include "transport_exact.h"
 #include "transport_sets.h"
 
@@ -73,7 +73,7 @@ TEST_CASE("in one dimension the matching is the sorted one") {
       least += (double(from[i]) - double(to[i])) * (double(from[i]) - double(to[i]));
     least /= double(count);
     INFO(count << " points");
-    // Equal but for the order of the sum and for pairs that float rounding cannot tell apart.
+    // Equal up to the order of the sum and pairs that float rounding cannot distinguish.
     CHECK(transportCost(source, target, assign(source, target, {})) == Approx(least).epsilon(1e-6));
   }
 }
@@ -103,8 +103,8 @@ TEST_CASE(
     const double start = cost(0, 0);
     const double swapped = cost(1, 0);
     INFO(source.name);
-    // Exchanges are decided on preconditioned points, rounded to float: 2^-24 of a product of
-    // coordinates around 1, against costs around 0.1.
+    // Exchanges compare preconditioned points, rounded to float: 2^-24 of a product of coordinates
+    // around 1, relative to costs around 0.1.
     CHECK(swapped <= start * (1.0 + 1e-6));
     CHECK(cost(1, 1) <= swapped * (1.0 + 1e-6));
   }
@@ -132,8 +132,8 @@ TEST_CASE("one thread and two give the same matching, and so does a second run")
 }
 
 TEST_CASE("exchanges that only rounding calls better come to an end") {
-  // Two clusters; in each the sources lie on a line and the targets on an orthogonal one, so that
-  // the products of their differences are rounding.
+  // Two clusters. In each, the sources lie on a line and the targets on an orthogonal one, so that
+  // the products of their differences are only rounding.
   const Point a{0.26726124f, 0.53452248f, 0.80178373f};
   const Point b{0.49099025f, -0.82594490f, 0.38696659f}; // orthogonal to a
   const Point c{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -160,7 +160,8 @@ TEST_CASE("cycle cancelling ends and finds the optimum from the worst start, wit
   constexpr int kMostPoints = 48; // of a block of assign()
   for (int count = 3; count <= kMostPoints; ++count)
     for (int places = 2; places <= count; ++places) {
-      // Places on a circle, of which some hold several points; each point has its farthest target.
+      // Positions on a circle, some with several points; each point is assigned its farthest
+      // target.
       Points source, target;
       for (int i = 0; i < count; ++i) {
         const float angle = 2.0f * std::numbers::pi_v<float> * float(i % places) / float(places);
@@ -179,7 +180,7 @@ TEST_CASE("cycle cancelling ends and finds the optimum from the worst start, wit
           sum += double(dot(source[i], target[assignment[i]]));
         return sum;
       };
-      // An exchange below 1e-5 of the largest, 2, is taken for rounding; there is one a point.
+      // An exchange below 1e-5 of the largest, 2, counts as rounding; there is one per point.
       REQUIRE(products(index) ==
               Approx(products(exactAssignment(source, target))).margin(2e-5 * count));
     }

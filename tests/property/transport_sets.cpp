@@ -8,8 +8,8 @@
 namespace lichen::test {
 namespace {
 
-/// Standard normal by twelve uniforms (Irwin-Hall): the standard library's own distributions differ
-/// from one implementation to another.
+/// Standard normal as a sum of twelve uniforms (Irwin-Hall), because the standard library's
+/// distributions differ between implementations.
 float normal(std::mt19937& random) {
   double sum = -6.0;
   for (int k = 0; k < 12; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point sets that the transport tests share. The same points on every run and machine.
+// Point sets that the transport tests share. The points are the same on every run and machine.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@ namespace lichen::test {
 
 using Points = std::vector<Point>;
 
-/// Independent Gaussian coordinates of mean 1/2 and deviation 1/6.
+/// Independent Gaussian coordinates with mean 1/2 and standard deviation 1/6.
 [[nodiscard]] Points gaussianCloud(std::size_t count, unsigned seed);
-/// Five tight clusters of unlike population.
+/// Five tight clusters of different sizes.
 [[nodiscard]] Points clusters(std::size_t count, unsigned seed);
-/// Colours rounded to 8 bits of which many are equal: two narrow modes.
+/// Two narrow modes of colours rounded to 8 bits; many points are equal.
 [[nodiscard]] Points quantizedColors(std::size_t count, unsigned seed);
-/// In a plane that no axis is normal to.
+/// In a plane that is normal to no axis.
 [[nodiscard]] Points coplanar(std::size_t count, unsigned seed);
-/// On a line that no axis is parallel to.
+/// On a line that is parallel to no axis.
 [[nodiscard]] Points collinear(std::size_t count, unsigned seed);
 /// One point, repeated.
 [[nodiscard]] Points identical(std::size_t count);

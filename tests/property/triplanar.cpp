@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What noise in three planes promises, seen through the CPU twin: the exemplar's variance and
-// histogram whatever the normal, the noise of texture coordinates where one plane counts, gradients
-// that are those of a height in space, and the same pattern from any tile origin.
+// Triplanar noise, tested through the CPU twin: the exemplar's variance and histogram for any
+// normal, the noise of texture coordinates where one plane has all the weight, gradients of a
+// height in space, and the same pattern from any tile origin.
 #include "checkout_paths.h"
 #include "example_exemplar.h"
 #include "synthetic_texton.h"
@@ -26,7 +26,7 @@ namespace {
 
 using Vec3 = std::array<float, 3>;
 
-/// A tiling noise and its twin, for a material of any mapping.
+/// A tiling noise and its CPU twin, for a material with any mapping.
 struct Tiling {
   Tiling() : bundle(baked()), twin(TilingEvaluator::create(bundle, 0).value()) {
     bundle.noises[0].tileSizeMetres = 0.5;
@@ -59,7 +59,7 @@ MaterialNoise triplanarMaterial() {
   return material;
 }
 
-/// Values at so many random places of a surface that none has to do with another.
+/// Values at random positions of a surface, far enough apart to be independent.
 template <class ValueAt>
 std::vector<double> samples(const Vec3& normal, const ValueAt& valueAt) {
   constexpr std::size_t kCount = 4000;
@@ -87,7 +87,7 @@ double varianceOf(const std::vector<double>& values) {
   return squares / n - sum * sum / (n * n);
 }
 
-/// The greatest difference of two distribution functions, of equally many sorted values.
+/// The greatest difference of two distribution functions, from equally many sorted values.
 double kolmogorovSmirnov(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0.0;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
@@ -97,7 +97,7 @@ double kolmogorovSmirnov(const std::vector<double>& a, const std::vector<double>
   return most;
 }
 
-/// One plane, two and three of the same weight, and three of different ones.
+/// One plane, two and three planes of equal weight, and three of different weights.
 const Vec3 kNormals[] = {
     {0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 0.0f}, {-1.0f, 1.0f, 1.0f}, {0.9f, -1.0f, 0.8f}};
 
@@ -125,10 +125,10 @@ TEST_CASE("variance and histogram are those of one plane whatever the normal; th
   for (std::size_t k = 1; k < std::size(kNormals); ++k) {
     INFO("normal " << k);
     const std::vector<double> many = samples(kNormals[k], blended);
-    // Of 4000 values of no greater kurtosis than a Gaussian, the ratio of variances has a standard
-    // error of sqrt(2 * 2 / 4000) = 3.2 %: five of them.
+    // For 4000 values with at most a Gaussian's kurtosis, the ratio of variances has a standard
+    // error of sqrt(2 * 2 / 4000) = 3.2 %. The limit is five of these.
     CHECK(varianceOf(many) / varianceOf(one) == Approx(1.0).margin(0.16));
-    // Kolmogorov and Smirnov, false alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 4000) = 0.060.
+    // Kolmogorov-Smirnov, false alarms of 1e-6: sqrt(ln(2e6) / 2) sqrt(2 / 4000) = 0.060.
     CHECK(kolmogorovSmirnov(many, one) < 0.060);
     const std::vector<double> averaged = samples(kNormals[k], plain);
     CHECK(varianceOf(averaged) / varianceOf(one) < 0.7);
@@ -154,14 +154,14 @@ TEST_CASE("where one plane counts, the noise is that of its texture coordinates"
     for (float& coordinate : at.position)
       coordinate = metres(generator);
     at.normal = {k % 2 == 0 ? 2.0f : -2.0f, 0.7f, -0.5f};
-    // A tile is half a metre times the scale wide; to the right is -z, down is -y.
+    // A tile is half a metre wide, times the scale; right is -z, down is -y.
     TileFootprint uv;
     uv.position = {flat.offsetX - at.position[2] / (0.5f * 1.3f),
                    flat.offsetY - at.position[1] / (0.5f * 1.3f) * aspect};
     const auto expected = t.twin.evaluate(0, flat, uv);
     const auto value = t.twin.evaluate(0, noise, at);
     for (std::size_t c = 0; c < 4; ++c)
-      // Places of 10 tiles, rounded to 2^-20 of a tile of 128 texels.
+      // Positions of 10 tiles, rounded to 2^-20 of a tile of 128 texels.
       REQUIRE(value[c] == Approx(expected[c]).margin(2e-3));
   }
 }
@@ -203,7 +203,7 @@ TEST_CASE("from any tile origin, the pattern is the same") {
 }
 
 TEST_CASE("the gradient in space is that of the height which all planes show") {
-  // Of order 3, whose derivatives are continuous; a tile is 0.8 m wide.
+  // Order 3, whose derivatives are continuous; a tile is 0.8 m wide.
   const SyntheticTexton source{.order = 3, .channels = 1};
   Bundle bundle = syntheticTextonBundle(source).bundle;
   bundle.noises[0].tileSizeMetres = 0.8;
@@ -223,7 +223,7 @@ TEST_CASE("the gradient in space is that of the height which all planes show") {
       at.position[axis] = metres(generator);
       at.normal[axis] = gaussian(generator);
     }
-    // Slopes of a height in metres: to the right and, against y, up.
+    // Slopes of a height in metres: to the right, and upwards, against y.
     const float tilesPerMetre = 1.0f / 0.8f;
     const auto slopes =
         triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
@@ -239,8 +239,8 @@ TEST_CASE("the gradient in space is that of the height which all planes show") {
         return (double(twin.gaussian(0, noise, texton, moved)[0]) - 0.5) * deviation;
       };
       const double difference = (heightAt(kStep) - heightAt(-kStep)) / (2.0 * double(kStep));
-      // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; and a thirtieth
-      // of a texel's third derivative.
+      // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; the third
+      // derivative over a thirtieth of a texel adds to that.
       REQUIRE(double(slopes[axis]) == Approx(difference).margin(0.05));
     }
   }
@@ -270,7 +270,7 @@ const nlohmann::json& vectors() {
   return file;
 }
 
-/// A texton noise whose tiles have these texels, of a material as a vector says it.
+/// A texton noise whose tiles have these texels, for a material that a test vector describes.
 struct Textons {
   explicit Textons(const nlohmann::json& v)
       : bundle(syntheticTextonBundle({.texelsPerTileX = v["texelsPerTile"][0],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table of broken bundles. Each is a valid file with one fault, made by surgery on its JSON or
-// its bytes: the checker must name the fault by its code, and reading must refuse the file.
+// A table of broken bundles. Each is a valid file with one fault, made by editing its JSON or its
+// bytes: the checker must report the fault by its code, and the reader must reject the file.
 #include "bundle_example.h"
 #include "bundle_faults.h"
 
@@ -11,8 +11,9 @@ using example::GlbParts;
 
 namespace {
 
-// In example::everyMap(), noise 0 is "felt" with a height map on tables 0 and 1; noise 1 is "moss"
-// with base colour (tables 2, 3), normal (4, 5), occlusion-roughness-metallic (6, 7), opacity (8).
+// In example::everyMap(), noise 0 is "felt" with a height map on tables 0 and 1. Noise 1 is "moss"
+// with base colour (tables 2, 3), normal (4, 5), occlusion-roughness-metallic (6, 7) and opacity
+// (8).
 const std::vector<std::byte>& soundFile() {
   static const std::vector<std::byte> file = encodeGlb(example::everyMap()).value();
   return file;
@@ -107,7 +108,7 @@ TEST_CASE("every fault of a table's reference is found") {
 }
 
 TEST_CASE("every fault inside a KTX2 table is found") {
-  // Offsets of the specification: header fields from 12 on, level index from 80, then descriptor.
+  // Offsets from the specification: header fields from 12 on, level index from 80, then descriptor.
   checkFaults({
       {"identifier", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 0, 0); }},
       {"unknown vkFormat", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 12, 131); }},
@@ -303,7 +304,7 @@ TEST_CASE("a table of slopes without their variance is refused") {
   REQUIRE(encodeGlb(file));
   const std::size_t table = *file.bundle.noises[1].maps[1].as<TilingMap>().inverseTable;
   file.bundle.tables[table] = example::patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1);
-  const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker sees it first
+  const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker reports it first
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message.find("at least 3") != std::string::npos);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The container under a bundle: GLB framing, JSON bounds, data URIs, files beside a .gltf.
+// The container of a bundle: GLB framing, JSON limits, data URIs, and files next to a .gltf.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 #include "temporary_folder.h"
@@ -215,7 +215,7 @@ TEST_CASE("a buffer's file is never sought outside the folder of the .gltf") {
 
 TEST_CASE("of a big file that thousands of buffers name only the bytes they claim are read") {
   const TemporaryFolder folder;
-  constexpr std::uintmax_t kHuge = std::uintmax_t(1) << 40; // sparse: takes no room on the disk
+  constexpr std::uintmax_t kHuge = std::uintmax_t(1) << 40; // sparse: uses no disk space
   GlbParts parts(smallFile());
   REQUIRE(replaceFile(folder / "big.bin", parts.binary).ok());
   std::filesystem::resize_file(folder / "big.bin", kHuge);
@@ -228,7 +228,7 @@ TEST_CASE("of a big file that thousands of buffers name only the bytes they clai
   writeText(folder / "scene.gltf", parts.json.dump());
   CHECK(readBundle(folder / "scene.gltf").ok());
 
-  // A claim of all of it, or of more than all buffers may have together.
+  // A declared length of the whole file, or above the limit for all buffers together.
   for (const std::uintmax_t length : {kHuge, (std::uintmax_t(4) << 30) + 1}) {
     parts.json["buffers"][0]["byteLength"] = length;
     writeText(folder / "scene.gltf", parts.json.dump());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small bundles that tests and the extension's examples are made of; see bundle_example.h.
+// Small bundles for the tests and for the extension's examples; see bundle_example.h.
 #include "bundle_example.h"
 
 #include <bit>
@@ -31,7 +31,8 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   return map;
 }
 
-/// Averages of 2 x 2 texels of an image of even sides, `channels` interleaved values each.
+/// Averages of 2 x 2 texels of an image with even sides and `channels` interleaved values per
+/// texel.
 std::vector<double> halved(const std::vector<double>& image, std::size_t width,
                            std::size_t channels = 1) {
   std::vector<double> half;
@@ -45,7 +46,8 @@ std::vector<double> halved(const std::vector<double>& image, std::size_t width,
   return half;
 }
 
-/// A texton's table of an image of its frames, `channels` interleaved values a texel, with mips.
+/// Makes a texton's table, with mips, from an image of its frames with `channels` interleaved
+/// values per texel.
 Table textonTable(std::string name, const TextonShape& shape, TexelFormat format,
                   std::vector<double> image) {
   Table table{std::move(name),
@@ -87,11 +89,11 @@ double product(const std::vector<double>& image, std::size_t width, std::size_t 
   return sum;
 }
 
-/// The shares of their deviation and mean that the steps of a mix have of the first one's.
+/// The standard deviation and mean of each step of a mix, relative to the first step.
 constexpr std::array<double, 3> kMixShares = {1.0, 0.75, 0.5};
 
-/// Gives a map of a mix of order 3 a texton of pattern texels, less with each step, of its own
-/// variance, and the statistics of it.
+/// Gives a map of a mix of order 3 a texton of pattern texels that decrease with each step, and
+/// sets the map's variance and statistics to match.
 Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map) {
   auto& texton = map.data.emplace<TextonMap>();
   const auto stored = std::size_t(channelCount(format));
@@ -117,7 +119,7 @@ Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map)
         map.covariance[c * n + d] =
             texton.scale[c] * texton.scale[d] *
             product(frame, width, stored, {std::min(c, d), std::max(c, d)}, shape.order);
-  // Losses of the mips and of one average more, by bilinear interpolation.
+  // Lost variance of the mips and of one further average, by bilinear interpolation.
   const std::size_t levels = std::size_t(shape.mipLevels) + 1;
   texton.mipLoss.assign(n * levels, 0.0);
   std::vector<double> mip = frame;
@@ -145,9 +147,9 @@ Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map)
   return textonTable("", shape, format, std::move(image));
 }
 
-/// The integral of the square of what bilinear interpolation makes of texels of one unit.
+/// The integral of the squared bilinear interpolation of texels one unit wide.
 double bilinearEnergy(const std::vector<double>& image, std::size_t side) {
-  // Of two tents, by their distance: [GLM17] section 5.
+  // [GLM17] section 4.1: the integrals of the product of two tents, by their distance.
   constexpr std::array<double, 2> kTents = {2.0 / 3.0, 1.0 / 6.0};
   double sum = 0.0;
   for (std::size_t i = 0; i < image.size(); ++i)
@@ -166,7 +168,7 @@ MaterialNoise useOf(std::size_t noise) {
   return use;
 }
 
-/// The only noise of a file without a scene: of one map, and used by one material.
+/// Adds the only noise of a file without a scene: one map, used by one material.
 void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
   noise.maps.push_back(std::move(map));
   file.bundle.noises.push_back(std::move(noise));
@@ -242,7 +244,7 @@ BundleFile smallestTexton() {
   const double energy = bilinearEnergy(texels, side);
   texton.scale = {6.0 * std::sqrt(map.covariance[0])};
   for (double& texel : texels)
-    texel /= 6.0 * std::sqrt(energy); // so that the variance is the map's
+    texel /= 6.0 * std::sqrt(energy); // makes the variance that of the map
   const std::vector<double> coarse = halved(texels, side);
   constexpr double kCoarseTexelArea = 4.0;
   texton.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
@@ -356,7 +358,7 @@ BundleFile everyMap() {
 }
 
 std::vector<std::byte> tinyPng() {
-  // 2 x 2, 8-bit RGB, four times (128, 128, 255): flat as a normal map.
+  // 2 x 2, 8-bit RGB, (128, 128, 255) four times: flat as a normal map.
   constexpr std::array<unsigned char, 73> kFile = {
       0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
       0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02, 0x00, 0x00, 0x00, 0xfd,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small bundles that tests and the extension's examples are made of.
+// Small bundles for the tests and for the extension's examples.
 #pragma once
 
 #include <lichen/bundle_writer.h>
@@ -15,23 +15,23 @@ namespace lichen::example {
 /// levels[k] = 1 - (1 - k / (count - 1))^2.
 [[nodiscard]] std::vector<double> levels(std::size_t count);
 
-/// A 2-D table of half floats, 8 x 4 with all its mips.
+/// A 2-D table of half floats, 8 x 4 with a full mip chain.
 [[nodiscard]] Table tableWithMips();
 
 /// One height map of one channel: 4 x 2 texels and a table of 256 x 2. About 3 KB as a GLB.
 [[nodiscard]] BundleFile smallest();
 
-/// Two noises: the smallest, and one with base colour (D = 3), normal (D = 2), occlusion-roughness-
-/// metallic (D = 1), opacity (without an inverse table) and emissive (a separable table); a preview
-/// scene.
+/// Two noises and a preview scene. The first noise is the smallest; the second has base colour (D =
+/// 3), normal (D = 2), occlusion-roughness-metallic (D = 1), opacity (without an inverse table) and
+/// emissive (a separable table).
 [[nodiscard]] BundleFile everyMap();
 
-/// One height map as a texton: 8 x 8 coefficients, one arch of a sine each way, in 10 x 10 texels
-/// with two mips, and the variance that they make. About 2 KB as a GLB.
+/// One height map as a texton: 8 x 8 coefficients, half a sine period along each axis, in 10 x 10
+/// texels with two mips, and the variance that they produce. About 2 KB as a GLB.
 [[nodiscard]] BundleFile smallestTexton();
 
-/// Two noises: the smallest, and textons of two exemplars in three steps, 9 x 17 coefficients for
-/// base colour, normal (whose texton has a channel too many) and height.
+/// Two noises: the smallest, and textons of two exemplars in three steps, with 9 x 17 coefficients
+/// for base colour, normal (whose texton has one channel too many) and height.
 [[nodiscard]] BundleFile textonMix();
 
 /// A valid PNG of 2 x 2 texels in one colour.

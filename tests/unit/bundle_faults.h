@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One fault at a time in a sound file: the checker must name it by its code, and reading must
-// refuse the file in one line.
+// Breaks a valid file in one place at a time: the checker must report the fault by its code, and
+// the reader must reject the file with a message of one line.
 #pragma once
 
 #include "bundle_surgery.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preview scene: its geometry agrees with itself and with what the documentation says of it.
+// The preview scene: its geometry is consistent and matches the documentation.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 
@@ -66,8 +66,9 @@ struct Geometry {
   }
 };
 
-/// A triangle's area on the surface and in texture coordinates (positive where u to the right and
-/// v downwards are seen from outside), and the direction on it in which u grows.
+/// A triangle's area on the surface and in texture coordinates, and the direction on it in which u
+/// grows. The area in texture coordinates is positive if, seen from outside, u points right and v
+/// down.
 struct Triangle {
   double area = 0, uvArea = 0;
   Vec normal, alongU;
@@ -107,7 +108,8 @@ TEST_CASE("every triangle of the preview faces outwards and has its texture upri
 
 TEST_CASE("one exemplar spans the same area everywhere on the ball and on the ground") {
   GlbParts parts = scene(PreviewShape::sphere);
-  // The example's Gaussian images are twice as wide as high, and keep that shape on the surface.
+  // The example's Gaussian images are twice as wide as high, and preserve that shape on the
+  // surface.
   constexpr double kExemplarsPerSquareMetre = 1.5 * (2.0 * 1.5);
   for (const nlohmann::json& mesh : parts.json["meshes"]) {
     const Geometry g(parts, mesh["primitives"][0]);
@@ -117,7 +119,7 @@ TEST_CASE("one exemplar spans the same area everywhere on the ball and on the gr
       const Triangle triangle(g, i);
       area += triangle.area;
       uvArea += triangle.uvArea;
-      // Towards the far point of the ball, texture triangles are less and less like the surface's.
+      // Towards the back of the ball, texture triangles become less similar to surface triangles.
       if (!isBall || g.position(g.indices[i]).z > 0.0)
         REQUIRE(triangle.uvArea / triangle.area == Approx(kExemplarsPerSquareMetre).epsilon(0.02));
     }
@@ -127,7 +129,7 @@ TEST_CASE("one exemplar spans the same area everywhere on the ball and on the gr
 
 TEST_CASE("an exemplar keeps the shape on the ground that its textons tell") {
   BundleFile file = example::smallestTexton();
-  file.bundle.noises[0].as<TextonShape>().texelsPerTileX *= 3; // of an image as wide as high
+  file.bundle.noises[0].as<TextonShape>().texelsPerTileX *= 3; // the image becomes as wide as high
   file.shape = PreviewShape::plane;
   GlbParts parts(encodeGlb(file).value());
   const Geometry ground(parts, parts.json["meshes"][0]["primitives"][0]);
@@ -158,7 +160,7 @@ TEST_CASE("tangents are unit vectors in the surface along u, and are there exact
           REQUIRE(std::abs(dot(tangent, g.normal(vertex))) < 1e-5);
           REQUIRE(g.tangents[4 * vertex + 3] == 1.0f);
           const Vec alongU = Triangle(g, i).alongU;
-          if (g.position(vertex).z > 0.0 || mesh["name"] == "ground") // the side that is seen
+          if (g.position(vertex).z > 0.0 || mesh["name"] == "ground") // the visible side
             REQUIRE(dot(tangent, alongU) / length(alongU) > 0.99);
         }
       }
@@ -189,7 +191,7 @@ TEST_CASE("a preview image spans its exemplars at the noise's own scale, offset 
   const nlohmann::json& material = parts.json["materials"][1];
   const nlohmann::json& transform =
       material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];
-  // everyMap(): scale 0.25, offset (0.5, -3), rotation 0.1, 2 exemplars an image.
+  // everyMap(): scale 0.25, offset (0.5, -3), rotation 0.1, 2 exemplars per image.
   CHECK(transform["scale"] == nlohmann::json({2.0, 2.0}));
   CHECK(transform["offset"] == nlohmann::json({0.25, -1.5}));
   CHECK(transform["rotation"] == 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Noises of a method or a revision that this version does not know are ignored, the others read.
+// The reader ignores noises whose method or revision it does not know, and reads the others.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 
@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The file of every map, whose first noise a later version has written.
+/// The file of everyMap(), with its first noise as if written by a later version.
 GlbParts laterFile() {
   GlbParts parts(encodeGlb(example::everyMap()).value());
   json& noise = parts.extension()["noises"][0];

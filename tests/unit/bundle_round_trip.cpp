@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written is read back, bit for bit.
+// The reader returns what the writer wrote, bit for bit.
 #include "bundle_example.h"
 #include "temporary_folder.h"
 
@@ -165,7 +165,8 @@ TEST_CASE("a disk that is full between the two files of a .gltf leaves the old p
   REQUIRE(writeBundle(path, example::everyMap()).ok());
   BundleFile longText = example::smallest();
   longText.generator = std::string(200000, 'x');
-  // A limit on file size stands for a full disk; in a child, for it cannot be raised again.
+  // A limit on file size simulates a full disk. It runs in a child process, because the limit
+  // cannot be raised again.
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);

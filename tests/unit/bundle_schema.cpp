@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The checker and the JSON schemas agree: tests/cli/gltf_validator/schema_cases.json holds patches
-// (RFC 6902) of the extension's examples with the verdict that both must reach. The script beside
-// that file puts the same cases to the schemas.
+// The checker and the JSON schemas agree. tests/cli/gltf_validator/schema_cases.json holds patches
+// (RFC 6902) of the extension's examples with the expected verdict of both. The script beside that
+// file checks the same cases against the schemas.
 #include "checkout_paths.h"
 #include "temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A GLB taken apart, so that a test can break one thing, and put together again.
+// Splits a GLB so that a test can break one part, and joins it again.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ struct GlbParts {
 
   [[nodiscard]] std::vector<std::byte> join() const { return join(json.dump()); }
 
-  /// With any text in place of the JSON.
+  /// Joins with any text in place of the JSON.
   [[nodiscard]] std::vector<std::byte> join(std::string text) const {
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::vector<std::byte> glb;
@@ -48,7 +48,7 @@ struct GlbParts {
   nlohmann::json& use(std::size_t material) {
     return json["materials"][material]["extensions"]["LICHEN_materials_exemplar_noise"];
   }
-  /// Where table `index` begins in the binary chunk.
+  /// Offset of table `index` in the binary chunk.
   std::size_t tableOffset(std::size_t index) {
     const std::size_t view = extension()["tables"][index]["bufferView"];
     return json["bufferViews"][view]["byteOffset"];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice against the extension's published vectors, which an independent implementation made.
+// The lattice against the extension's published test vectors, from an independent implementation.
 #include "checkout_paths.h"
 
 #include <lichen/lattice.h>

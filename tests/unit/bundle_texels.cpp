@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texel formats: values in and out, against their definitions.
+// Texel formats: encoding and decoding against their definitions.
 #include <lichen/bundle.h>
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ std::vector<float> throughFormat(TexelFormat format, const std::vector<float>& v
   return decodeLevel(table, 0);
 }
 
-/// The value of a half from the formula of IEEE 754: sign, exponent, mantissa.
+/// The value of a half float by the formula of IEEE 754: sign, exponent, mantissa.
 double valueOfHalf(unsigned half) {
   const double sign = half & 0x8000u ? -1.0 : 1.0;
   const int exponent = int(half >> 10u & 31u);
@@ -39,7 +39,7 @@ TEST_CASE("a float becomes the nearest half, and every finite half keeps its val
     const double next = valueOfHalf(half + 1);
     const double below = value + 0.49 * (next - double(value));
     const double above = value + 0.51 * (next - double(value));
-    const double middle = value + 0.5 * (next - double(value)); // ties go to the even half
+    const double middle = value + 0.5 * (next - double(value)); // ties go to the even half float
     REQUIRE(throughFormat(TexelFormat::r16Sfloat, {float(below)})[0] == value);
     REQUIRE(throughFormat(TexelFormat::r16Sfloat, {float(above)})[0] == float(next));
     REQUIRE(throughFormat(TexelFormat::r16Sfloat, {float(middle)})[0] ==
@@ -55,7 +55,7 @@ TEST_CASE("unorm texels are rounded to the nearest code and clamped") {
 }
 
 TEST_CASE("sRGB texels hold the code of light, and alpha as it is") {
-  // IEC 61966-2-1: the code 188 is 0.5029 of white's light.
+  // IEC 61966-2-1: code 188 is 0.5029 of white's light.
   const std::vector<float> texel =
       throughFormat(TexelFormat::rgba8Srgb, {0.5029f, 0.0f, 1.0f, 0.5f});
   CHECK(texel[0] == Approx(std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4)).epsilon(1e-5));

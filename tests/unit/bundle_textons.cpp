@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texton noises in a file: the room that their frames have, and every fault that the checker must
-// name by its code and reading must refuse.
+// Texton noises in a file: the size of their frames, and every fault that the checker must report
+// by its code and the reader must reject.
 #include "bundle_example.h"
 #include "bundle_faults.h"
 
@@ -12,8 +12,9 @@ using nlohmann::json;
 
 namespace {
 
-// In example::textonMix(), noise 0 is "felt" of tiling with tables 0 and 1; noise 1 has the textons
-// of base colour (table 2, RGBA16F), normal (3, RGBA32F) and height (4, R32F) in three steps.
+// In example::textonMix(), noise 0 is a tiling noise, "felt", with tables 0 and 1. Noise 1 has the
+// textons of base colour (table 2, RGBA16F), normal (3, RGBA32F) and height (4, R32F) in three
+// steps.
 const std::vector<std::byte>& soundFile() {
   static const std::vector<std::byte> file = encodeGlb(example::textonMix()).value();
   return file;
@@ -34,7 +35,7 @@ TEST_CASE("a frame has whole texels of the last mip and one more of zeros on eac
     const int most = shape.mostMipLevels();
     CHECK(most <= kMaxTextonMips);
     CHECK((most == 1 || 4 << (most - 1) <= coefficients)); // four texels of the last mip
-    CHECK(4 << most > coefficients);                       // and no more could be had
+    CHECK(4 << most > coefficients);                       // and one more would not fit
     for (shape.mipLevels = 1; shape.mipLevels <= most; ++shape.mipLevels) {
       const int coarse = 1 << (shape.mipLevels - 1);
       const int frame = int(shape.frameWidth());
@@ -110,7 +111,7 @@ TEST_CASE("every disagreement of a map with its texton is found") {
           {"fewer steps than frames", "map-texton", [](GlbParts& p) { shapeOf(p)["steps"] = 2; }},
           {"fewer mips than the image has", "map-texton",
            [](GlbParts& p) {
-             shapeOf(p)["coefficients"] = {11, 19}; // whose frames of one mip are as large
+             shapeOf(p)["coefficients"] = {11, 19}; // their frames with one mip have the same size
              shapeOf(p)["mipLevels"] = 1;
            }},
           {"no scale", "required", [](GlbParts& p) { p.map(1, 0).erase("scale"); }},
@@ -152,7 +153,7 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
         "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
-  // Of channels that are constant but for the last, these are the losses.
+  // These are the losses of channels that are constant except for the last.
   CHECK(messageOf({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.6}) == "");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
         "0.4 at 8; no less than the mip level before, 0.5, is accepted");

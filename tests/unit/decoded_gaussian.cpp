@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Gaussian value stands for where a part of its variance is missing, against sums over the
+// The decoded mean of a Gaussian value that has lost a part of its variance, against sums over the
 // Gaussian.
 #include <lichen/shader_parameters.h>
 
@@ -23,7 +23,7 @@ double decoded(double x, shader::uint encoding) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-/// By the midpoint rule over eight deviations either way.
+/// By the midpoint rule over eight standard deviations in each direction.
 double meanDecoded(double stored, double deviation, shader::uint encoding) {
   constexpr int kSteps = 4000;
   double sum = 0.0, weights = 0.0;
@@ -36,7 +36,7 @@ double meanDecoded(double stored, double deviation, shader::uint encoding) {
   return sum / weights;
 }
 
-/// A map of one channel of this mean and deviation.
+/// A map of one channel with this mean and standard deviation.
 shader::LichenMap mapOf(double mean, double deviation, shader::uint encoding) {
   shader::LichenMap map{};
   map.encoding = encoding;
@@ -58,7 +58,8 @@ TEST_CASE(
                                              {lost, 0.0f, 0.0f});
           const double hidden = deviation * std::sqrt(double(lost));
           INFO("mean " << mean << ", deviation " << deviation << ", lost " << lost);
-          // The polynomial in place of the sRGB curve; of linear values rounding alone.
+          // The error of the polynomial that replaces the sRGB curve; for linear values, only
+          // rounding.
           const double tolerance = encoding == kSrgb ? 6e-4 : 1e-6;
           CHECK(double(value[0]) == Approx(meanDecoded(mean, hidden, encoding)).margin(tolerance));
         }
@@ -70,7 +71,7 @@ TEST_CASE("of logarithmic light the mean is that of its powers") {
       const auto value =
           decodedGaussian(mapOf(mean, deviation, LICHEN_ENCODING_LOG2), {0.5f, 0.5f, 0.5f}, {1.0f});
       INFO("mean " << mean << ", deviation " << deviation);
-      // The midpoint rule's error at the corner, a step of 0.004 deviations wide.
+      // The midpoint rule's error at the corner, with steps of 0.004 standard deviations.
       CHECK(double(value[0]) ==
             Approx(meanDecoded(mean, deviation, LICHEN_ENCODING_LOG2)).epsilon(1e-4).margin(1e-5));
     }
@@ -81,7 +82,7 @@ TEST_CASE("where nothing is missing the value is the decoded one, and of slopes 
   for (const shader::uint encoding : {kSrgb, kLinear, shader::uint(LICHEN_ENCODING_LOG2)})
     for (const double mean : {0.0, 0.03, 0.4, 1.0}) {
       const auto value = decodedGaussian(mapOf(mean, 0.1, encoding), {0.5f, 0.5f, 0.5f}, {});
-      // A deviation of 1e-6 stands for none.
+      // A standard deviation of 1e-6 stands for 0.
       CHECK(double(value[0]) == Approx(decoded(mean, encoding)).margin(2e-6));
     }
   shader::LichenMap slopes = mapOf(0.2, 0.1, LICHEN_ENCODING_SLOPE);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSide = 512;
 
-/// Each material once for all tests.
+/// Generates each material once for all tests.
 const SrgbImage& exemplar(const Material& material) {
   static std::map<std::string, SrgbImage> made;
   const auto [place, isNew] = made.try_emplace(material.name);
@@ -43,7 +43,7 @@ std::uint64_t fingerprint(const SrgbImage& image) {
   return hash;
 }
 
-/// Mean absolute difference of the luminance between columns x and x + 1, wrapped; or of rows.
+/// Mean absolute difference of luminance between columns x and x + 1, with wraparound; or rows.
 double step(const std::vector<float>& plane, int at, bool columns) {
   double sum = 0.0;
   for (int k = 0; k < kSide; ++k) {
@@ -56,8 +56,8 @@ double step(const std::vector<float>& plane, int at, bool columns) {
 }
 
 /// The deepest valley of the histogram of `values`: 1 minus the valley over the lower of the peaks
-/// on its two sides. The histogram is smoothed with a Gaussian of 0.15 standard deviations, under
-/// which a normal sample of this size has no valley deeper than 0.05.
+/// on its two sides. The histogram is smoothed with a Gaussian of 0.15 standard deviations; then a
+/// normal sample of this size has no valley deeper than 0.05.
 double deepestValley(const std::vector<float>& values) {
   constexpr int kBins = 256;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -102,7 +102,7 @@ std::array<std::vector<float>, 3> opponentPlanes(const SrgbImage& image) {
 } // namespace
 
 TEST_CASE("every exemplar is the same bytes on every run and machine") {
-  // Taken from the generators; they change when a material is changed on purpose, and not else.
+  // Recorded from the generators. They change only when a material is changed on purpose.
   const std::map<std::string, std::uint64_t> expected{
       {"granite", 0x9df5416b37c7cd82u}, {"lichen_on_stone", 0xf785353a6c12a436u},
       {"moss", 0xcd673f2c5085c7aau},    {"rust", 0x7d9d1f2d7b0ec06fu},
@@ -195,7 +195,7 @@ TEST_CASE("the landscape has a million triangles that all face upwards, and rock
     if (k < 2)
       triangles += indices.size();
     for (const auto& triangle : indices) {
-      // Layers of rock lie on ground, and rock is where nothing of the ground would show.
+      // Layers of rock lie on ground. A vertex is rock if it would show none of the ground.
       const auto isWhole = [&](std::uint32_t vertex) { return colors[vertex][3] == 255; };
       if (k == 1)
         REQUIRE(std::all_of(triangle.begin(), triangle.end(), isWhole));

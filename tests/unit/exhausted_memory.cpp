@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that runs out on demand; see exhausted_memory.h.
+// Makes memory run out on demand; see exhausted_memory.h.
 #include "exhausted_memory.h"
 
 #include <algorithm>

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Memory that runs out on demand. A program that links this has its operator new replaced.
+// Makes memory run out on demand. A program that links this has its operator new replaced.
 #pragma once
 
 #include <cstddef>
 
 namespace lichen::test {
 
-/// While it lives, the n-th allocation of this thread (1 is the next) and all after it throw
-/// std::bad_alloc; of those of at least `leastBytes`, where smaller ones still find room.
+/// During its lifetime, this thread's n-th allocation (1 is the next) and all later ones throw
+/// std::bad_alloc. Only allocations of at least `leastBytes` count and fail.
 class ExhaustedMemory {
 public:
-  explicit ExhaustedMemory(int n = 0, std::size_t leastBytes = 0); ///< n 0: none is refused
+  explicit ExhaustedMemory(int n = 0, std::size_t leastBytes = 0); ///< n 0: no allocation fails
   ~ExhaustedMemory();
   ExhaustedMemory(const ExhaustedMemory&) = delete;
   ExhaustedMemory& operator=(const ExhaustedMemory&) = delete;
 
-  /// Whether that allocation was asked for.
+  /// Whether the n-th allocation was requested.
   [[nodiscard]] static bool reached();
 
-  /// Bytes of the largest allocation that this thread has asked for while one lives.
+  /// Size in bytes of the largest allocation that this thread requested during an object's
+  /// lifetime.
   [[nodiscard]] static std::size_t largest();
 
-  /// Between these, allocations are neither counted nor refused.
+  /// Between spare() and refuse(), allocations neither count nor fail.
   static void spare();
   static void refuse();
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both backends, whichever the library was built with.
+// Tests whichever backend the library was built with.
 #include "exhausted_memory.h"
 #include "fft_backend.h"
 
@@ -46,7 +46,7 @@ std::vector<float> noise(int width, int height, std::uint32_t seed) {
   return plane;
 }
 
-/// The definition, term by term, in double.
+/// The definition, term by term, in double precision.
 std::complex<double> directSum(const std::vector<float>& plane, int width, int height, int u,
                                int v) {
   std::complex<double> sum = 0.0;
@@ -60,7 +60,7 @@ std::complex<double> directSum(const std::vector<float>& plane, int width, int h
   return sum;
 }
 
-/// Single precision, relative to the root of the energy: measured 2e-7 at most.
+/// Single precision, relative to the root of the energy: measured at most 2e-7.
 constexpr double kTolerance = 1e-6;
 
 double rootEnergy(const std::vector<float>& plane) {
@@ -173,7 +173,7 @@ TEST_CASE("a host may plan with FFTW of its own while the library transforms") {
       fftwf_destroy_plan(plan);
     }
   });
-  constexpr int kTransforms = 2000; // of which some met the host's without a common lock
+  constexpr int kTransforms = 2000; // some overlap the host's without a common lock
   int same = 0;
   for (int k = 0; k < kTransforms; ++k)
     same += forwardFftw(plane, 31, 29).values == expected.values ? 1 : 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes of others: what is read of their meshes, what is kept of their bytes, what is refused.
+// Scenes from other programs: how their meshes are read, which bytes are preserved, and which
+// scenes are rejected.
 #include "bundle_example.h"
 #include "exhausted_memory.h"
 #include "temporary_folder.h"
@@ -73,7 +74,7 @@ PrimitiveGeometry geometryOf(const TinyScene& scene, PrimitivePlace place = {}) 
   return std::move(geometry).value();
 }
 
-/// The message of the refusal to open a scene or to read its first primitive.
+/// The error message from opening a scene or reading its first primitive.
 std::string refusalOf(const TinyScene& scene) {
   const Folder folder;
   Result<GltfScene> opened = GltfScene::open(folder.write("scene.glb", scene.glb()));
@@ -85,7 +86,7 @@ std::string refusalOf(const TinyScene& scene) {
   return error.error().message;
 }
 
-/// The first of these materials gets the noise.
+/// Applies the noise to the first of these materials.
 void applyAndWrite(GltfScene scene, const BundleFile& noise, const std::filesystem::path& output,
                    const MaterialNoise& use = {}) {
   const std::array<std::size_t, 1> materials{0};
@@ -117,7 +118,7 @@ TEST_CASE("positions and indices are read however they are stored") {
       scene.addAccessor(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, "SCALAR", 5125, 1);
   CHECK(geometryOf(scene).triangles == triangles);
 
-  // One vertex every 20 bytes, the position behind 4 others.
+  // One vertex every 20 bytes; the position is behind 4 other bytes.
   std::vector<float> interleaved;
   for (const auto& p : kSquare)
     interleaved.insert(interleaved.end(), {9.0f, p[0], p[1], p[2], 9.0f});
@@ -167,7 +168,7 @@ TEST_CASE("strips, fans and vertices without indices become lists of triangles")
   auto& primitive = scene.json["meshes"][0]["primitives"][0];
   using List = std::vector<std::uint32_t>;
   primitive.erase("indices");
-  CHECK(geometryOf(scene).triangles == List{0, 1, 2}); // of four vertices
+  CHECK(geometryOf(scene).triangles == List{0, 1, 2}); // with four vertices
   primitive["mode"] = 5;
   CHECK(geometryOf(scene).triangles == List{0, 1, 2, 1, 3, 2});
   primitive["mode"] = 6;
@@ -268,8 +269,8 @@ TEST_CASE("vertices that primitives share are checked once, indices against each
 
 TEST_CASE(
     "accessors of more elements than they have bytes are refused before room is made for them") {
-  static constexpr std::size_t kMost = std::size_t(1) << 25; // elements of any accessor
-  static constexpr std::size_t kRoom = std::size_t(1) << 20; // bytes; those would take 400 MB
+  static constexpr std::size_t kMost = std::size_t(1) << 25; // elements that any accessor may have
+  static constexpr std::size_t kRoom = std::size_t(1) << 20; // bytes; they need 400 MB
   const auto refusal = [](const auto& alter) {
     TinyScene scene = example::tableScene();
     alter(scene, scene.json["meshes"][0]["primitives"][0]);
@@ -300,7 +301,7 @@ TEST_CASE("a GLB keeps its chunks and its text but for what is added") {
   const Folder folder;
   const TinyScene tiny = example::tableScene();
   std::vector<std::byte> glb = tiny.glb();
-  // A chunk that nobody knows.
+  // A chunk of unknown type.
   const std::array<std::uint32_t, 3> other{4, 0x4C414953u, 77};
   const auto otherBytes = std::as_bytes(std::span(other));
   glb.insert(glb.end(), otherBytes.begin(), otherBytes.end());
@@ -346,7 +347,7 @@ TEST_CASE("noises and tables that a scene has are shared, names are not") {
   REQUIRE(named.ok());
   CHECK(named.value().isNew);
   CHECK(named.value().name == "felt-2");
-  CHECK(named.value().newTables == 0); // the same texels
+  CHECK(named.value().newTables == 0); // the texels are the same
   REQUIRE(third.write(out).ok());
   const Bundle bundle = readBundle(out).value();
   CHECK(bundle.noises.size() == 2);
@@ -411,7 +412,7 @@ TEST_CASE("either form becomes either, and a .glb takes buffer and images into i
   CHECK(pair["buffers"][0]["uri"] == "scene.bin");
   const auto binary = pair["buffers"][1]["uri"].get<std::string>();
   CHECK(std::filesystem::exists(folder.path(binary)));
-  // All lines of the old text are lines of the new one, in order, but for a comma.
+  // All lines of the old text are lines of the new text, in order, except for commas.
   const std::string newText(reinterpret_cast<const char*>(out.data()), out.size());
   std::size_t at = 0;
   for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
@@ -419,7 +420,7 @@ TEST_CASE("either form becomes either, and a .glb takes buffer and images into i
     at = newText.find(text.substr(begin, end - begin), at);
     REQUIRE(at != std::string::npos);
   }
-  // Written again without a noise: what it named of its own is gone, the scene's is not.
+  // Written again without a noise: the noise's own names are gone, the scene's remain.
   REQUIRE(openScene(gltf).write(folder.path("out.gltf")).ok());
   CHECK(!std::filesystem::exists(folder.path(binary)));
   CHECK(std::filesystem::exists(folder.path("scene.bin")));
@@ -444,7 +445,7 @@ TEST_CASE("an output in another folder may not leave files behind") {
   CHECK_THAT(refused.error().message,
              Catch::Contains("scene.bin") && Catch::Contains("a .glb, or"));
   CHECK(std::filesystem::is_empty(folder.path("other")));
-  TinyScene drawing = tiny; // whose image stays outside of a .glb too
+  TinyScene drawing = tiny; // its image stays outside a .glb too
   drawing.json["images"] = {{{"uri", "wood.png"}}};
   const auto beside =
       openScene(folder.write("drawing.glb", drawing.glb())).write(folder.path("other/out.gltf"));
@@ -482,7 +483,7 @@ TEST_CASE("a scene that is truncated or altered anywhere is read, refused, and n
   const BundleFile felt = example::smallest();
   int opened = 0;
   const auto attempt = [&](const std::vector<std::byte>& file) {
-    // Not by replaceFile(), which waits for the disk.
+    // Without replaceFile(), which waits for the disk.
     std::ofstream(folder.path("scene.glb"), std::ios::binary)
         .write(reinterpret_cast<const char*>(file.data()), std::streamsize(file.size()));
     Result<GltfScene> scene = GltfScene::open(folder.path("scene.glb"));
@@ -494,7 +495,7 @@ TEST_CASE("a scene that is truncated or altered anywhere is read, refused, and n
       const std::array<std::size_t, 1> material{m};
       (void)scene.value().applyNoise(felt.bundle, 0, {}, material).ok();
     }
-    constexpr int kWritten = 20; // one of so many, since writing waits for the disk
+    constexpr int kWritten = 20; // writes one in so many, because writing waits for the disk
     return opened++ % kWritten != 0 || (scene.value().write(out).ok() && checkBundle(out).ok());
   };
   REQUIRE(attempt(whole));
@@ -503,7 +504,7 @@ TEST_CASE("a scene that is truncated or altered anywhere is read, refused, and n
       20 + std::to_integer<std::size_t>(whole[12]) + 256 * std::to_integer<std::size_t>(whole[13]);
   for (int round = 0; round < 150; ++round)
     CHECK(!attempt({whole.begin(), whole.begin() + std::ptrdiff_t(random() % whole.size())}));
-  // One character of the text becomes another that JSON is made of.
+  // Replaces one character of the text with another that JSON uses.
   const std::string characters = "0123456789-.,:[]{}\"\\aeE ";
   for (int round = 0; round < 1500; ++round) {
     std::vector<std::byte> altered = whole;

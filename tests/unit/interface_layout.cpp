@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The structs of shaders_glsl/interface/ are laid out alike in std140, std430 and C++. The asserts
-// are generated from a probe shader's SPIR-V (cmake/check_interface_layout.cmake).
+// The structs of shaders_glsl/interface/ have the same layout in std140, std430 and C++. The
+// asserts are generated from a probe shader's SPIR-V (cmake/check_interface_layout.cmake).
 #include <lichen/lichen.h>
 
 #include <catch2/catch.hpp>

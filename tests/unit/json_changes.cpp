@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes to a JSON text: what changes, and that nothing else does.
+// Changes to a JSON text: the named parts change, and nothing else does.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

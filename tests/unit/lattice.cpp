@@ -13,8 +13,8 @@ using namespace lichen;
 
 namespace {
 
-/// What a chi-square variable exceeds with probability 1e-4 [WH31]: 3.719 is the normal quantile of
-/// 1 - 1e-4. A correct hash fails one comparison in 10,000; the seeds here are fixed.
+/// The value that a chi-square variable exceeds with probability 1e-4 [WH31]: 3.719 is the normal
+/// quantile of 1 - 1e-4. A correct hash fails one comparison in 10,000; the seeds here are fixed.
 double chiSquareLimit(std::size_t degrees) {
   const double spread = 2.0 / (9.0 * double(degrees));
   return double(degrees) * std::pow(1.0 - spread + 3.719 * std::sqrt(spread), 3.0);
@@ -57,7 +57,7 @@ TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 a side") {
       found.insert(tileOffsetTexels(i, j, latticeSeed(1, 0), size, 1)[0]);
     });
     INFO(size << " texels");
-    // With over 500 vertices an offset, none is missing but with probability 1e-200.
+    // With over 500 vertices per offset, the probability that one is missing is 1e-200.
     CHECK(found.size() == std::min(size, size / step));
     CHECK(found.size() <= 127);
     CHECK((size < 64 || found.size() >= 64));
@@ -69,8 +69,8 @@ TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 a side") {
 }
 
 TEST_CASE("every tile offset is equally likely along each axis") {
-  // The hash has 65,536 values, which no count but a power of two divides: its probabilities are
-  // then up to 0.2 % apart, which adds at most 0.1 to a statistic of about 100.
+  // The hash has 65,536 values, and only powers of two divide that. For other sizes its
+  // probabilities are up to 0.2 % apart, which adds at most 0.1 to a statistic of about 100.
   for (const std::uint32_t size : kSizes)
     for (const std::uint32_t seed : {1u, 2u, 0xffffffffu}) {
       if (size == 1)
@@ -90,7 +90,7 @@ TEST_CASE("every tile offset is equally likely along each axis") {
 
 TEST_CASE("the two axes of a tile offset, neighbours, planes and seeds are independent") {
   constexpr std::uint32_t kSize = 256;
-  constexpr std::uint32_t kBins = 16; // a side; 256 vertices a bin
+  constexpr std::uint32_t kBins = 16; // per side; 256 vertices per bin
   const auto bin = [](std::uint32_t texel) { return texel * kBins / kSize; };
   const auto offset = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed,
                          std::uint32_t plane) {

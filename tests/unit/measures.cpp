@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of measures beside their targets, and the anisotropy that chooses one of them.
+// The list of measures with their targets, and the anisotropy that selects one of them.
 #include <lichen/lattice.h>
 #include <lichen/measures.h>
 
@@ -40,12 +40,12 @@ const Measure& named(const std::vector<Measure>& measures, const std::string& na
 TEST_CASE("stripes have an anisotropy of 1, whatever their direction") {
   for (const double degrees : {0.0, 30.0, 45.0, 90.0, 117.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;
-    const double u = 0.3 * std::cos(angle), v = 0.3 * std::sin(angle); // radians a pixel
+    const double u = 0.3 * std::cos(angle), v = 0.3 * std::sin(angle); // radians per pixel
     const SrgbImage stripes =
         grey(kSide, [=](int x, int y) { return 0.5 + 0.4 * std::sin(u * x + v * y); });
     INFO(degrees);
-    // The two differences of a plane wave are tan(u/2) cos(v/2)... times one function of place, so
-    // the tensor has rank one but for float rounding.
+    // The two differences of a plane wave are tan(u/2) cos(v/2)... times one function of position,
+    // so the tensor has rank one except for float rounding.
     CHECK(gradientAnisotropy(stripes) == Approx(1.0).margin(1e-6));
   }
 }
@@ -59,14 +59,14 @@ TEST_CASE(
     });
   };
   CHECK(gradientAnisotropy(crossed(1.0)) == Approx(0.0).margin(1e-6));
-  // Energies go with the squared amplitudes: (1 - a^2) / (1 + a^2).
+  // Energies are proportional to the squared amplitudes: (1 - a^2) / (1 + a^2).
   CHECK(gradientAnisotropy(crossed(0.5)) == Approx(0.75 / 1.25).margin(1e-6));
   CHECK(gradientAnisotropy(grey(kSide, [](int, int) { return 0.3; })) == 0.0);
 }
 
 TEST_CASE("white noise has hardly any anisotropy") {
-  // Of 64^2 gradients each term of the tensor is known to a standard error of about sqrt(2 / 64^2)
-  // = 0.02; three times that, with a false alarm below one in a hundred.
+  // With 64^2 gradients, each term of the tensor has a standard error of about sqrt(2 / 64^2) =
+  // 0.02. The limit is three times that: a false alarm below one in a hundred.
   CHECK(gradientAnisotropy(grey(kSide, hashed)) < 0.06);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The measures against closed forms, against slow versions of themselves, and against faults put in
+// The measures against closed forms, against slow versions of themselves, and against faults added
 // on purpose.
 #include <lichen/fft.h>
 #include <lichen/lattice.h>
@@ -36,7 +36,7 @@ SrgbImage makeImage(int width, int height, int channels,
   return image;
 }
 
-/// Grey white noise, mean 1/2, uniform of the given half width.
+/// Grey white noise of mean 1/2, uniform with the given half width.
 SrgbImage whiteNoise(int width, int height, std::uint32_t seed, float halfWidth = 0.25f) {
   return makeImage(width, height, 1, [=](int x, int y, int) {
     return 0.5f + halfWidth * (2.0f * hashed(x, y, seed) - 1.0f);
@@ -64,7 +64,7 @@ SrgbImage powerLawNoise(int side, double exponent, std::uint32_t seed) {
   return image;
 }
 
-constexpr int kTiles = 4; // a side, in the lattice tests
+constexpr int kTiles = 4; // per side, in the lattice tests
 constexpr int kSide = 160;
 
 LatticeView latticeView() {
@@ -76,7 +76,7 @@ LatticeView latticeView() {
   return view;
 }
 
-/// Distance to the nearest vertex by trying all around.
+/// Distance to the nearest vertex, by trying all vertices around.
 double slowVertexDistance(const LatticeView& view, int x, int y) {
   const double px = view.originTilesX + (x + 0.5) * view.tilesPerPixelX;
   const double py = view.originTilesY + (y + 0.5) * view.tilesPerPixelY;
@@ -91,7 +91,7 @@ double slowVertexDistance(const LatticeView& view, int x, int y) {
   return nearest;
 }
 
-/// The definition: pixels sorted by distance, cut into 8 equal parts.
+/// The definition: pixels sorted by distance and split into 8 equal parts.
 double slowLatticeVisibility(const SrgbImage& image, const LatticeView& view) {
   std::vector<std::pair<double, double>> pixels;
   double mean = 0.0;
@@ -110,7 +110,7 @@ double slowLatticeVisibility(const SrgbImage& image, const LatticeView& view) {
   return (*high - *low) * 8.0 / std::accumulate(variance.begin(), variance.end(), 0.0);
 }
 
-/// White noise whose contrast falls with the distance to the vertices, as linear blending does it.
+/// White noise whose contrast falls with the distance to the vertices, as in linear blending.
 SrgbImage latticeModulated(const LatticeView& view, std::uint32_t seed) {
   SrgbImage image = whiteNoise(kSide, kSide, seed);
   for (int y = 0; y < kSide; ++y) {
@@ -140,12 +140,12 @@ TEST_CASE("colour distance of a shifted set is the shift over the root of three"
   const SrgbImage shifted = makeImage(
       64, 64, 3, [&](int x, int y, int c) { return image.pixel(x, y)[c] + shift[std::size_t(c)]; });
   const double length = std::hypot(0.1, 0.05, 0.02);
-  // 0.2 %: how evenly 256 directions cover the half sphere.
+  // 0.2 %: the uniformity of 256 directions on the half sphere.
   CHECK(colorDistance(image, shifted).value() == Approx(length / std::sqrt(3.0)).epsilon(0.002));
 }
 
 TEST_CASE("colour distance of two uniform grey distributions is that of their quantiles") {
-  // W2 of U[0, 1] and U[0, 1/2]: integral of (u - u / 2)^2 is 1/12; sets of different size.
+  // W2 of U[0, 1] and U[0, 1/2]: the integral of (u - u / 2)^2 is 1/12. The sets differ in size.
   const auto ramp = [](int width, float top) {
     return makeImage(width, 1, 1,
                      [=](int x, int, int) { return top * (float(x) + 0.5f) / float(width); });
@@ -183,19 +183,20 @@ TEST_CASE("white and 1/f^2 noise differ by what their power laws say") {
     const double ratio = double(kImageSide * kImageSide) / total / (cycles * cycles);
     sum += std::pow(10.0 * std::log10(ratio), 2.0);
   }
-  // 0.3 dB: statistics of the low rings, and what the window and the rings' width smear.
+  // 0.3 dB: scatter of the low rings, and smearing by the window and the rings' width.
   CHECK(spectrumDistanceDb(white, pink).value() == Approx(std::sqrt(sum / 61.0)).margin(0.3));
 }
 
 TEST_CASE("two realisations of one noise are close in spectrum and autocovariance") {
   const SrgbImage a = powerLawNoise(512, 1.0, 4);
   const SrgbImage b = powerLawNoise(512, 1.0, 5);
-  // Ring r holds 2 pi r frequencies in 49 overlapping crops, worth about 38 r independent values
-  // under the window: a ratio of two such powers is off by 1.0 / sqrt(r) dB, 0.21 dB over the
-  // rings.
+  // Ring r holds 2 pi r frequencies in 49 overlapping crops, equivalent to about 38 r independent
+  // values under the window. The ratio of two such powers has an error of 1.0 / sqrt(r) dB: 0.21 dB
+  // over the rings.
   CHECK(spectrumDistanceDb(a, b).value() < 0.5);
-  // Each of 960 lags is off by the root of 1 / pairs of both images: 0.110 together, with a
-  // standard deviation of 0.110 / sqrt(960), as mirrored lags are equal; 4 of them, alpha 6e-5.
+  // Each of 960 lags has an error of the root of 1 / pairs for both images: 0.110 together. The
+  // standard deviation is 0.110 / sqrt(960), because mirrored lags are equal. The limit is 4 of
+  // these, alpha 6e-5.
   CHECK(autocovarianceError(whiteNoise(512, 512, 6), whiteNoise(400, 300, 7), 16).value() ==
         Approx(0.110).margin(0.014));
 }
@@ -210,7 +211,7 @@ TEST_CASE("the autocovariance error of a box-filtered white noise is that of a t
         sum += *white.pixel((x + dx) % kImageSide, (y + dy) % kImageSide);
     return sum / 9.0f;
   });
-  // White has 1 at lag 0. The triangle 1, 2/3, 1/3 has squares that sum to 19/9 along a line.
+  // White noise has 1 at lag 0. The triangle 1, 2/3, 1/3 has squares that sum to 19/9 along a line.
   const double expected = std::sqrt(std::pow(19.0 / 9.0, 2.0) - 1.0);
   CHECK(autocovarianceError(white, boxed, 8).value() == Approx(expected).epsilon(0.03));
   CHECK(autocovarianceError(white, white, 8).value() == 0.0);
@@ -240,8 +241,8 @@ TEST_CASE("a contrast that follows the lattice is found, a stationary one is not
   const SrgbImage modulated = latticeModulated(view, 11);
   CHECK(latticeVisibility(modulated, view).value() >
         3.0 * stationaryLatticeVisibility(modulated, view, 40).value());
-  // Against the 95 % quantile 20 stationary fields exceed it 3 times or less with probability 98 %;
-  // the seeds are fixed.
+  // With the 95 % quantile as the limit, 20 stationary fields exceed it at most 3 times with
+  // probability 98 %; the seeds are fixed.
   int exceeded = 0;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const SrgbImage stationary = powerLawNoise(kSide, 1.0, 100 + seed);
@@ -314,7 +315,7 @@ TEST_CASE("an injected straight seam is found, and none where there is none") {
 }
 
 TEST_CASE("a straight step has exactly the height that the seam measure reports") {
-  // Two half planes 0.2 apart against 0.1 apart.
+  // Two half planes with a difference of 0.2, against 0.1.
   const auto step = [](float height) {
     return makeImage(64, 64, 1, [=](int x, int, int) { return x < 32 ? 0.0f : height; });
   };

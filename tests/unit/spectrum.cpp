@@ -16,7 +16,7 @@ using namespace lichen;
 
 namespace {
 
-/// White noise, uniform, variance 1/12.
+/// Uniform white noise of variance 1/12.
 std::vector<float> whiteNoise(int width, int height, std::uint32_t seed) {
   std::vector<float> plane;
   for (int y = 0; y < height; ++y)
@@ -41,9 +41,9 @@ TEST_CASE("the radial power of white noise is its variance at every frequency") 
   const std::vector<double> power =
       radialPowerSpectrum(whiteNoise(kSide, kSide, 1), kSide, kSide, kCrop);
   REQUIRE(power.size() == kCrop / 2 + 1);
-  // Ring 4 holds 24 frequencies (12 independent), and 961 overlapping crops are worth about 550:
-  // relative standard deviation 1.2 %. Tolerance 4 of them, alpha 6e-5 a ring and less in the
-  // larger ones; rings 0 and 1 lose what the mean took.
+  // Ring 4 holds 24 frequencies (12 independent), and 961 overlapping crops count as about 550: a
+  // relative standard deviation of 1.2 %. The tolerance is 4 of these, alpha 6e-5 per ring and less
+  // for larger rings. Rings 0 and 1 lack the power of the subtracted mean.
   for (std::size_t ring = 4; ring < power.size(); ++ring)
     CHECK(power[ring] == Approx(1.0 / 12.0).epsilon(0.05));
 }
@@ -55,8 +55,9 @@ TEST_CASE("a cosine's power stands in its own ring and, by the window, the next 
   for (int v = 1 - kCrop / 2; v <= kCrop / 2; ++v)
     for (int u = 1 - kCrop / 2; u <= kCrop / 2; ++u)
       ringSize += std::lround(std::hypot(u, v)) == kCycles ? 1 : 0;
-  // Two lines of (amplitude / 2)^2 (sum w)^2, and beside each, in the same ring, two of a quarter
-  // of it, for the Hann window has 1/2 at 0 and 1/4 at +-1 cycles; sum w^2 is 3/8 a pixel.
+  // Two lines of (amplitude / 2)^2 (sum w)^2. Beside each, in the same ring, are two lines of a
+  // quarter of it, because the Hann window has 1/2 at 0 and 1/4 at +-1 cycles. sum w^2 is 3/8 per
+  // pixel.
   const double line = std::pow(0.5 * kAmplitude * kCrop * kCrop / 4.0, 2.0);
   const double expected = 2.0 * 1.5 * line / std::pow(3.0 / 8.0 * kCrop, 2.0) / ringSize;
   for (const bool alongX : {true, false}) {
@@ -138,12 +139,12 @@ TEST_CASE("the power of white noise is its variance on average") {
   for (int v = 0; v < kSide; ++v)
     for (int u = 1; u <= kColumns; ++u)
       mean += double(power[std::size_t(v * (kSide / 2 + 1) + u)]) / (kSide * kColumns);
-  // Exponential variates: 4.5 deviations of their mean, one false alarm in 150,000.
+  // Exponential variates: 4.5 standard deviations of their mean, one false alarm in 150,000.
   CHECK(mean == Approx(1.0 / 12.0).epsilon(4.5 / std::sqrt(double(kSide * kColumns))));
 }
 
 TEST_CASE("the smooth component has the jumps across the borders for its Laplacian, and no mean") {
-  // [M11] eq. 9, which determines it.
+  // [M11] eq. 9, which determines the periodic component.
   for (const auto& [width, height] :
        {std::pair{16, 12}, std::pair{13, 7}, std::pair{1, 9}, std::pair{8, 1}, std::pair{1, 1}}) {
     const std::vector<float> plane = whiteNoise(width, height, 4);

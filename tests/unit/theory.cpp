@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// docs/theory.md against the sources: its names exist there, and their citations stand in it.
+// Checks docs/theory.md against the sources: the names on the page exist in the code, and the
+// citations in the code are on the page.
 #include "checkout_paths.h"
 
 #include <catch2/catch.hpp>
@@ -23,7 +24,7 @@ std::string textOf(const fs::path& path) {
 
 const fs::path kRoot = lichen::sourcePath("");
 
-/// Our own C++ and GLSL, by path relative to the root.
+/// The project's C++ and GLSL sources, by path relative to the root.
 const std::map<std::string, std::string>& sources() {
   static const std::map<std::string, std::string> all = [] {
     const std::set<std::string> extensions{".cpp", ".h", ".c", ".glsl", ".comp", ".frag", ".vert"};
@@ -48,7 +49,7 @@ std::string withoutComments(const std::string& source) {
   return std::regex_replace(source, comment, "");
 }
 
-/// Whether `name`, perhaps qualified, is a word of the code: all its parts in one file.
+/// Whether `name`, which may be qualified, is in the code: all its parts in one file.
 bool names(const std::string& code, const std::string& name) {
   static const std::regex part("[A-Za-z_]\\w*");
   for (std::sregex_iterator word(name.begin(), name.end(), part), end; word != end; ++word)
@@ -97,7 +98,7 @@ TEST_CASE("every citation is in the bibliography of docs/theory.md, by its key")
   REQUIRE(start != std::string::npos);
   const std::regex key("\\[[A-Z]{1,4}[0-9]{2}\\]");
   const std::set<std::string> known = matches(theory().substr(start), key);
-  // A source named by author and year, where a key should stand.
+  // A source cited by author and year instead of by key.
   const std::regex longForm("\\[[A-Z][a-z]+[^\\]\n]* (18|19|20)[0-9]{2}");
   std::set<std::string> used = matches(theory().substr(0, start), key);
   for (const auto& [path, text] : sources()) {
@@ -107,7 +108,7 @@ TEST_CASE("every citation is in the bibliography of docs/theory.md, by its key")
       CHECK(known.count(citation) == 1);
       used.insert(citation);
     }
-    // The renderer has sources of its own, which its comments name in full.
+    // The renderer has sources of its own, and its comments name them in full.
     if (path.rfind("samples/", 0) != 0)
       CHECK(matches(text, longForm) == std::set<std::string>{});
   }

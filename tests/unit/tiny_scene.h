@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small glTF scenes of nobody's exporter, and small noises to put on them.
+// Small handmade glTF scenes, and small noises to apply to them.
 #pragma once
 
 #include <lichen/bundle_writer.h>
@@ -12,14 +12,14 @@
 
 namespace lichen::example {
 
-/// A glTF document that is being put together, with one buffer.
+/// A glTF document under construction, with one buffer.
 struct TinyScene {
   nlohmann::ordered_json json = {{"asset", {{"version", "2.0"}}}};
   std::vector<std::byte> binary;
 
-  /// Appends bytes as a view; `stride` 0 for none. Returns its index.
+  /// Appends bytes as a buffer view; `stride` 0 means none. Returns its index.
   std::size_t addView(std::span<const std::byte> bytes, std::size_t stride = 0);
-  /// Appends values as a view and an accessor. Returns the accessor's index.
+  /// Appends values as a buffer view and an accessor. Returns the accessor's index.
   template <class Value>
   std::size_t addAccessor(const std::vector<Value>& values, const char* type, int componentType,
                           std::size_t componentCount) {
@@ -32,16 +32,16 @@ struct TinyScene {
   }
   std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t components);
 
-  /// A GLB, or the text of a .gltf whose buffer is at `uri`.
+  /// Returns a GLB, or the text of a .gltf whose buffer is at `uri`.
   [[nodiscard]] std::vector<std::byte> glb() const;
   [[nodiscard]] std::string gltf(const std::string& uri) const;
 };
 
-/// A table of two materials: 'wood' is a square with normals, texture coordinates and indices,
-/// 'glass' a closed pyramid of positions alone. Both lie in mesh 'table', which a node shows.
+/// A table of two materials: 'wood' is a square with normals, texture coordinates and indices;
+/// 'glass' is a closed pyramid with positions only. Both are in mesh 'table', which a node uses.
 [[nodiscard]] TinyScene tableScene();
 
-/// A bundle of one texton noise of one map, 3 x 3 coefficients of order 1.
+/// A bundle of one texton noise with one map of 3 x 3 coefficients of order 1.
 [[nodiscard]] BundleFile smallTexton();
 
 } // namespace lichen::example
