@@ -8,8 +8,9 @@
 
 namespace lichen {
 
-/// The JSON object of a noise, and of a table whose KTX2 bytes are in `bufferView`.
+/// Returns the JSON object of a noise.
 [[nodiscard]] JsonTree describeNoise(const Noise& noise);
+/// Returns the JSON object of a table whose KTX2 file is the content of `bufferView`.
 [[nodiscard]] JsonTree describeTable(const Table& table, std::size_t bufferView);
 
 /// Alignment of a table's bytes in the buffer. It preserves the texel alignment of the KTX2 file;

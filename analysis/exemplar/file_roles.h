@@ -23,7 +23,8 @@ enum class FileRole {
   opacity,
 };
 
-/// Returns the role of a file whose name without extension is `stem`, from its last words. Words
+/// Returns the role that the last words of a file name state, such as "normal". `stem` is the name
+/// without its extension. Words
 /// for resolution, format, version and number after them are skipped. Words end at punctuation and
 /// before capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" has
 /// no role, because the role must come last.

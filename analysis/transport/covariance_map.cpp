@@ -8,7 +8,8 @@
 namespace lichen::transport {
 namespace {
 
-/// (2^-20)^2: float coordinates have 24 bits, of which sums of many retain about 20.
+/// Variances below this share of the largest are rounding: (2^-20)^2, because a sum of many floats
+/// of 24 bits is exact to about 20.
 constexpr double kNoVariance = 1e-12;
 /// For products of two covariances: the rounding of the solver itself, relative to the largest.
 constexpr double kNoProduct = 1e-15;

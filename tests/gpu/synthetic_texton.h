@@ -26,7 +26,7 @@ struct SyntheticTexton {
 };
 
 /// Returns the coefficients of a step, unscaled: channel c of (x, y) at ((y * X) + x) * channels +
-/// c. The noise sum b(k - l) alpha(k) alpha(l)^T has the covariance that covarianceOf() returns.
+/// c. The noise sum b(k - l) alpha(k) alpha(l)^T has the covariance that covarianceAt() returns.
 [[nodiscard]] std::vector<double> syntheticCoefficients(const SyntheticTexton& texton, int step);
 
 /// [GLM17] section 4.1: sum over k, l of b(k - l + lag) alpha(k) alpha(l)^T for a lag in texels;

@@ -40,10 +40,10 @@ inline constexpr std::array<float, 3> kLuminanceWeights{0.2126f, 0.7152f, 0.0722
 
 /// Computes the radially averaged power spectrum, averaged over square, Hann-windowed,
 /// half-overlapping crops of `cropSide` pixels [W67]. Element r, r in [0, cropSide / 2], is the
-/// mean power of the frequencies whose radius in cycles per crop rounds to r; white noise of
-/// variance s has power s at all r. Crops start at multiples of cropSide / 2; a remainder too small
-/// for a crop is skipped. cropSide is even, in [2, min(width, height)]. The window spreads the mean
-/// over r = 0 and 1 only.
+/// mean power of all frequencies (u, v), in cycles per crop, with round(sqrt(u^2 + v^2)) = r. White
+/// noise of variance s has power s at all r. Crops start at multiples of cropSide / 2; a remainder
+/// too small for a crop is skipped. cropSide is even, in [2, min(width, height)]. The window
+/// spreads the mean over r = 0 and 1 only.
 [[nodiscard]] std::vector<double> radialPowerSpectrum(std::span<const float> plane, int width,
                                                       int height, int cropSide);
 
