@@ -90,12 +90,13 @@ Result<ChosenMaterials> shadedMaterials(const GltfScene& scene, ChosenMaterials 
               nlohmann::json::json_pointer("/extensions/" + std::string(extension)))) {
         others.push_back(scene.materialTitle(material));
         if (first.empty())
-          first = fmt::format("{} has {}, which goes with no noise", others.front(), extension);
+          first = fmt::format("{} has {}, which noise cannot be combined with", others.front(),
+                              extension);
         return true;
       }
     return false;
   });
-  constexpr const char* kInstead = "a material without it is accepted";
+  constexpr const char* kInstead = "choose a material without that extension";
   if (!others.empty() && (!chosen.areAll || chosen.indices.empty()))
     return Error{ErrorKind::badInput,
                  fmt::format("{}: {}; {}", scene.path().string(), first, kInstead)};

@@ -103,7 +103,7 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   return Error{
       ErrorKind::usage,
       fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
-                  "{} is accepted{}",
+                  "use {}{}",
                   nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(accepted),
                   methods.empty() ? std::string()
                                   : ", or a noise that is baked with " + alternatives(methods))};

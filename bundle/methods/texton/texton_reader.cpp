@@ -122,8 +122,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
     const std::size_t losses = texton.laterSteps.back().mipLoss.size();
     if (losses != 0 && losses != texton.mipLoss.size())
       step.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; as many as those of the first step, " +
-                     std::to_string(texton.mipLoss.size()) + ", are accepted");
+                 std::to_string(losses) + " values; give " + std::to_string(texton.mipLoss.size()) +
+                     ", as many as in the first step");
   }
 }
 

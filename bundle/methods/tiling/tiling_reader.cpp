@@ -39,7 +39,7 @@ void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaus
   const bool hasBasis = reader.has("tableBasis");
   if (hasBasis != reader.has("tableOffset"))
     return reader.error("map-table-basis", hasBasis ? "tableBasis" : "tableOffset",
-                        "present alone; tableBasis and tableOffset are accepted together");
+                        "present alone; give both tableBasis and tableOffset, or neither");
   if (!hasBasis)
     return;
   const auto basis = reader.numbers("tableBasis", kBasisRange);
