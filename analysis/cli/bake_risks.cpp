@@ -90,6 +90,10 @@ Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> m
         assess(map, partOf(line.asProgress(), done / all, (done + 1) / all));
     if (!assessed)
       return assessed.error();
+    for (Risk& risk : assessed.value()) {
+      risk.advice = remedyOf(risk, "--");
+      risk.settings.clear();
+    }
     risks.push_back(std::move(assessed).value());
   }
   return risks;
@@ -113,7 +117,7 @@ std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalM
     if (risk.level != Risk::Level::none)
       notes.push_back(fmt::format("{} ({}{}): {}; what helps: {}", risk.name, nameOf(risk.level),
                                   severalMaps ? fmt::format(", {}", nameOf(map)) : "",
-                                  risk.sentence, risk.remedy));
+                                  risk.sentence, risk.advice));
   return notes;
 }
 

@@ -42,7 +42,8 @@ struct Flattened {
 
 using AssessMap =
     std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;
-/// Assesses each map with `assess`, in order, and shows a progress line.
+/// Assesses each map with `assess`, in order, and shows a progress line. Settings that help become
+/// options in the words of `advice`.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
                                                                 const SharedOptions& options,
                                                                 const AssessMap& assess);

@@ -213,7 +213,7 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
 void noteIgnoredAlpha(const NamedImage& image, bool mayBeOpacity, std::vector<std::string>& notes) {
   if (isTransparent(pixelsOf(image.file)))
     notes.push_back(image.name + " has an alpha channel that is not all opaque; it is ignored" +
-                    std::string(mayBeOpacity ? ", or baked as opacity with --alpha opacity" : ""));
+                    std::string(mayBeOpacity ? " unless alpha is read as opacity" : ""));
 }
 
 } // namespace lichen::exemplar

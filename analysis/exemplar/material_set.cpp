@@ -183,10 +183,11 @@ Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
   const int width = largest.map.width, height = largest.map.height;
   if (part.x < 0 || part.y < 0 || part.width < 1 || part.height < 1 ||
       part.width > width - part.x || part.height > height - part.y)
-    return Error{ErrorKind::usage,
-                 fmt::format("--crop {},{},{},{}: a rectangle inside the {} x {} pixels of {} is "
-                             "accepted",
-                             part.x, part.y, part.width, part.height, width, height, largest.name)};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("the crop {},{},{},{} (x, y, width, height) does not fit into the {} x "
+                    "{} pixels of {}",
+                    part.x, part.y, part.width, part.height, width, height, largest.name)};
   for (NamedMap& named : maps) {
     const auto range = [](int from, int count, int side, int sideOfLargest) {
       const double scale = double(side) / double(sideOfLargest);

@@ -40,7 +40,7 @@ JsonTree jsonOf(const Risk& risk) {
           {"score", risk.score},
           {"level", nameOf(risk.level)},
           {"sentence", risk.sentence},
-          {"remedy", risk.remedy}};
+          {"remedy", remedyOf(risk)}};
 }
 
 } // namespace lichen

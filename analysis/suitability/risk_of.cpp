@@ -4,6 +4,8 @@
 
 #include "calibration.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace lichen {
@@ -20,16 +22,29 @@ std::string_view nameOf(Risk::Level level) {
   return "severe";
 }
 
+std::string remedyOf(const Risk& risk, std::string_view optionPrefix) {
+  std::vector<std::string> remedies;
+  for (const BakeSetting& setting : risk.settings)
+    remedies.push_back(fmt::format("{}{} {}", optionPrefix, setting.name, setting.value));
+  if (!risk.advice.empty())
+    remedies.push_back(risk.advice);
+  return fmt::format("{}", fmt::join(remedies, ", or "));
+}
+
 } // namespace lichen
 
 namespace lichen::suitability {
 
 Risk riskOf(std::string_view name, double score, const std::string& measured,
-            const std::string& consequence, std::string remedy) {
+            const std::string& consequence, Remedy remedy) {
   if (score < kMildScore)
-    return {name, score, Risk::Level::none, measured, {}};
-  return {name, score, score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
-          measured + ", " + consequence, std::move(remedy)};
+    return {name, score, Risk::Level::none, measured, {}, {}};
+  return {name,
+          score,
+          score < kSevereScore ? Risk::Level::mild : Risk::Level::severe,
+          measured + ", " + consequence,
+          std::move(remedy.settings),
+          std::move(remedy.advice)};
 }
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }

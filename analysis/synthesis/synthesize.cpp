@@ -171,11 +171,11 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
     const double largest = pixels * tiles / kLeastPeriodTiles;
     if (options.tileable && tiles < kLeastPeriodTiles)
       return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                   " is under half a tile: a tileable image of at least " +
+                   " is under half a tile; a tileable image needs at least " +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[0]))) + "x" +
                    std::to_string(int(std::ceil(kLeastPeriodTiles * perTile[1]))) +
-                   " is accepted, or --texels-per-tile up to " +
-                   text(largest < 1.0 ? largest : std::floor(largest)));
+                   ", or at most " + text(largest < 1.0 ? largest : std::floor(largest)) +
+                   " texels per tile");
     try {
       return evaluatePixels(bundle, options, perTile, *map);
     } catch (const Interrupted&) {

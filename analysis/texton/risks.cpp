@@ -26,6 +26,9 @@ constexpr Calibration kTextonHistogram{0.17, 0.21};
 constexpr Calibration kTextonOutlines{0.4, 1.3};
 constexpr Calibration kTextonSlow{0.25, 0.5};
 
+/// Tiling keeps the histogram, slow variation and most outlines.
+const BakeSetting kTiling{"method", "tiling"};
+
 constexpr int kOctaves = 4; // from a half wave of 2 pixels: details that the eye takes for outlines
 constexpr int kOrientations = 4;
 
@@ -164,17 +167,22 @@ std::string oneDecimal(double value) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-/// Returns the option with the smallest support that holds the variation, and ", "; empty if none
-/// does.
-std::string supportFor(const Texels& texels, const Waves& waves) {
+/// Returns the settings that help against slow variation. The first is the smallest support that
+/// holds it, if one does.
+std::vector<BakeSetting> settingsForSlow(const Texels& texels, const Waves& waves) {
+  std::vector<BakeSetting> settings;
   for (std::size_t k = 1; k < kSupports; ++k) {
     const int larger = texels.support << k;
     if (larger > std::min({texels.width, texels.height, kMaxTextonSide}))
       break;
-    if (waves.slow[k] < kTextonSlow.mild)
-      return "--support " + std::to_string(larger) + ", ";
+    if (waves.slow[k] < kTextonSlow.mild) {
+      settings.push_back({"support", std::to_string(larger)});
+      break;
+    }
   }
-  return {};
+  settings.push_back({"flatten", "auto"});
+  settings.push_back(kTiling);
+  return settings;
 }
 
 std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, ProgressPart progress) {
@@ -187,17 +195,15 @@ std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, Progress
       varies ? wavesOf(map, texels, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
   return {riskOf("histogram", scoreOf(histogram, kTextonHistogram),
                  "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
-                 "so that other colours than the exemplar's will appear",
-                 "--method tiling, which keeps them"),
+                 "so that other colours than the exemplar's will appear", {{kTiling}, ""}),
           riskOf("outlines", scoreOf(waves.outlines, kTextonOutlines),
                  "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
                      ", where Gaussian noise has 3",
-                 "so that what stands out will be lost", "--method tiling, which keeps more of it"),
+                 "so that what stands out will be lost", {{kTiling}, ""}),
           riskOf("low-frequency", scoreOf(waves.slow[0], kTextonSlow),
                  percent(waves.slow[0]) + " of the variation is slower than the texton's " +
                      std::to_string(texels.support) + " texels",
-                 "and will be missing",
-                 supportFor(texels, waves) + "--flatten auto, or --method tiling")};
+                 "and will be missing", {settingsForSlow(texels, waves), ""})};
 }
 
 } // namespace

@@ -43,22 +43,22 @@ enum class SlowCause {
 /// of a wave as long as that side (highPassGain).
 constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
 
-/// The slow variation in a map, and the option that --flatten needs for it.
+/// The slow variation in a map.
 struct SlowPart {
   SlowCause cause = SlowCause::light;
   double firstPixels = 1.0; ///< as in assessSuitability()
 };
 
-/// The option that helps, followed by "or ", if there is one. --flatten auto follows the base
-/// colour; other maps need a period, here a share of the longer side. Opacity is never flattened.
-std::string flattenOr(const MapExemplar& map, const SlowPart& slow, double share) {
+/// The flattening that helps, if any. Automatic flattening follows the base colour; other maps need
+/// a period, here a share of the longer side. Opacity is never flattened.
+std::vector<BakeSetting> flattening(const MapExemplar& map, const SlowPart& slow, double share) {
   if (slow.cause == SlowCause::object || map.target == MapTarget::opacity)
     return {};
   if (map.target == MapTarget::baseColor)
-    return "--flatten auto, or ";
+    return {{"flatten", "auto"}};
   const double period = share * std::max(map.width, map.height) * slow.firstPixels;
   const double pixels = std::clamp(period, kFlattenPeriodRange.least, kFlattenPeriodRange.most);
-  return "--flatten " + std::to_string(std::lround(pixels)) + ", or ";
+  return {{"flatten", std::to_string(std::lround(pixels))}};
 }
 
 /// The transform of the Gaussian plane; a single value if there is no plane.
@@ -80,8 +80,8 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const 
   return riskOf("cloudiness", scoreOf(measured, kCloudiness),
                 "the contrast will vary by " + percent(measured) + " from place to place",
                 "with what is blended there by chance",
-                (flattensBy(share) ? flattenOr(map, slow, share) : "") +
-                    "a photograph that varies less over large distances");
+                {flattensBy(share) ? flattening(map, slow, share) : std::vector<BakeSetting>{},
+                 "a photograph that varies less over large distances"});
 }
 
 Risk fewColorsRisk(const FewColors& few) {
@@ -89,8 +89,9 @@ Risk fewColorsRisk(const FewColors& few) {
                 "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
                     " colours, with next to nothing between them",
                 "whose outlines come out ragged",
-                "a photograph, whose colours pass into one another; an image that tiles may be "
-                "repeated as a plain texture instead");
+                {{},
+                 "a photograph, whose colours pass into one another; an image that tiles may be "
+                 "repeated as a plain texture instead"});
 }
 
 Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
@@ -102,8 +103,9 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
   if (scoreOf(few.spacing, kColorSpacing) > std::max(latticeScore, coherenceScore))
     return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
-  const std::string remedy = "a photograph without joints, letters or a regular pattern; one that "
-                             "tiles may be repeated as a plain texture instead";
+  const Remedy remedy{{},
+                      "a photograph without joints, letters or a regular pattern; one that tiles "
+                      "may be repeated as a plain texture instead"};
   if (latticeScore > coherenceScore)
     return riskOf("structure", latticeScore,
                   percent(lattice) + " of the variation repeats at even steps", consequence,
@@ -118,13 +120,14 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const Slo
   const double measured = slowVariationShare(seen);
   // Peak to peak of a wave with that standard deviation.
   const double difference = 2.0 * std::sqrt(2.0) * measured;
-  return riskOf("low-frequency", scoreOf(measured, kSlowVariation),
-                "one side or part of the image differs from the rest by " + percent(difference) +
-                    " of the full range",
-                "which will show as patches",
-                slow.cause == SlowCause::object
-                    ? "a photograph that shows many such objects, or a crop without the one"
-                    : flattenOr(map, slow, kLongestAdvisedPeriod) + "even light");
+  return riskOf(
+      "low-frequency", scoreOf(measured, kSlowVariation),
+      "one side or part of the image differs from the rest by " + percent(difference) +
+          " of the full range",
+      "which will show as patches",
+      slow.cause == SlowCause::object
+          ? Remedy{{}, "a photograph that shows many such objects, or a crop without the one"}
+          : Remedy{flattening(map, slow, kLongestAdvisedPeriod), "even light"});
 }
 
 Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
@@ -135,8 +138,9 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
                 percent(clipped.white) + " of the pixels are white and " + percent(clipped.black) +
                     " black",
                 "without detail",
-                clipped.white > clipped.black ? "a photograph with less exposure"
-                                              : "a photograph with more exposure");
+                {{},
+                 clipped.white > clipped.black ? "a photograph with less exposure"
+                                               : "a photograph with more exposure"});
 }
 
 /// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.

@@ -222,7 +222,7 @@ TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
       runLichen({"bake", workplace.path("holed.png"), "-o", workplace.path("a.glb")});
   CHECK_THAT(ended.errors,
              Catch::Contains("note: the image has an alpha channel that is not all opaque; it "
-                             "is ignored, or baked as opacity with --alpha opacity\n"));
+                             "is ignored unless alpha is read as opacity\n"));
 }
 
 TEST_CASE("an image of one colour or of few pixels is noted, a good one is not") {

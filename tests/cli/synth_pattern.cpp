@@ -113,13 +113,12 @@ TEST_CASE("--origin shifts a tileable image in itself") {
   CHECK(seam(shifted, true) < 1.5);
 }
 
-TEST_CASE("a size under half a tile is refused with the options that make it tileable") {
+TEST_CASE("a size under half a tile is refused with the limits that make it tileable") {
   const Workplace workplace;
   const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(32)));
   const Arguments synthesis{"synth",      bundle,   "-o",   workplace.path("a.png"),
                             "--tileable", "--size", "10x20"};
-  checkRefusal(synthesis, int(ErrorKind::usage),
-               {"16x16 is accepted, or --texels-per-tile up to 20"});
+  checkRefusal(synthesis, int(ErrorKind::usage), {"at least 16x16, or at most 20 texels per tile"});
   Arguments accepted = synthesis;
   accepted.insert(accepted.end(), {"--texels-per-tile", "20"});
   CHECK(runLichen(accepted).code == 0);

@@ -222,8 +222,8 @@ TEST_CASE("along a ramp local mean and variance stay those between the steps") {
   }
   // Values within one texton's square are correlated, and so are colours: each window has 80 x 8
   // independent values, whose variance has a relative standard error of sqrt(2 / 640). The limits
-  // are five of these for a window and four for all; textons half a step off would change it by a
-  // hundredth and two.
+  // are five of these for a window and four for all, plus 0.02: textons are up to half a step off,
+  // which changes the variance by one or two hundredths.
   const double windowError = std::sqrt(2.0 / (double(kRows / kWindow) * kSeeds));
   double all = 0.0;
   for (std::size_t w = 0; w < sums.size(); ++w) {

@@ -86,6 +86,16 @@ TEST_CASE("no method's folder includes another's") {
     }
 }
 
+TEST_CASE("only the command names its options in messages") {
+  const std::regex option("\"[^\"\n]*--[a-z][^\"\n]*\"");
+  for (const auto& [path, text] : sources()) {
+    const bool isCommand = path.find("/cli/") != std::string::npos || path.find("samples/") == 0;
+    INFO(path);
+    std::smatch found;
+    CHECK((isCommand || !std::regex_search(text, found, option)));
+  }
+}
+
 TEST_CASE("docs/library.md shows the sample that is built") {
   const std::string code = textOf(sourcePath("samples/library/bake_and_evaluate.cpp"));
   const std::string page = textOf(sourcePath("docs/library.md"));

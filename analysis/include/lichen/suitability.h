@@ -12,6 +12,12 @@
 
 namespace lichen {
 
+/// A setting of a bake that helps against a risk.
+struct BakeSetting {
+  std::string_view name; ///< "flatten", "support" or "method"
+  std::string value;     ///< "auto" or a period in pixels; texels; the name of a method
+};
+
 /// One risk that the noise of an exemplar disappoints.
 struct Risk {
   enum class Level { none, mild, severe };
@@ -21,8 +27,14 @@ struct Risk {
   double score = 0.0; ///< [0, 1], calibrated: below 1/3 none, below 2/3 mild, else severe
   Level level = Level::none;
   std::string sentence; ///< the visible effect, with the measured number; no full stop
-  std::string remedy;   ///< the option or photograph that helps; empty if the level is none
+  /// What helps, each by itself; both are empty if the level is none.
+  std::vector<BakeSetting> settings;
+  std::string advice; ///< another photograph, in words; may be empty
 };
+
+/// Returns what helps against a risk in words: "flatten auto, or even light". `optionPrefix` goes
+/// before the name of a setting. Empty if the level is none.
+[[nodiscard]] std::string remedyOf(const Risk& risk, std::string_view optionPrefix = {});
 
 /// "none", "mild" or "severe".
 [[nodiscard]] std::string_view nameOf(Risk::Level level);
@@ -31,7 +43,7 @@ struct Risk {
 /// `periodic` says whether the exemplar's opposite borders match. A map without variance has no
 /// risk. For a height map, cloudiness and low-frequency measure its slopes, which lighting shows.
 /// `firstPixels`, above 0, is the length of one pixel of this map in pixels of the first map of the
-/// set; a remedy that names a period for flatten() counts in those.
+/// set; a setting that is a period for flatten() counts in those.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources if memory runs out,
 /// environment if `progress` stops it. Thread-safe; same result for any number of threads.
 /// O(N log N) in the number of pixels. Source: docs/decisions/013-suitability.md.
