@@ -105,7 +105,8 @@ Result<void> Merger::add(const NamedBundle& input) {
                                           "lichen that wrote it"};
   }
   if (input.bundle.noises.empty())
-    return Error{ErrorKind::badInput, input.file + ": has no noise; a bundle with one is accepted"};
+    return Error{ErrorKind::badInput,
+                 input.file + ": has no noise; expected a bundle with at least one"};
   for (std::size_t n = 0; n < input.bundle.noises.size(); ++n)
     addNoise(input, n);
   return {};

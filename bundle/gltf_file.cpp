@@ -107,8 +107,8 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   if (const auto list = document.find("buffers"); list != document.end() && list->is_array()) {
     if (list->size() > kMaxBuffers) {
       findings.error("count", "",
-                     std::to_string(list->size()) + " buffers; at most " +
-                         std::to_string(kMaxBuffers) + " are accepted");
+                     std::to_string(list->size()) + " buffers; expected at most " +
+                         std::to_string(kMaxBuffers));
       return std::nullopt;
     }
     gltf.buffers_.resize(list->size());
@@ -127,7 +127,7 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   const auto relative = pathOfUri(uri);
   if (!relative)
     return Error{ErrorKind::badInput,
-                 "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted"};
+                 "URI " + quoted(uri) + "; expected a relative path or a base64 data URI"};
   const auto path = fileInside(folder_, *relative);
   if (!path)
     return Error{ErrorKind::badInput, "URI " + quoted(uri) + " leads out of the file's folder"};
@@ -162,8 +162,8 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
       return fault("buffer-uri", "/uri", "not a string");
     if (*length > kMaxStoredBytes - storedBytes_)
       return fault("buffer", "/byteLength",
-                   std::to_string(*length) + " bytes; at most " + std::to_string(kMaxStoredBytes) +
-                       " of all buffers are accepted");
+                   std::to_string(*length) + " bytes; expected at most " +
+                       std::to_string(kMaxStoredBytes) + " in all buffers");
     Result<std::vector<std::byte>> read =
         readUri(uri->get_ref<const std::string&>(), std::size_t(*length));
     if (!read)
@@ -186,7 +186,7 @@ std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index
   if (const json* view = element(document(), "bufferViews", index);
       view != nullptr && view->contains("byteStride")) {
     findings.error("buffer-view", "/bufferViews/" + std::to_string(index) + "/byteStride",
-                   "not accepted on a table's bytes");
+                   "is set for a table's bytes; expected none");
     return std::nullopt;
   }
   const std::optional<StridedView> view = stridedView(index, findings);

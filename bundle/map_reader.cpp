@@ -68,12 +68,12 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
   }
   if (!targetKnown || channelsFit(map.target, map.channels))
     return;
-  std::string accepted;
+  std::string expected;
   for (const MapChannel channel : channelsOf(map.target))
-    accepted += (accepted.empty() ? "" : ", ") + std::string(nameOf(channel));
+    expected += (expected.empty() ? "" : ", ") + std::string(nameOf(channel));
   reader.error(
       "map-channels", "channels",
-      "not those of " + std::string(nameOf(map.target)) + ": " + accepted +
+      "not those of " + std::string(nameOf(map.target)) + "; expected " + expected +
           (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
 }
 
@@ -113,8 +113,8 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
     map.target = target.value_or(map.target);
     if (!target)
       reader.error("map-target", "target",
-                   quoted(*name) + "; baseColor, normal, occlusionRoughnessMetallic, emissive, "
-                                   "height or opacity is accepted");
+                   quoted(*name) + "; expected baseColor, normal, occlusionRoughnessMetallic, "
+                                   "emissive, height or opacity");
   }
   if (const auto name = reader.text("encoding")) {
     const auto encoding = valueEncodingFrom(*name);

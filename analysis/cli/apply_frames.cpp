@@ -131,8 +131,7 @@ Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> mat
                               const std::optional<Vector3>& grain, const SharedOptions& shared) {
   if (mapping != Mapping::surface) {
     if (grain)
-      return Error{ErrorKind::usage, fmt::format("--grain: --mapping {} has no frame; surface is "
-                                                 "accepted with it",
+      return Error{ErrorKind::usage, fmt::format("--grain: belongs to --mapping surface, not to {}",
                                                  nameOf(mapping))};
     return AddedFrames{};
   }

@@ -53,14 +53,14 @@ std::vector<std::string> sourcesOf(const MixOptions& options) {
 Result<void> check(const MixOptions& options, const Noise& noise) {
   const std::vector<std::string> sources = sourcesOf(options);
   if (!isMix(noise))
-    return usage(fmt::format("{}: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+    return usage(fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              sources.empty() ? "--mix-channel" : sources.front(), noise.name));
   if (sources.size() > 1)
-    return usage(fmt::format("{}: {} sources of the weight; one of them is accepted",
+    return usage(fmt::format("{}: {} sources of the weight; expected one of them",
                              fmt::join(sources, ", "), sources.size()));
   if (options.channel && options.texture.empty() && !options.colorSet)
-    return usage("--mix-channel: no texture and no vertex colours; --mix-texture or "
-                 "--mix-vertex-color is accepted with it");
+    return usage("--mix-channel: no texture and no vertex colours; add --mix-texture or "
+                 "--mix-vertex-color");
   return {};
 }
 
@@ -71,8 +71,8 @@ Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t>
     for (const PrimitivePlace place : scene.primitivesOf(material))
       if (!scene.attribute(place, attribute))
         return Error{ErrorKind::badInput,
-                     fmt::format("{}: {} with {} has no {}, which {} needs; another source of the "
-                                 "weight is accepted",
+                     fmt::format("{}: {} with {} has no {}, which {} needs; choose another source "
+                                 "of the weight",
                                  scene.path().string(), scene.primitiveTitle(place),
                                  scene.materialTitle(material), attribute, option)};
   return {};
@@ -95,8 +95,8 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   if (code == std::errc{} && end == wanted.data() + wanted.size()) {
     if (index < scene.textureCount())
       return index;
-    return usage(fmt::format("--mix-texture {}: {} has {} textures; an index of one, or a file, is "
-                             "accepted",
+    return usage(fmt::format("--mix-texture {}: {} has {} textures; expected the index of one, or "
+                             "a file",
                              wanted, scene.path().string(), scene.textureCount()));
   }
   const Result<std::vector<std::byte>> file = readFile(wanted);
@@ -107,8 +107,8 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   if (first != kFirstOfPng && first != kFirstOfJpeg)
     return Error{
         ErrorKind::badInput,
-        fmt::format("{}: no PNG or JPEG, which a mask of glTF is; one of them, or the index "
-                    "of a texture of the scene, is accepted",
+        fmt::format("{}: not a PNG or JPEG; expected one of them, which glTF needs for a mask, "
+                    "or the index of a texture of the scene",
                     wanted)};
   const Result<ImageFile> image = decodeImage(file.value(), wanted);
   if (!image)
@@ -116,8 +116,9 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   const auto& mask = std::get<SrgbImage>(image.value().pixels);
   constexpr int kAlpha = 3;
   if (channel == kAlpha && mask.channels % 2 != 0)
-    return Error{ErrorKind::badInput, wanted + ": has no alpha, which --mix-channel asks for; red, "
-                                               "green or blue is accepted"};
+    return Error{ErrorKind::badInput, wanted +
+                                          ": has no alpha, which --mix-channel asks for; expected "
+                                          "red, green or blue"};
   return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
                       [&]() -> Result<std::size_t> {
                         return scene.addTexture(file.value(),

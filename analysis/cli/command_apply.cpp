@@ -93,18 +93,18 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method(), mapping))
     return {};
-  std::vector<std::string> accepted, methods;
+  std::vector<std::string> mappings, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingFits(noise.method(), each))
-      accepted.emplace_back(nameOf(each));
+      mappings.emplace_back(nameOf(each));
   for (const Method each : allMethods())
     if (mappingFits(each, mapping))
       methods.push_back("--method " + std::string(nameOf(each)));
   return Error{
       ErrorKind::usage,
-      fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
+      fmt::format("--mapping {}: noise '{}' is of the method {}, which does not support it; "
                   "use {}{}",
-                  nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(accepted),
+                  nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(mappings),
                   methods.empty() ? std::string()
                                   : ", or a noise that is baked with " + alternatives(methods))};
 }
@@ -113,13 +113,11 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
 Result<void> checkMappingOptions(const Arguments& arguments) {
   if (arguments.space && !isInSpace(arguments.mapping))
     return Error{ErrorKind::usage,
-                 fmt::format("--space {}: the mapping {} is not in space; --mapping triplanar or "
-                             "surface is accepted with it",
+                 fmt::format("--space {}: belongs to --mapping triplanar or surface, not to {}",
                              nameOf(*arguments.space), nameOf(arguments.mapping))};
   if (arguments.planeSharpness && arguments.mapping != Mapping::triplanar)
     return Error{ErrorKind::usage,
-                 fmt::format("--plane-sharpness: the mapping {} has no planes; --mapping triplanar "
-                             "is accepted with it",
+                 fmt::format("--plane-sharpness: belongs to --mapping triplanar, not to {}",
                              nameOf(arguments.mapping))};
   return {};
 }
@@ -191,8 +189,8 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
   if (name.empty() && file.size() < arguments.noise.size())
     return Error{ErrorKind::usage,
-                 fmt::format("--noise {}: the name behind the colon is empty; {} or {}:NAME is "
-                             "accepted",
+                 fmt::format("--noise {}: the name after the colon is empty; expected {} or "
+                             "{}:NAME",
                              arguments.noise, file, file)};
   Result<Bundle> bundle = readBundle(file);
   if (!bundle)

@@ -48,9 +48,8 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
-  return Error{ErrorKind::usage,
-               fmt::format("{}: belongs to --method {}; with {} it is not accepted", foreign->name,
-                           nameOf(foreign->method), nameOf(arguments.method))};
+  return Error{ErrorKind::usage, fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
+                                             nameOf(foreign->method), nameOf(arguments.method))};
 }
 
 /// The notes of a bake: printed as they arise, or part of the JSON report.

@@ -92,7 +92,7 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   const MapExemplar& image = result.value().set.maps.front();
   if (image.target != MapTarget::baseColor)
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: has no base colour; an image or a folder with one is accepted",
+                 fmt::format("{}: has no base colour; expected an image, or a folder with one",
                              arguments.result)};
   const ValueEncoding encoding =
       exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;
@@ -137,7 +137,7 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBak
   const Noise& measured = bundle.value().noises[noise.value()];
   if (arguments.mix && !isMix(measured))
     return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              measured.name)};
   MaterialNoise material = materialOf(bundle.value(), noise.value());
   material.mix = {.weight = arguments.mix.value_or(0.0)};
@@ -219,10 +219,10 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
 
 Result<int> run(const Arguments& arguments) {
   if (!arguments.noise.empty() && !isBundle(arguments.result))
-    return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; a bundle has noises",
+    return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
   if (arguments.mix && !isBundle(arguments.result))
-    return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; a bundle is accepted",
+    return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; expected a bundle",
                                                *arguments.mix, arguments.result)};
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)

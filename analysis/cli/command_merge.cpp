@@ -43,8 +43,8 @@ Result<void> checkTexCoords(const Bundle& bundle, PreviewShape shape) {
     if (const int texCoord = bundle.materials[m]->texCoord; texCoord != 0)
       return Error{
           ErrorKind::usage,
-          fmt::format("material '{}' uses texture coordinates {}, of which the preview has "
-                      "only 0: --preview none is accepted",
+          fmt::format("material '{}' uses texture coordinates {}, and the preview scene has only "
+                      "0; use --preview none",
                       bundle.materialNames[m], texCoord)};
   return {};
 }

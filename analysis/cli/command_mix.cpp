@@ -56,18 +56,20 @@ Result<void> check(const Arguments& arguments) {
   const std::size_t count = arguments.inputs.size();
   if (count < 2 || count > kMaxMixedExemplars)
     return Error{ErrorKind::usage,
-                 fmt::format("INPUT: {} given; 2 to {} are accepted", count, kMaxMixedExemplars)};
+                 fmt::format("INPUT: {} given; expected 2 to {}", count, kMaxMixedExemplars)};
   const std::vector<double>& weights = arguments.mix.weights;
   if (weights.empty())
     return {};
-  if (givenOf(*arguments.verb, kPathGroup))
-    return Error{ErrorKind::usage, "--steps: with --weights one texton is made; one of the two is "
-                                   "accepted"};
+  if (const auto given = givenOf(*arguments.verb, kPathGroup))
+    return Error{ErrorKind::usage,
+                 *given + ": given with --weights, which makes one texton; expected one of the "
+                          "two"};
   if (weights.size() != count)
-    return Error{ErrorKind::usage, fmt::format("--weights: {} for {} inputs; one each is accepted",
-                                               weights.size(), count)};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("--weights: {} for {} inputs; expected one per input", weights.size(), count)};
   if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; }))
-    return Error{ErrorKind::usage, "--weights: all are 0; a positive sum is accepted"};
+    return Error{ErrorKind::usage, "--weights: all are 0; expected a sum above 0"};
   return {};
 }
 

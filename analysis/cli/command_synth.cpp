@@ -66,8 +66,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
     return map.error();
   if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
     return Error{ErrorKind::usage,
-                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of {}, with which "
-                             "it is not accepted",
+                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of the method {}",
                              foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
                              nameOf(chosen.method()))};
   SynthesisOptions& synthesis = arguments.synthesis;
@@ -79,7 +78,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   arguments.methods[std::size_t(chosen.method())]->replace(material, synthesis.evaluation);
   if (arguments.mix && !isMix(chosen))
     return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              chosen.name)};
   constexpr std::array<double, 2> kWholeWay{0.0, 1.0}, kMiddle{0.5, 0.5};
   synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kWholeWay);

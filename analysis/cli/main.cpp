@@ -65,13 +65,13 @@ int failUsage(const CLI::App& app, const std::string& message) {
                                      given.empty() ? "" : given.front()->get_name() + " ")});
 }
 
-/// Returns the message for arguments that no option accepted.
+/// Returns the message for arguments that no option takes.
 std::string unexpected(const CLI::App& app) {
   const std::string first = app.remaining(true).front();
   if (first.starts_with("-"))
     return first + ": no such option";
   return app.get_subcommands().empty()
-             ? fmt::format("{}: no such verb; {} is accepted", first, verbNames())
+             ? fmt::format("{}: no such verb; expected {}", first, verbNames())
              : first + ": one argument too many";
 }
 
@@ -144,7 +144,7 @@ int run(int argc, char** argv) {
       const Result<int> result = runner();
       return result ? result.value() : fail(result.error());
     }
-  return failUsage(app, "a verb is missing; " + verbNames() + " is accepted");
+  return failUsage(app, "a verb is missing; expected " + verbNames());
 }
 
 } // namespace

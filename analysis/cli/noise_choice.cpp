@@ -34,8 +34,8 @@ Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::st
 }
 
 Error noNoiseIn(const std::string& file) {
-  return {ErrorKind::badInput, file + ": has no noise; a bundle of 'lichen bake', or a scene of "
-                                      "'lichen apply', is accepted"};
+  return {ErrorKind::badInput, file + ": has no noise; expected a bundle of 'lichen bake', or a "
+                                      "scene of 'lichen apply'"};
 }
 
 Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,

@@ -172,7 +172,7 @@ Option addReadOption(CLI::App& verb, const std::string& name, const std::string&
                      const std::string& preset, const std::string& help) {
   const auto read = [=](const std::string& text) {
     if (!take(text))
-      throw CLI::ValidationError(name + " " + text, sentence + " is accepted");
+      throw CLI::ValidationError(name + " " + text, "expected " + sentence);
   };
   return Option(verb.add_option_function<std::string>(name, read, help)
                     ->type_name(placeholder)

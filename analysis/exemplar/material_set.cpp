@@ -171,7 +171,7 @@ Result<void> checkOneOpacity(const std::vector<NamedMap>& maps) {
       continue;
     if (first != nullptr)
       return Error{ErrorKind::badInput, first->name + ": a second opacity beside " + named.name +
-                                            "; one is accepted, or alpha can be ignored"};
+                                            "; keep one of them, or ignore alpha"};
     first = &named;
   }
   return {};
@@ -184,8 +184,8 @@ Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
   if (part.x < 0 || part.y < 0 || part.width < 1 || part.height < 1 ||
       part.width > width - part.x || part.height > height - part.y)
     return Error{ErrorKind::usage,
-                 fmt::format("--crop {},{},{},{}: a rectangle inside the {} x {} pixels of {} is "
-                             "accepted",
+                 fmt::format("--crop {},{},{},{}: expected a rectangle inside the {} x {} pixels "
+                             "of {}",
                              part.x, part.y, part.width, part.height, width, height, largest.name)};
   for (NamedMap& named : maps) {
     const auto range = [](int from, int count, int side, int sideOfLargest) {
@@ -221,7 +221,7 @@ Result<void> resize(std::vector<NamedMap>& maps, const std::array<int, 2>& size,
                     std::vector<std::string>& notes) {
   const auto [width, height] = size;
   if (std::min(width, height) < 1 || std::max(width, height) > kMaxImageSide)
-    return Error{ErrorKind::usage, fmt::format("size {}x{}: sides from 1 to {} are accepted", width,
+    return Error{ErrorKind::usage, fmt::format("size {}x{}; expected sides from 1 to {}", width,
                                                height, kMaxImageSide)};
   for (NamedMap& named : maps) {
     if (width > named.map.width || height > named.map.height)

@@ -129,9 +129,9 @@ Result<double> stationaryLatticeVisibility(const SrgbImage& result, const Lattic
       return *error;
     constexpr int kMostTrials = 10000;
     if (trials < 1 || trials > kMostTrials || !(quantile > 0.0 && quantile <= 1.0))
-      return Error{ErrorKind::usage,
-                   std::to_string(trials) + " trials, quantile " + std::to_string(quantile) +
-                       ": 1 to 10000 trials and a quantile in (0, 1] are accepted"};
+      return Error{ErrorKind::usage, std::to_string(trials) + " trials, quantile " +
+                                         std::to_string(quantile) +
+                                         "; expected 1 to 10000 trials and a quantile in (0, 1]"};
     const auto classes = distanceClasses(result.width, result.height, view);
     const HalfSpectrum spectrum = forwardFft(luminancePlane(result), result.width, result.height);
     std::vector<double> scores(std::size_t(trials), 0.0);

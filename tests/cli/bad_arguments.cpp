@@ -47,13 +47,14 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 } // namespace
 
 TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
-  checkRefusal({}, kUsage,
-               {"a verb is missing; bake, mix, synth, inspect, check, compare, merge or apply",
-                "'lichen --help'"});
+  checkRefusal(
+      {}, kUsage,
+      {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge or apply",
+       "'lichen --help'"});
   checkRefusal(
       {"chek"}, kUsage,
-      {"lichen: chek: no such verb; bake, mix, synth, inspect, check, compare, merge or apply is "
-       "accepted; see 'lichen --help'"});
+      {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge "
+       "or apply; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
@@ -81,33 +82,33 @@ TEST_CASE("unknown options and numbers outside their range are refused by every 
     checkRefusal(with({"--frobnicate", "8"}), kUsage, {"--frobnicate: no such option"});
     for (const std::string threads : {"-1", "100000", "two", "1.5"})
       checkRefusal(with({"--threads", threads}), kUsage,
-                   {"--threads " + threads + ": a whole number from 0 to 1024 is accepted"});
+                   {"--threads " + threads + ": expected a whole number from 0 to 1024"});
   }
 }
 
 TEST_CASE("bake refuses option values that it does not know, with those that it does") {
-  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: 8 or 16 is accepted"});
-  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: tiling or texton is accepted"});
+  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: expected 8 or 16"});
+  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: expected tiling or texton"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
-                   {"--periodic maybe: auto, yes or no is accepted; see 'lichen bake --help'"});
+                   {"--periodic maybe: expected auto, yes or no; see 'lichen bake --help'"});
   checkBakeRefuses({"--transport", "slow"}, kUsage,
-                   {"--transport slow: fast, default or exact is accepted"});
+                   {"--transport slow: expected fast, default or exact"});
   checkBakeRefuses({"--preview", "teapot"}, kUsage,
-                   {"--preview teapot: sphere, plane or none is accepted"});
+                   {"--preview teapot: expected sphere, plane or none"});
   for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
     checkBakeRefuses({"--seed", seed}, kUsage,
-                     {"--seed " + seed + ": a whole number from 0 to 4294967295 is accepted"});
-  checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "UTF-8 text is accepted"});
+                     {"--seed " + seed + ": expected a whole number from 0 to 4294967295"});
+  checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "expected UTF-8 text"});
   for (const std::string metres : {"0", "-1", "nan", "inf", "wide"})
     checkBakeRefuses({"--tile", metres}, kUsage,
-                     {"--tile " + metres + ": a number from 1e-06 to 1000000 is accepted"});
+                     {"--tile " + metres + ": expected a number from 1e-06 to 1000000"});
 }
 
 TEST_CASE("synth refuses sizes that are not two numbers from 1 to 16384") {
   for (const std::string size :
        {"0x0", "abc", "99999x1", "1x99999", "12x", "x12", "1x2x3", "", "12.5x4", "99999999999x1"})
     checkSynthRefuses({"--size", size}, kUsage,
-                      {"--size " + size + ": a size from 1x1 to 16384x16384 is accepted"});
+                      {"--size " + size + ": expected a size from 1x1 to 16384x16384"});
 }
 
 TEST_CASE("synth refuses option values that it does not know, with those that it does") {
@@ -115,29 +116,31 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
   for (const std::string map : {"depth", "normal"})
     checkSynthRefuses({"--map", map}, kUsage, {"--map " + map + ": noise 'stone' has baseColor"});
   checkSynthRefuses({"--blend", "add"}, kUsage,
-                    {"--blend add: histogram, variance or linear is accepted"});
+                    {"--blend add: expected histogram, variance or linear"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
-    checkSynthRefuses({"--origin", origin}, kUsage, {"--origin " + origin + ": X,Y with numbers"});
+    checkSynthRefuses({"--origin", origin}, kUsage,
+                      {"--origin " + origin + ": expected X,Y with numbers"});
   for (const std::string texels : {"0", "-4", "nan", "inf", "1e30", "many"})
-    checkSynthRefuses({"--texels-per-tile", texels}, kUsage,
-                      {"--texels-per-tile " + texels + ": a number from 0.0009765625 to 16777216"});
+    checkSynthRefuses(
+        {"--texels-per-tile", texels}, kUsage,
+        {"--texels-per-tile " + texels + ": expected a number from 0.0009765625 to 16777216"});
   for (const std::string sharpness : {"0", "17", "nan"})
     checkSynthRefuses({"--sharpness", sharpness}, kUsage,
-                      {"--sharpness " + sharpness + ": a number from 0.25 to 16"});
+                      {"--sharpness " + sharpness + ": expected a number from 0.25 to 16"});
   for (const std::string taps : {"1", "4", "two"})
-    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": 3 or 2 is accepted"});
+    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": expected 3 or 2"});
   for (const std::string tiles : {"-1", "1e7", "nan"})
     checkSynthRefuses({"--one-tap", tiles}, kUsage,
-                      {"--one-tap " + tiles + ": a number from 0 to 1000000"});
+                      {"--one-tap " + tiles + ": expected a number from 0 to 1000000"});
   for (const std::string steps : {"1", "65537", "quarter"})
     checkSynthRefuses({"--tile-rotation", steps}, kUsage,
                       {"--tile-rotation " + steps +
-                       ": none, free or a number of steps from 2 to 65536 is accepted"});
+                       ": expected none, free or a number of steps from 2 to 65536"});
   for (const std::string contrast : {"-1", "5", "nan"})
     checkSynthRefuses({"--contrast", contrast}, kUsage,
-                      {"--contrast " + contrast + ": a number from 0 to 4"});
+                      {"--contrast " + contrast + ": expected a number from 0 to 4"});
   for (const std::string seed : {"-1", "4294967296"})
-    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed " + seed + ": a whole number"});
+    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed " + seed + ": expected a whole number"});
 }
 
 TEST_CASE("of an option given twice the last value counts") {

@@ -202,9 +202,9 @@ TEST_CASE("parts and sizes that cannot be are refused with what can") {
   refuses({"--crop", "8,0,9,4"}, {"crop 8,0,9,4", "inside the 16 x 12 pixels"});
   refuses({"--crop", "0,12,1,1"}, {"crop 0,12,1,1"});
   for (const std::string text : {"0,0,0,4", "-1,0,4,4", "0,0,4", "0,0,4,4,4", "a,0,4,4", "0;0;4;4"})
-    refuses({"--crop", text}, {"--crop " + text + ": X,Y,W,H with whole numbers"});
+    refuses({"--crop", text}, {"--crop " + text + ": expected X,Y,W,H with whole numbers"});
   for (const std::string text : {"0", "16385", "4x", "x4", "4x0"})
-    refuses({"--size", text}, {"--size " + text + ": a size from 1x1 to 16384x16384"});
-  refuses({"--normal", "up"}, {"--normal up: gl or dx is accepted"});
-  refuses({"--alpha", "yes"}, {"--alpha yes: ignore or opacity is accepted"});
+    refuses({"--size", text}, {"--size " + text + ": expected a size from 1x1 to 16384x16384"});
+  refuses({"--normal", "up"}, {"--normal up: expected gl or dx"});
+  refuses({"--alpha", "yes"}, {"--alpha yes: expected ignore or opacity"});
 }

@@ -225,7 +225,7 @@ TEST_CASE("a measure that images are too small for says so and counts as none") 
              Catch::Contains("at least 32"));
   CHECK_THAT(runLichen({"compare", small, small}).output,
              Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16; this "
-                             "measure takes sides of at least 32 pixels"));
+                             "expected sides of at least 32 pixels"));
 }
 
 TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {

@@ -191,24 +191,24 @@ TEST_CASE("mix takes folders with the same maps, and keeps them apart from other
 
 TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
   const Made& m = made();
-  checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; 2 to 16 are accepted"});
-  checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; 2 to 16 are accepted"});
+  checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; expected 2 to 16"});
+  checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; expected 2 to 16"});
   checkMixRefuses({}, kUsage, {"INPUT"});
   checkMixRefuses({m.dark, m.light, "--steps", "1"}, kUsage,
-                  {"--steps 1: a whole number from 2 to 64 is accepted"});
+                  {"--steps 1: expected a whole number from 2 to 64"});
   checkMixRefuses({m.dark, m.light, "--steps", "65"}, kUsage,
-                  {"--steps 65: a whole number from 2 to 64 is accepted"});
+                  {"--steps 65: expected a whole number from 2 to 64"});
   checkMixRefuses({m.dark, m.light, m.dark, "--steps", "33"}, kUsage,
-                  {"33 steps", "2 to 32 are accepted for 3 exemplars"});
+                  {"steps from an exemplar to the next: 33", "expected 2 to 32 for 3 exemplars"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2,3"}, kUsage,
-                  {"--weights: 3 for 2 inputs; one each is accepted"});
+                  {"--weights: 3 for 2 inputs; expected one per input"});
   checkMixRefuses({m.dark, m.light, "--weights", "0,0"}, kUsage,
-                  {"--weights: all are 0; a positive sum is accepted"});
+                  {"--weights: all are 0; expected a sum above 0"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,-2"}, kUsage,
-                  {"--weights 1,-2: 1 to 16 numbers from 0 to 1000000"});
+                  {"--weights 1,-2: expected 1 to 16 numbers from 0 to 1000000"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,"}, kUsage, {"--weights 1,:"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2", "--steps", "5"}, kUsage,
-                  {"--steps: with --weights one texton is made"});
+                  {"--steps: given with --weights, which makes one texton"});
   checkMixRefuses({m.dark, m.light, "--fit", "projections"}, kUsage, {"--fit: no such option"});
   checkMixRefuses({m.dark, m.workplace.path("absent.png")}, kBadInput, {"absent.png"});
   checkMixRefuses({m.dark, m.workplace.write("no.png", std::string("no image"))}, kBadInput,
@@ -245,7 +245,7 @@ TEST_CASE("compare measures a mix at the input that it is told") {
   const std::string plain =
       bake(m.workplace, m.workplace.write("plain.png", smoothGrey(8)), "plain.glb");
   checkRefusal({"compare", m.dark, plain, "--mix", "1"}, kUsage,
-               {"--mix: noise 'plain' is no mix"});
+               {"--mix: noise 'plain' is not a mix"});
   checkRefusal({"compare", m.dark, m.light, "--mix", "1"}, kUsage, {"--mix 1:", "is an image"});
   checkRefusal({"compare", m.dark, m.bundle, "--mix", "2"}, kUsage, {"--mix 2:"});
 }
@@ -277,11 +277,11 @@ TEST_CASE("synth shows a mix at a weight, or along a ramp") {
   };
   refuses({"--mix", "1.5"}, {"--mix 1.5: a weight from 0 to 1"});
   refuses({"--mix", "0,1,0"}, {"--mix 0,1,0: a weight from 0 to 1, or two"});
-  refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image: one weight is accepted"});
+  refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image; expected one weight"});
   const Workplace other;
   const std::string plain = bake(other, other.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"synth", plain, "-o", other.path("new.png"), "--mix", "0.5"}, kUsage,
-               {"--mix: noise 'stone' is no mix"});
+               {"--mix: noise 'stone' is not a mix"});
 }
 
 TEST_CASE("apply gives a mix its weight from every source") {
@@ -337,7 +337,7 @@ TEST_CASE("apply gives a mix its weight from every source") {
   const auto refuses = [&](const Arguments& more, int code, const std::vector<std::string>& words) {
     checkRefusal(arguments(more), code, words);
   };
-  refuses({"--mix", "2"}, kUsage, {"--mix 2: a number from 0 to 1 is accepted"});
+  refuses({"--mix", "2"}, kUsage, {"--mix 2: expected a number from 0 to 1"});
   refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage,
           {"--mix, --mix-vertex-color: 2 sources of the weight"});
   refuses({"--mix-channel", "red"}, kUsage, {"--mix-channel: no texture and no vertex colours"});
@@ -357,10 +357,10 @@ TEST_CASE("apply gives a mix its weight from every source") {
   const std::string plain = bake(workplace, workplace.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix", "0.5"},
-               kUsage, {"--mix: noise 'stone' is no mix"});
+               kUsage, {"--mix: noise 'stone' is not a mix"});
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix-texture", m.grey},
-               kUsage, {"--mix-texture: noise 'stone' is no mix"});
+               kUsage, {"--mix-texture: noise 'stone' is not a mix"});
 }
 
 TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range") {

@@ -152,8 +152,8 @@ TEST_CASE("options of the method that a noise is not of are refused with its nam
   refuse(texton, "--taps", "2", {"--taps", "tiling", "'grain'", "texton"});
   refuse(texton, "--one-tap", "0.25", {"--one-tap", "tiling", "'grain'", "texton"});
   refuse(texton, "--tile-rotation", "4", {"--tile-rotation", "tiling", "'grain'", "texton"});
-  refuse(texton, "--impacts", "0.5", {"--impacts 0.5: a number from 1 to 1000 is accepted"});
-  refuse(texton, "--points", "blue", {"--points blue: stratified or poisson is accepted"});
+  refuse(texton, "--impacts", "0.5", {"--impacts 0.5: expected a number from 1 to 1000"});
+  refuse(texton, "--points", "blue", {"--points blue: expected stratified or poisson"});
 }
 
 TEST_CASE("check finds no fault in the texels of textons of any order, precision and set") {

@@ -139,8 +139,8 @@ TEST_CASE("every disagreement of a map with its texton is found") {
       });
 }
 
-TEST_CASE("a texton's losses that are not as many for each channel are refused with what is "
-          "accepted, as are those of channels that fall") {
+TEST_CASE("losses of a texton are refused if their count does not fit the channels or if they "
+          "fall") {
   const auto messageOf = [](const std::vector<double>& losses) {
     GlbParts parts(soundFile());
     parts.map(1, 0)["mipLoss"] = losses;
@@ -152,13 +152,13 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
     return found == findings.end() ? std::string() : found->message;
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
-        "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
+        "16 values; expected as many for each of 3 channels, 2 to 16 each");
   // These are the losses of channels that are constant except for the last.
   CHECK(messageOf({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.6}) == "");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
-        "0.4 at 8; no less than the mip level before, 0.5, is accepted");
+        "0.4 at 8; expected no less than the mip level before, 0.5");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==
-        "0.1 at 3; 0 is accepted: level 0 loses nothing");
+        "0.1 at 3; expected 0: level 0 loses nothing");
 }
 
 TEST_CASE("every fault of a mix's later steps is found") {

@@ -294,7 +294,7 @@ TEST_CASE(
                s.json["accessors"][p["attributes"]["POSITION"].template get<std::size_t>()] = {
                    {"componentType", 5126}, {"count", kMost}, {"type", "VEC3"}};
              }),
-             Contains("33554432 without bytes; 1 to 1048576 is accepted"));
+             Contains("33554432 without a bufferView; expected 1 to 1048576"));
 }
 
 TEST_CASE("a GLB keeps its chunks and its text but for what is added") {

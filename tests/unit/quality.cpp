@@ -349,7 +349,7 @@ TEST_CASE("images that a measure cannot use are refused with their sizes") {
     CHECK(result.error().message.find(part) != std::string::npos);
   };
   refused(colorDistance(empty, large), ErrorKind::badInput, "the exemplar is 0 x 0");
-  refused(colorDistance(large, color), ErrorKind::badInput, "both must be grey");
+  refused(colorDistance(large, color), ErrorKind::badInput, "expected both grey");
   refused(spectrumDistanceDb(large, small), ErrorKind::badInput, "the result is 20 x 20");
   refused(seamVisibility(small, large), ErrorKind::badInput, "at least 49");
   refused(autocovarianceError(large, large, 26), ErrorKind::usage, "2 to 25");
