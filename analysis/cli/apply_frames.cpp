@@ -121,9 +121,10 @@ void append(std::vector<std::string>& notes, std::vector<std::string> more) {
 } // namespace
 
 void addFrameOptions(CLI::App& verb, std::optional<Vector3>& grain) {
-  addValue(verb, "--grain", grain, optional(axis()), "",
-           "Of surface: where the exemplar's rows point, in the space of each mesh [default: where "
-           "they turn least]");
+  addValue(
+      verb, "--grain", grain, optional(axis()), "",
+      "surface: an axis in the space of each mesh that the exemplar's rows follow [default: the "
+      "smoothest directions]");
 }
 
 Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> materials,

@@ -223,20 +223,20 @@ Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
 void addMixOptions(CLI::App& verb, MixOptions& options) {
   constexpr const char* kGroup = "Mix";
   addValue(verb, "--mix", options.weight, optional(number(kMixWeightRange)), "",
-           "The place in a mix: 0 is its first input, 1 its last [default: the bundle's]")
+           "Weight of a mix everywhere: 0 the first input, 1 the last [default: the bundle's]")
       .group(kGroup);
   addValue(verb, "--mix-direction", options.direction, optional(twoPlaces()), "",
-           "Texture coordinates at which it is 0 and 1")
+           "Texture coordinates at which the weight is 0, and at which it is 1")
       .group(kGroup);
   addText(verb, "--mix-texture", options.texture, "IMAGE|INDEX",
-          "A mask in texture coordinates 0: a PNG or JPEG, or a texture of the scene")
+          "Mask of the weight: a PNG or JPEG, or the index of a texture of the scene")
       .group(kGroup);
   addValue(verb, "--mix-vertex-color", options.colorSet, optional(wholeNumber(0, kMostColorSet)),
-           "", "The vertex colours COLOR_N")
+           "", "N of the vertex colours COLOR_N, which hold the weight")
       .group(kGroup);
   const Choices<int> channels{{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}};
   addValue(verb, "--mix-channel", options.channel, optional(oneOf(channels)), "",
-           "Which channel of the mask or the colours [default: red]")
+           "Channel of the mask or the colours [default: red]")
       .group(kGroup);
 }
 

@@ -290,41 +290,42 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "SCENE", arguments->scene, "", "A .glb or .gltf of anyone's").required();
+  addText(verb, "SCENE", arguments->scene, "", "Any .glb or .gltf").required();
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
-          "A bundle made by 'lichen bake', and which of its noises: the first by default")
+          "A bundle made by 'lichen bake', and the name of a noise [default: the first]")
       .required();
   addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
-           "A material of the scene that gets the noise; again for another, or all of them")
+           "Name or index of a material that gets the noise; repeat it for more; or all")
       .required();
   const Choices<Mapping> mappings{{"uv", Mapping::uv},
                                   {"triplanar", Mapping::triplanar},
                                   {"surface", Mapping::surface},
                                   {"solid", Mapping::solid}};
-  addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
-           "Where the noise is evaluated");
+  addValue(
+      verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
+      "Where the noise lies: in texture coordinates, on three planes, on the surface itself, or "
+      "in the volume");
   const Choices<NoiseSpace> spaces{{"world", NoiseSpace::world}, {"object", NoiseSpace::object}};
   addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
-           "Of triplanar and surface: world, where one pattern runs from mesh to mesh, or object, "
-           "which it moves, turns and scales with [default: the bundle's]");
+           "triplanar, surface: one pattern continues from mesh to mesh (world), or it moves with "
+           "each object (object) [default: the bundle's]");
   addValue(
       verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
-      "Of uv: texture-coordinate units that one exemplar spans; of other mappings: multiples of "
-      "its own width [default: the bundle's]");
+      "Size of one exemplar. uv: in texture-coordinate units; else: in multiples of its own width "
+      "[default: the bundle's]");
   addValue(verb, "--rotation", arguments->rotationDegrees, optional(number(kDegreesRange)), "",
-           "Degrees, as KHR_texture_transform turns a texture [default: the bundle's]");
+           "Degrees, in the sense of KHR_texture_transform [default: the bundle's]");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
-           "Another seed, another pattern [default: the bundle's]");
+           "Seed of the pattern [default: the bundle's]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
-           "Scale of the variation [default: the bundle's]");
+           "Factor of the variation [default: the bundle's]");
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
-           "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
+           "triplanar: exponent of the plane weights [default: the bundle's]");
   addFrameOptions(verb, arguments->grain);
-  addValue(
-      verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
-      "keep",
-      "The factors that multiply the noise, such as baseColorFactor: as they are, or set to 1");
+  addValue(verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
+           "keep",
+           "keep the factors that multiply the noise, such as baseColorFactor, or set them to 1");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

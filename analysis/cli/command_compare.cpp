@@ -248,15 +248,15 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "The photograph, or a folder with the maps of a material")
       .required();
   addText(verb, "RESULT", arguments->result, "|BUNDLE",
-          "An image made from it, or a .glb or .gltf of which one is made")
+          "An image made from it, or a .glb or .gltf with its noise")
       .required();
   addText(verb, "--noise", arguments->noise, "NAME",
-          "Which noise of the bundle [default: the first]");
+          "Name of the bundle's noise [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "Which map of the exemplar, such as normal [default: all]");
+          "One of the exemplar's maps, such as normal [default: all]");
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
-           "Of a mix, the weight at which the exemplar is: 1 of its last input [default: 0, of its "
-           "first]");
+           "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
+           "0]");
   addExemplarOptions(verb, arguments->asBaked);
   return [arguments] { return run(*arguments); };
 }

@@ -199,7 +199,7 @@ void addPreviewShape(CLI::App& verb, PreviewShape& shape) {
   const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
                                      {"plane", PreviewShape::plane},
                                      {"none", PreviewShape::none}};
-  addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "The scene around the material");
+  addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "Scene that shows the material");
 }
 
 std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group) {

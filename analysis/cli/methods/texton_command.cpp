@@ -146,21 +146,21 @@ Json laterSteps(const std::vector<TextonStep>& steps) {
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material) {
   addValue(verb, "--support", texton.support,
            wholeNumber(int(kTextonSupportRange.least), int(kTextonSupportRange.most)), "64",
-           "Texels a side that one impact reaches")
+           "Side of the texton in texels; slower variation is lost")
       .group(kHeading);
   addValue(verb, "--order", texton.order, oneOf<int>({{"0", 0}, {"1", 1}, {"3", 3}}), "1",
-           "Of the B-spline between texels: steps, linear, or smooth enough for bumps")
+           "B-spline between texels: 0 nearest, 1 linear, 3 cubic, smooth enough for bumps")
       .group(kHeading);
   addValue(verb, "--impacts", material.impacts, number(kImpactsRange), "30",
-           "How many impacts reach a point, in the mean")
+           "Mean number of impacts at a point")
       .group(kHeading);
   addValue(verb, "--points", material.pointProcess, pointProcess(), "stratified",
-           "One impact in each cell of a grid, or a Poisson process")
+           "One impact per grid cell, or a Poisson process")
       .group(kHeading);
   const Choices<TextonVariance> variances{{"exemplar", TextonVariance::exemplar},
                                           {"periodic", TextonVariance::periodic}};
   addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
-           "Whose contrast the noise has: the exemplar's, or its periodic component's")
+           "Contrast of the exemplar, or of its periodic component")
       .group(kHeading);
 }
 
@@ -208,7 +208,7 @@ std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb)
   const Choices<TextonFit> fits{{"transport", TextonFit::transport},
                                 {"projections", TextonFit::projections}};
   addValue(verb, "--fit", options->options.fit, oneOf(fits), "transport",
-           "By least transport distance, or by the paper's alternating projections")
+           "Least transport distance, or the paper's alternating projections")
       .group(kHeading);
   return options;
 }
@@ -216,10 +216,10 @@ std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb)
 std::unique_ptr<const UseOptions> TextonCommand::addSynthOptions(CLI::App& verb) const {
   auto options = std::make_unique<Use>();
   addValue(verb, "--impacts", options->impacts, optional(number(kImpactsRange)), "",
-           "How many impacts reach a point, in the mean [default: the material's]")
+           "Mean number of impacts at a point [default: the material's]")
       .group(kHeading);
   addValue(verb, "--points", options->points, optional(pointProcess()), "",
-           "One impact in each cell of a grid, or a Poisson process [default: the material's]")
+           "One impact per grid cell, or a Poisson process [default: the material's]")
       .group(kHeading);
   return options;
 }
