@@ -87,7 +87,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   use.noise = bundle.noises.size();
   if (use.mix.source == MixSource::texture) {
     merged_.notes.push_back(input.file + ": noise '" + noise.name +
-                            "': the mask of its mix is left behind; its first step is shown");
+                            "': the mask of its mix is not copied; its first step is shown");
     use.mix = {};
   }
   noise.name = name;

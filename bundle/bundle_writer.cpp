@@ -102,7 +102,8 @@ Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   const std::string text = root.compact();
   constexpr std::size_t kFraming = 64; // headers and padding
   if (text.size() + encoded.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
-    return refusal(std::to_string(encoded.binary.size()) + " bytes; a GLB holds below 4 GiB");
+    return refusal(std::to_string(encoded.binary.size()) +
+                   " bytes; expected less than 4 GiB in a GLB");
   std::vector<std::byte> glb = frameGlb(text, encoded.binary);
   if (const Result<Bundle> written = parseBundle(glb, "bundle"); !written)
     return Error{written.error().kind == ErrorKind::resources ? ErrorKind::resources

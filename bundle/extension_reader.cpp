@@ -260,7 +260,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   // A noise with errors may have no number of steps.
   if (reader.has("mix") && findings.errorCount() == 0 && !isMix(bundle.noises[use.noise]))
     findings.warn("mix-without-steps", reader.pointerTo("mix"),
-                  "the noise is no mix, so that its weight has no effect");
+                  "the noise is not a mix, so its weight has no effect");
   reader.warnOfUnknown();
   return use;
 }

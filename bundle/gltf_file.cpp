@@ -60,7 +60,7 @@ Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
   std::vector<std::byte> bytes;
   if (marker == std::string::npos ||
       !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
-    return Error{ErrorKind::badInput, "data URI that is not sound base64"};
+    return Error{ErrorKind::badInput, "data URI with invalid base64"};
   return bytes;
 }
 
@@ -130,7 +130,7 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
                  "URI " + quoted(uri) + "; expected a relative path or a base64 data URI"};
   const auto path = fileInside(folder_, *relative);
   if (!path)
-    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " leads out of the file's folder"};
+    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " points outside the file's folder"};
   return *path;
 }
 
@@ -155,7 +155,7 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   const auto uri = description->find("uri");
   if (uri == description->end()) {
     if (index != 0 || !container_.binaryChunk)
-      return fault("buffer", "", "no uri, and no GLB chunk that would hold it");
+      return fault("buffer", "", "has no uri, and the file has no GLB chunk for it");
     target.bytes = *container_.binaryChunk;
   } else {
     if (!uri->is_string())
@@ -176,7 +176,7 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   if (*length > target.bytes.size())
     return fault("buffer", "/byteLength",
                  std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
-                     " are there");
+                     " are available");
   target.bytes = target.bytes.first(std::size_t(*length));
   return std::nullopt;
 }

@@ -63,7 +63,8 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
     const auto channel =
         name.is_string() ? mapChannelFrom(name.get_ref<const std::string&>()) : std::nullopt;
     if (!channel)
-      return reader.error("map-channels", "channels", "holds something that is no channel's name");
+      return reader.error("map-channels", "channels",
+                          "has an element that is not the name of a channel");
     map.channels.push_back(*channel);
   }
   if (!targetKnown || channelsFit(map.target, map.channels))

@@ -140,7 +140,7 @@ private:
             array == std::string_view("images") ? tookImages : takesFirst_ && i == 0;
         if (namesFile(element) && !isInside)
           return fileError(path_,
-                           state_.path.string() + " names files beside it, such as " +
+                           state_.path.string() + " refers to files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
                                (takesAllAsGlb() ? "; choose a .glb, or an output in the same "
                                                   "folder"

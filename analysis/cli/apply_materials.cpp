@@ -44,7 +44,8 @@ Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& want
   constexpr std::size_t kMostNamed = 12;
   const bool isMore = titles.size() > kMostNamed;
   titles.resize(std::min(titles.size(), kMostNamed));
-  return refuse(fmt::format("has {}{}", fmt::join(titles, ", "), isMore ? " and others" : ""));
+  return refuse(fmt::format("has no such material; expected one of {}{}", fmt::join(titles, ", "),
+                            isMore ? " and others" : ""));
 }
 
 } // namespace

@@ -170,14 +170,15 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
         continue;
       const auto [repeatsU, repeatsV] = repeats(scene, texture);
       const bool isClamped = (leaves(0) && !repeatsU) || (leaves(1) && !repeatsV);
-      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) leaves 0 to 1, "
-                          "where the mask of the mix lies; outside, {}",
+      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) exceeds 0 to "
+                          "1, the range of the mask; outside, {}",
                           scene.primitiveTitle(place), least[0], least[1], most[0], most[1],
                           isClamped ? "its border continues" : "it repeats");
     }
   if (count > 0)
-    notes.push_back(fmt::format("{}: {}{}", scene.path().string(), first,
-                                count > 1 ? fmt::format("; so do {} more", count - 1) : ""));
+    notes.push_back(fmt::format(
+        "{}: {}{}", scene.path().string(), first,
+        count > 1 ? fmt::format("; {} more {} so", count - 1, count == 2 ? "does" : "do") : ""));
   return {};
 }
 

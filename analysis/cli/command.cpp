@@ -22,7 +22,7 @@ Result<void> checkOutput(const std::filesystem::path& output,
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     return Error{ErrorKind::environment,
-                 fmt::format("{}: the folder {} does not exist; make it first", output.string(),
+                 fmt::format("{}: the folder {} does not exist; create it first", output.string(),
                              folder.string())};
   return {};
 }

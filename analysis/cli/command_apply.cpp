@@ -128,7 +128,7 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
   if (!foreign)
     return {};
   return Error{ErrorKind::usage,
-               fmt::format("{}: an option of the method {}; noise '{}' is of the method {}",
+               fmt::format("{}: belongs to the method {}; noise '{}' is of the method {}",
                            foreign->name, nameOf(foreign->method), noise.name,
                            nameOf(noise.method()))};
 }
@@ -138,9 +138,10 @@ void noteName(const std::string& scene, const std::string& name, const AppliedNo
               std::vector<std::string>& notes) {
   if (applied.name == name)
     return;
-  notes.push_back(fmt::format(
-      "{}: noise '{}' is {} '{}'", scene, name,
-      applied.isNew ? "given a name that no other has," : "there already, as", applied.name));
+  notes.push_back(
+      fmt::format("{}: noise '{}' {} '{}'", scene, name,
+                  applied.isNew ? "is renamed, since the name is taken, to" : "is already there as",
+                  applied.name));
 }
 
 void report(const Arguments& arguments, const Outcome& outcome, double seconds) {

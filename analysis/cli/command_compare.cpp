@@ -83,8 +83,8 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   const MapExemplar& exemplar = exemplars.front();
   if (exemplar.target != MapTarget::baseColor)
     return Error{ErrorKind::usage,
-                 fmt::format("{}: has no base colour; an image is compared with that, the other "
-                             "maps with a bundle",
+                 fmt::format("{}: has no base colour to compare with an image; expected one, or a "
+                             "bundle as the result",
                              arguments.exemplar)};
   const Result<ReadExemplar> result = readExemplar({arguments.result}, {}, arguments.shared);
   if (!result)

@@ -92,7 +92,7 @@ Accepted<std::uint32_t> seedNumber() {
 }
 
 Accepted<std::uint32_t> tileRotation() {
-  return {"none|N|free", "none, free or a number of steps from 2 to 65536",
+  return {"none|N|free", "none, free or a number of directions from 2 to 65536",
           [](const std::string& text) -> std::optional<std::uint32_t> {
             if (text == "none")
               return std::uint32_t(0);

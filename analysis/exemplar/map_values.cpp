@@ -76,8 +76,8 @@ void clampAbove(MapExemplar& map, float most, const std::string& name, const cha
     pixels += beyond ? 1u : 0u;
   }
   if (pixels > 0)
-    notes.push_back(fmt::format("{} has {} above {} in {} of {} pixels, up to {:g}; that is baked "
-                                "as {}",
+    notes.push_back(fmt::format("{} has {} above {} in {} of {} pixels, up to {:g}; clamped to "
+                                "{}",
                                 name, what, most, pixels, map.values.size() / map.channels.size(),
                                 largest, most));
 }

@@ -118,9 +118,9 @@ void noteOtherMaterials(SetFiles& set) {
     if (own.empty() || own == words)
       continue;
     if (first != nullptr) {
-      set.notes.push_back(first->path.filename().string() + " and " +
+      set.notes.push_back("the names of " + first->path.filename().string() + " and " +
                           file.path.filename().string() +
-                          " are called after two materials; they are baked as maps of one");
+                          " suggest two materials; they are baked as maps of one");
       return;
     }
     first = &file;
@@ -220,7 +220,7 @@ Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std
                                           "inside that have maps: " +
                                           list};
   }
-  notes.push_back("the maps are those of the folder " + names.front());
+  notes.push_back("the maps are read from the folder " + names.front());
   return inner;
 }
 
@@ -254,7 +254,7 @@ Result<Listed> listFiles(std::span<const fs::path> inputs) {
 
 Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNormal) {
   if (inputs.empty())
-    return Error{ErrorKind::usage, "no image to bake: at least one is needed"};
+    return Error{ErrorKind::usage, "no image to bake; expected at least one"};
   const Result<Listed> listed = listFiles(inputs);
   if (!listed)
     return listed.error();

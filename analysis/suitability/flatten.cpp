@@ -175,7 +175,7 @@ std::string exhausted() { return "not enough memory to flatten the exemplar"; }
 
 Result<void> checkMaps(std::span<const MapExemplar> maps) {
   if (maps.empty())
-    return Error{ErrorKind::usage, "no map to flatten: at least one is needed"};
+    return Error{ErrorKind::usage, "no map to flatten; expected at least one"};
   for (const MapExemplar& map : maps)
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;

@@ -59,7 +59,7 @@ std::string channelsOf(const MapExemplar& map) {
 Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) {
   const auto refuse = [&](const std::string& what) {
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: {}; exemplars of a mix have the same maps", other.name, what)};
+                 fmt::format("{}: {}; expected the same maps in all exemplars", other.name, what)};
   };
   const auto find = [](const MixedExemplar& exemplar, MapTarget target) {
     return std::find_if(exemplar.maps.begin(), exemplar.maps.end(),
@@ -72,7 +72,7 @@ Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) 
     const MapExemplar& map = other.maps[m];
     const auto same = find(first, map.target);
     if (same == first.maps.end())
-      return refuse(fmt::format("has {}, which {} has not", nameOf(map.target), first.name));
+      return refuse(fmt::format("has {}, which {} does not have", nameOf(map.target), first.name));
     if (same->channels != map.channels)
       return refuse(fmt::format("{} has {}, in {} it has {}", nameOf(map.target), channelsOf(map),
                                 first.name, channelsOf(*same)));

@@ -46,11 +46,11 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
                              options.stepsPerLeg));
   for (const MixExemplar& exemplar : exemplars) {
     if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
-      return usage(
-          fmt::format("{}: {} channels, and {} has {}; a mix takes exemplars with the same "
-                      "channels",
-                      exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
-                      exemplars[0].model.channels.size()));
+      return usage(fmt::format("{}: {} channel{}, and {} has {}; expected exemplars with the same "
+                               "channels",
+                               exemplar.name, exemplar.model.channels.size(),
+                               exemplar.model.channels.size() == 1 ? "" : "s", exemplars[0].name,
+                               exemplars[0].model.channels.size()));
     if (!gaussian::isModelled(gaussian::modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
                    fmt::format("{}: varies only from one border to the other, which no texton "

@@ -186,17 +186,18 @@ std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, Progress
   const Waves waves =
       varies ? wavesOf(map, texels, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
   return {riskOf("histogram", scoreOf(histogram, kTextonHistogram),
-                 "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
-                 "so that other colours than the exemplar's will appear",
-                 "--method tiling, which keeps them"),
+                 "the histogram differs from a Gaussian one by " + percent(histogram) +
+                     " of the deviation",
+                 "so colours that the exemplar does not have will appear",
+                 "--method tiling, which preserves the histogram"),
           riskOf("outlines", scoreOf(waves.outlines, kTextonOutlines),
-                 "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
-                     ", where Gaussian noise has 3",
-                 "so that what stands out will be lost", "--method tiling, which keeps more of it"),
+                 "fine detail has a kurtosis of " + oneDecimal(3.0 + waves.outlines) +
+                     " (Gaussian noise has 3)",
+                 "so outlines will be lost", "--method tiling, which preserves more of them"),
           riskOf("low-frequency", scoreOf(waves.slow[0], kTextonSlow),
                  percent(waves.slow[0]) + " of the variation is slower than the texton's " +
                      std::to_string(texels.support) + " texels",
-                 "and will be missing",
+                 "and will be lost",
                  supportFor(texels, waves) + "--flatten auto, or --method tiling")};
 }
 

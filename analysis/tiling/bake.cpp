@@ -39,7 +39,7 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   if (options.bits != 8 && options.bits != 16)
     return usage("precision " + std::to_string(options.bits) + "; expected 8 or 16 bits");
   if (maps.empty())
-    return usage("no map to bake: at least one is needed");
+    return usage("no map to bake; expected at least one");
   for (const MapExemplar& map : maps) {
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;

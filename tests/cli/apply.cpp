@@ -356,7 +356,7 @@ TEST_CASE("a number of steps that may have been meant as an angle is noted") {
   const auto errorsOf = [&](const char* steps) {
     return apply(workplace, scene, moss, "wood", {"--tile-rotation", steps}).errors;
   };
-  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: a number of steps"));
+  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: the number of directions"));
   for (const char* meant : {"4", "free", "none"})
     CHECK_THAT(errorsOf(meant), !Catch::Contains("--tile-rotation"));
 }

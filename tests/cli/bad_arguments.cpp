@@ -112,9 +112,11 @@ TEST_CASE("synth refuses sizes that are not two numbers from 1 to 16384") {
 }
 
 TEST_CASE("synth refuses option values that it does not know, with those that it does") {
-  checkSynthRefuses({"--noise", "granite"}, kUsage, {"--noise granite: ", "has stone"});
+  checkSynthRefuses({"--noise", "granite"}, kUsage,
+                    {"--noise granite: not in ", "; expected stone"});
   for (const std::string map : {"depth", "normal"})
-    checkSynthRefuses({"--map", map}, kUsage, {"--map " + map + ": noise 'stone' has baseColor"});
+    checkSynthRefuses({"--map", map}, kUsage,
+                      {"--map " + map + ": not in noise 'stone'; expected baseColor"});
   checkSynthRefuses({"--blend", "add"}, kUsage,
                     {"--blend add: expected histogram, variance or linear"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
@@ -135,7 +137,7 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
   for (const std::string steps : {"1", "65537", "quarter"})
     checkSynthRefuses({"--tile-rotation", steps}, kUsage,
                       {"--tile-rotation " + steps +
-                       ": expected none, free or a number of steps from 2 to 65536"});
+                       ": expected none, free or a number of directions from 2 to 65536"});
   for (const std::string contrast : {"-1", "5", "nan"})
     checkSynthRefuses({"--contrast", contrast}, kUsage,
                       {"--contrast " + contrast + ": expected a number from 0 to 4"});
@@ -316,7 +318,7 @@ TEST_CASE("synth takes the file's first noise, and a known one before an ignored
   const std::string first = writeWith("moss", true);
   const std::string refusal =
       "noise 'moss' has revision 2 of tiling; this version knows 1; use the version of lichen that "
-      "wrote it; --noise can name stone";
+      "wrote it, or choose --noise stone";
   refuse(first, {}, refusal);
   refuse(first, {"--noise", "moss"}, refusal);
   CHECK((synth(workplace, first, named).values == expected.values));

@@ -167,7 +167,7 @@ TEST_CASE("light beyond the range of tables is noted, and baked as the most that
     CHECK((bundle == most));
     CHECK_THAT(notes,
                Catch::Contains("note: the image has light above 65504 in 1 of 64 pixels, up to " +
-                               std::string(text) + "; that is baked as 65504\n"));
+                               std::string(text) + "; clamped to 65504\n"));
   }
   CHECK(runLichen({"check", workplace.path("sun.glb")}).code == 0);
   REQUIRE(runLichen({"synth", workplace.path("sun.glb"), "-o", workplace.path("s.exr"), "--size",
@@ -237,7 +237,7 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));
   CHECK_THAT(only("grey.png", grey), Catch::Contains("one colour"));
   CHECK_THAT(only("stamp.png", smooth(16)), Catch::Contains("16 x 16 pixels show little"));
-  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 a side are best"));
+  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 per side are best"));
   CHECK(only("good.png", smoothGrey(256)) == "0");
 }
 

@@ -185,11 +185,11 @@ TEST_CASE("a bake of a texton says whether it is close, and what to raise where 
     return ended.errors;
   };
   const auto close = Catch::Contains("the texton is close to");
-  const auto few = Catch::Contains("impacts few: --impacts");
-  const auto cut = Catch::Contains("the texton no more");
+  const auto few = Catch::Contains("impacts are few: --impacts");
+  const auto cut = Catch::Contains("which limits the texton");
   CHECK_THAT(notesOf(fine, {"--support", "16"}), close && !few && !cut);
   CHECK_THAT(notesOf(fine, {"--support", "16", "--impacts", "5"}),
-             close && Catch::Contains("with 5 impacts few"));
+             close && Catch::Contains("; 5 impacts are few"));
   // Blobs as wide as the support have most of their variation in slower waves.
   CHECK_THAT(notesOf(slow, {"--support", "4"}),
              Catch::Contains("the texton is not close to") &&

@@ -239,7 +239,7 @@ TEST_CASE("a folder without a map stands for its only folder with maps") {
   workplace.write("wall/textures/diff.png", flat(kColor));
   workplace.write("wall/source/sphere.png", flat({0.5f}));
   const json report = baked(workplace, {workplace.path("wall")});
-  CHECK(hasNote(report, "the maps are those of the folder textures"));
+  CHECK(hasNote(report, "the maps are read from the folder textures"));
   CHECK(report.at("name") == "wall");
   checkValue(workplace, "baseColor", kColor);
   makeFolder(workplace, "wall/more");
@@ -255,7 +255,7 @@ TEST_CASE("maps whose names begin as those of two materials do are noted, others
     makeFolder(workplace, folder);
     for (const std::string& name : names)
       workplace.write(folder + "/" + name, flat({0.5f, 0.5f, 0.9f}));
-    return hasNote(baked(workplace, {workplace.path(folder)}), "are called after two materials");
+    return hasNote(baked(workplace, {workplace.path(folder)}), "suggest two materials");
   };
   CHECK(isNoted({"a_diff.png", "b_nor_gl.png"}));
   CHECK(isNoted({"rock_01_diff.png", "rock_02_rough.png"}));
@@ -332,9 +332,9 @@ TEST_CASE("one image alone is what its name says, unless its colours gainsay tha
   CHECK(targetOf("arm.png", kColor, "is baked as occlusion, roughness, metallic") ==
         orm + "occlusion");
   CHECK(targetOf("glow_emissive.png", kColor, "is baked as emissive light") == "emissive red");
-  CHECK(targetOf("rusty_metal.png", kColor, "has colours, and is baked as the base colour") ==
+  CHECK(targetOf("rusty_metal.png", kColor, "has colours, so it is baked as the base colour") ==
         color);
-  CHECK(targetOf("quite_normal.png", grey, "has no colours, and is baked as the base colour") ==
+  CHECK(targetOf("quite_normal.png", grey, "has no colours, so it is baked as the base colour") ==
         color);
 }
 
@@ -422,6 +422,6 @@ TEST_CASE("an exact bake of a set says which maps were moved before they were ma
     CHECK((map.at("excess") == 0.0) == (name == "occlusionRoughnessMetallic"));
   }
   CHECK(hasNote(report, "the values of baseColor are matched within "));
-  CHECK(hasNote(report, "the values of normal, moved to go with the other maps, are matched "));
+  CHECK(hasNote(report, "the values of normal, moved first to fit the other maps, are matched "));
   CHECK(hasNote(report, "one dimension and are sorted"));
 }

@@ -33,7 +33,7 @@ TEST_CASE("lichen-exemplars refuses what it does not know in one line that says 
   const Workplace workplace;
   const std::string out = workplace.path("out");
   const std::vector<std::pair<Arguments, std::string>> cases{
-      {{out, "foo"}, "foo: no such exemplar; granite, "},
+      {{out, "foo"}, "foo: no such exemplar; expected granite, "},
       {{out, "--size", "63"}, "--size 63: expected a whole number from 64 to 2048"},
       {{out, "--size"}, "--size: a value is missing"},
       {{out, "--large"}, "--large: no such option"},

@@ -87,7 +87,7 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
   INFO(ended.output);
   CHECK(ended.code == 0);
   for (const char* word :
-       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb", "5 fetches a pixel",
+       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb", "5 fetches per pixel",
         "inverse table 1: joint, 32 x 32 x 32 cells", "uv, seed 7", "moss.baseColor.inverse"})
     CHECK_THAT(ended.output, Catch::Contains(word));
   std::istringstream lines(ended.output);
@@ -147,8 +147,8 @@ TEST_CASE("inspect tells support, impacts and cost of textons, and the size of t
   CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
   const std::string page = runLichen({"inspect", bundle}).output;
   for (const char* words :
-       {"textons of 12 x 20 texels, order 3, 12.5 impacts a point, poisson; 3 steps",
-        "about 252 fetches a pixel and plane", "100 x 50, 16 bits, srgb", "texton: table 2",
+       {"textons of 12 x 20 texels, order 3, 12.5 impacts per point, poisson; 3 steps",
+        "about 252 fetches per pixel and plane", "100 x 50, 16 bits, srgb", "texton: table 2",
         "surface, seed 1, 12.5 impacts, poisson"})
     CHECK_THAT(page, Catch::Contains(words));
 }

@@ -75,7 +75,7 @@ TEST_CASE("an image that needs more memory than there is is refused before it is
   const Ended ended = bake({});
   CHECK(ended.code == int(ErrorKind::resources));
   CHECK_THAT(ended.errors, Catch::Contains("large.png: 4096 x 4096 pixels need about") &&
-                               Catch::Contains("GB are available; --crop or --size"));
+                               Catch::Contains("GB are available; use --crop or --size"));
   CHECK(bake({"--size", "32"}).code == 0);
   CHECK(bake({"--crop", "0,0,32,32"}).code == 0);
 }

@@ -263,14 +263,14 @@ TEST_CASE("what cannot be mixed is refused by name") {
                       2,
                       {0.0f, 0.5f, 0.5f, 1.0f}});
   CHECK(message({moss, set}, smallOptions(3), ErrorKind::badInput) ==
-        "rock: has height, which moss has not; exemplars of a mix have the same maps");
+        "rock: has height, which moss does not have; expected the same maps in all exemplars");
   CHECK(message({set, moss}, smallOptions(3), ErrorKind::badInput) ==
-        "moss: has no height, which rock has; exemplars of a mix have the same maps");
+        "moss: has no height, which rock has; expected the same maps in all exemplars");
   MixedExemplar bright = rock;
   bright.maps[0].encoding = ValueEncoding::log2;
   CHECK(message({moss, bright}, smallOptions(3), ErrorKind::badInput) ==
-        "rock: baseColor is stored as log2, in moss as srgb; exemplars of a mix have the same "
-        "maps");
+        "rock: baseColor is stored as log2, in moss as srgb; expected the same maps in all "
+        "exemplars");
   MixedExemplar tall = rock;
   tall.maps[0] = cropped(rock.maps[0], 0, 0, 1, 48);
   MixedExemplar wide{"wide", {threeMaterials(400, 4, 1)}};

@@ -213,7 +213,7 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
     grey.values.push_back(float(i * 37 % 64) / 64.0f);
   const std::vector<MixExemplar> differing{color, exemplarOf(grey, "height.png")};
   CHECK(messageOf(fitTextonPath(differing, support(8, 4)), ErrorKind::usage) ==
-        "height.png: 1 channels, and moss.png has 3; a mix takes exemplars with the same channels");
+        "height.png: 1 channel, and moss.png has 3; expected exemplars with the same channels");
   CHECK(messageOf(fitTextonPath(std::vector{color}, support(8, 4)), ErrorKind::usage) ==
         "exemplars to mix: 1; expected at least 2");
   const std::vector<MixExemplar> pair{color, exemplarOf(threeMaterials(32, 12, 2), "rust.png")};

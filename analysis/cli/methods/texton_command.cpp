@@ -48,7 +48,7 @@ std::string verdict(double modelError, const TextonShape& shape) {
   if (modelError <= kCloseError)
     return "close to the photograph's spectrum, with the colours and outlines of Gaussian noise";
   return fmt::format("not close to the photograph's spectrum{}",
-                     isSupportWhole(shape) ? "" : ", a larger --support comes closer");
+                     isSupportWhole(shape) ? "" : " (a larger --support comes closer)");
 }
 
 std::string qualityNote(const TextonQuality& quality, const TextonShape& shape, double impacts) {
@@ -57,12 +57,12 @@ std::string qualityNote(const TextonQuality& quality, const TextonShape& shape, 
       "0.48){}; flatness {:.2f}",
       verdict(quality.modelError, shape), quality.modelError,
       quality.heldOutError
-          ? fmt::format(", and {:.3f} for a half of the exemplar fitted to the other",
+          ? fmt::format(", and {:.3f} if one half of the exemplar is fitted to the other",
                         *quality.heldOutError)
           : "",
       quality.flatness);
   if (quality.flatness * kUsualImpacts > kEnoughFlatness * impacts)
-    text += fmt::format(", with {:g} impacts few: --impacts {:.0f} makes the values nearly normal",
+    text += fmt::format("; {:g} impacts are few: --impacts {:.0f} makes the values nearly normal",
                         impacts, std::ceil(quality.flatness / KernelJudgement::kNearlyNormal));
   return text;
 }
@@ -103,7 +103,7 @@ public:
       result.notes.push_back(*std::move(line));
     result.notes.push_back(qualityNote(bake.quality, shape, material.impacts));
     result.json["texton"] = asJson(bake.quality);
-    result.facts.emplace_back("Impacts", fmt::format("{:g} to a point, {}", material.impacts,
+    result.facts.emplace_back("Impacts", fmt::format("{:g} per point, {}", material.impacts,
                                                      nameOf(material.pointProcess)));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
@@ -185,7 +185,7 @@ std::optional<std::string> supportNote(int supportWanted, const TextonShape& sha
   const int wanted = supportWanted - shape.order; // in coefficients
   if (wanted <= std::min(shape.coefficientsX, shape.coefficientsY))
     return std::nullopt;
-  return fmt::format("--support {}: the exemplar has {} x {} pixels, and the texton no more",
+  return fmt::format("--support {}: the exemplar has {} x {} pixels, which limits the texton",
                      supportWanted, shape.texelsPerTileX, shape.texelsPerTileY);
 }
 
@@ -193,12 +193,12 @@ std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shap
   const auto [least, most] =
       std::minmax_element(quality.modelErrors.begin(), quality.modelErrors.end());
   if (quality.modelErrors.size() == 1)
-    return fmt::format("the texton is {}: relative model error {:.3f}; {:.3f} of the deviation is "
-                       "what one texton lacks",
+    return fmt::format("the texton is {}: relative model error {:.3f}; one texton cannot show "
+                       "{:.3f} of the deviation",
                        verdict(*most, shape), *least, quality.rankError);
   return fmt::format(
       "the textons are {}: relative model errors {:.3f} to {:.3f}; neighbours differ "
-      "by {:.3f} of their deviation at most",
+      "by at most {:.3f} of their deviation",
       verdict(*most, shape), *least, *most, quality.largestStep);
 }
 
@@ -242,7 +242,7 @@ std::vector<std::string> TextonCommand::linesOf(const Noise& noise,
                                                 const MaterialNoise& use) const {
   const auto& shape = noise.as<TextonShape>();
   std::string text =
-      fmt::format("textons of {} x {} texels, order {}, {:g} impacts a point, {}",
+      fmt::format("textons of {} x {} texels, order {}, {:g} impacts per point, {}",
                   shape.coefficientsX + shape.order, shape.coefficientsY + shape.order, shape.order,
                   use.impacts, nameOf(use.pointProcess));
   return {text + (shape.steps > 1 ? fmt::format("; {} steps", shape.steps) : "")};

@@ -74,7 +74,7 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
             : fmt::format(
                   "the values of {}{} are matched within {:.3f} % of the optimum, certified",
                   nameOf(bound.map),
-                  isMoved(bound.map, bounds) ? ", moved to go with the other maps," : "",
+                  isMoved(bound.map, bounds) ? ", moved first to fit the other maps," : "",
                   100.0 * bound.excess()));
   return notes;
 }
@@ -151,7 +151,7 @@ public:
     if (steps <= kManySteps || steps >= kMostTileRotation)
       return {};
     return {
-        fmt::format("--tile-rotation {}: a number of steps of a turn, not an angle; 2 or 4 keep "
+        fmt::format("--tile-rotation {}: the number of directions, not an angle; 2 or 4 preserve "
                     "the finest detail, free is any angle",
                     steps)};
   }

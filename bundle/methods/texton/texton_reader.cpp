@@ -121,8 +121,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
     const std::size_t losses = texton.laterSteps.back().mipLoss.size();
     if (losses != 0 && losses != texton.mipLoss.size())
       step.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; give " + std::to_string(texton.mipLoss.size()) +
-                     ", as many as in the first step");
+                 std::to_string(losses) + " values; expected " +
+                     std::to_string(texton.mipLoss.size()) + ", as many as in the first step");
   }
 }
 

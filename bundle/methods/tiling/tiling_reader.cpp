@@ -50,7 +50,7 @@ void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaus
   const std::size_t dimensions = usedChannels(gaussian->format);
   if (map.encoding == ValueEncoding::slope || dimensions < 2)
     return reader.error("map-table-basis", "tableBasis",
-                        "of slopes or of one dimension; their tables are joint");
+                        "present for slopes or for one dimension, whose tables are joint");
   if (basis->size() != n * dimensions)
     return reader.error("map-table-basis", "tableBasis",
                         std::to_string(basis->size()) + " values; expected " +
