@@ -170,7 +170,7 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
     const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
     CHECK(other.code == 0); // the faulty primitive stays as it is
     CHECK_THAT(other.errors,
-               Catch::Contains(words.back()) && Catch::Contains("it stays without the noise"));
+               Catch::Contains(words.back()) && Catch::Contains("it is without noise"));
   };
   const example::TinyScene sound = example::tableScene();
   const auto attributeOf = [](example::TinyScene & scene) -> auto& {
