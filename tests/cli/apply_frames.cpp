@@ -49,7 +49,7 @@ float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 
 } // namespace
 
-TEST_CASE("surface noise gets a frame where there is none") {
+TEST_CASE("surface noise gets a computed frame on a mesh without tangents") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -79,7 +79,7 @@ TEST_CASE("surface noise gets a frame where there is none") {
     CHECK(dot(tangent, tangents[0]) == Approx(1.0));
 }
 
-TEST_CASE("tangents that a mesh has are its frame") {
+TEST_CASE("a mesh with tangents keeps them as its frame") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -92,7 +92,7 @@ TEST_CASE("tangents that a mesh has are its frame") {
   CHECK(document["meshes"] == json(scene.json["meshes"]));
 }
 
-TEST_CASE("of all materials those that need other tangents are left out with a note") {
+TEST_CASE("--material all skips materials that need their own tangents, with a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -111,7 +111,7 @@ TEST_CASE("of all materials those that need other tangents are left out with a n
                int(ErrorKind::badInput), {"material 'wood'", "TANGENT"});
 }
 
-TEST_CASE("one note tells of the singular triangles of many meshes, by index where names agree") {
+TEST_CASE("one note reports the singular triangles of many meshes, with an index for equal names") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -123,7 +123,7 @@ TEST_CASE("one note tells of the singular triangles of many meshes, by index whe
                                Catch::Contains("; 1 more mesh has such triangles"));
 }
 
-TEST_CASE("noise with normals of its own needs no tangents of a normal texture") {
+TEST_CASE("noise with its own normals does not need the tangents of a normal texture") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("bumps"));
   workplace.write("bumps/base_color.png", smooth(16));
@@ -147,7 +147,7 @@ TEST_CASE("noise with normals of its own needs no tangents of a normal texture")
         int(ErrorKind::badInput));
 }
 
-TEST_CASE("the grain is an axis along which the noise lies where a mesh has no tangents") {
+TEST_CASE("the noise follows the axis of --grain on meshes without tangents") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();

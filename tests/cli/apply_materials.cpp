@@ -11,7 +11,7 @@ using namespace lichen;
 using namespace lichen::cli_test;
 using nlohmann::json;
 
-TEST_CASE("an absent image is no matter to a .glb where the noise takes its place, else refused") {
+TEST_CASE("a missing image is an error unless the noise replaces everything that shows it") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
@@ -44,7 +44,7 @@ TEST_CASE("an absent image is no matter to a .glb where the noise takes its plac
   refused();
 }
 
-TEST_CASE("materials whose own shading leaves no place for a noise are left out, or refused") {
+TEST_CASE("materials whose shading ignores a noise are skipped by all and an error by name") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"}) {
@@ -71,7 +71,7 @@ TEST_CASE("materials whose own shading leaves no place for a noise are left out,
   }
 }
 
-TEST_CASE("a .glb takes images in data URIs into itself") {
+TEST_CASE("a .glb embeds images from data URIs") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();

@@ -80,7 +80,7 @@ double meanOf(const std::string& file, int from, int to) {
 
 } // namespace
 
-TEST_CASE("mix writes a sound bundle of its steps, whose ends are the photographs") {
+TEST_CASE("mix writes a valid bundle whose first and last steps match the photographs") {
   const Made& m = made();
   const Ended checked = runLichen({"check", m.bundle, "--json"});
   CHECK(checked.code == 0);
@@ -115,7 +115,7 @@ TEST_CASE("mix makes the same bytes on any number of threads") {
   }
 }
 
-TEST_CASE("mix reports what it made, as JSON too") {
+TEST_CASE("mix reports its result as text and as JSON") {
   const Made& m = made();
   const Ended ended = m.mix("reported.glb", {"--json", m.dark});
   const json report = json::parse(ended.output);
@@ -127,7 +127,7 @@ TEST_CASE("mix reports what it made, as JSON too") {
   CHECK(report.at("maps") == std::vector<std::string>{"baseColor"});
 }
 
-TEST_CASE("mix says which input is no Gaussian texture, and what is one for it") {
+TEST_CASE("the note on an input that is not a Gaussian texture names it and a remedy") {
   // Squares of two values, a third of them dark: two thirds of a standard deviation from a
   // Gaussian.
   SrgbImage spots = speckled(64, 64, 3);
@@ -147,7 +147,7 @@ TEST_CASE("mix says which input is no Gaussian texture, and what is one for it")
   CHECK_THAT(ended.errors, !Catch::Contains("dark.png: histogram"));
 }
 
-TEST_CASE("with weights mix makes one texton between all") {
+TEST_CASE("mix with --weights makes one texton between all inputs") {
   const Made& m = made();
   const std::string bundle = m.workplace.path("between.gltf");
   const Ended ended =
@@ -164,7 +164,7 @@ TEST_CASE("with weights mix makes one texton between all") {
                0.25 * ends.at("laterSteps")[3].at("mean")[0].get<double>()));
 }
 
-TEST_CASE("mix takes folders with the same maps, and keeps them apart from others") {
+TEST_CASE("mix reads folders with the same maps and rejects folders with other maps") {
   const Workplace workplace;
   const auto folder = [&](const std::string& name, bool hasRoughness) {
     std::filesystem::create_directory(workplace.path(name));
@@ -189,7 +189,7 @@ TEST_CASE("mix takes folders with the same maps, and keeps them apart from other
                 "expected the same maps in all exemplars"});
 }
 
-TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
+TEST_CASE("mix reports what it cannot mix and leaves no file") {
   const Made& m = made();
   checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; expected 2 to 16"});
   checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; expected 2 to 16"});
@@ -217,7 +217,7 @@ TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
                {"new.png", ".glb or .gltf"});
 }
 
-TEST_CASE("compare measures a mix at the input that it is told") {
+TEST_CASE("compare measures a mix at the weight of --mix") {
   const Made& m = made();
   const auto measured = [&](const std::string& exemplar, const Arguments& more) {
     Arguments arguments{"compare", exemplar, m.bundle, "--json"};
@@ -250,7 +250,7 @@ TEST_CASE("compare measures a mix at the input that it is told") {
   checkRefusal({"compare", m.dark, m.bundle, "--mix", "2"}, kUsage, {"--mix 2:"});
 }
 
-TEST_CASE("synth shows a mix at a weight, or along a ramp") {
+TEST_CASE("synth shows a mix at one weight or along a ramp") {
   const Made& m = made();
   const auto synth = [&](const Arguments& more) {
     Arguments arguments{"synth", m.bundle, "-o", m.workplace.path("s.png"), "--size", "256x64"};
@@ -284,7 +284,7 @@ TEST_CASE("synth shows a mix at a weight, or along a ramp") {
                {"--mix: noise 'stone' is not a mix"});
 }
 
-TEST_CASE("apply gives a mix its weight from every source") {
+TEST_CASE("apply sets the weight of a mix from every source") {
   const Made& m = made();
   const Workplace workplace;
   example::TinyScene scene = example::tableScene();
@@ -363,7 +363,7 @@ TEST_CASE("apply gives a mix its weight from every source") {
                kUsage, {"--mix-texture: noise 'stone' is not a mix"});
 }
 
-TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range") {
+TEST_CASE("a note names a mesh that exceeds the mask of a mix, with its range") {
   const Workplace workplace;
   const std::string mask = workplace.write("mask.png", smoothGrey(16));
   const auto errorsOf = [&](const example::TinyScene& scene, const std::string& texture) {
@@ -397,7 +397,7 @@ TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range
   CHECK_THAT(errorsOf(scene, "1"), Catch::Contains("outside, its border continues"));
 }
 
-TEST_CASE("a direction needs texture coordinates on a surface too") {
+TEST_CASE("the direction of a mix needs texture coordinates also with mapping surface") {
   const Workplace workplace;
   const std::string file = workplace.write("scene.glb", example::tableScene().glb());
   const auto onSurface = [&](const Arguments& more, const char* out) {

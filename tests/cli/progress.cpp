@@ -99,14 +99,14 @@ void checkProgress(const std::string& verb, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("on a terminal a long bake tells how far it is") {
+TEST_CASE("a long bake shows its progress on a terminal") {
   int side = 96;
   const Ended ended = lasting([](int of) { return made().bakeOf(of); }, side);
   REQUIRE(ended.code == 0);
   checkProgress("bake", ended.errors);
 }
 
-TEST_CASE("a long synth tells how far it is, apart from its JSON, and only on a terminal") {
+TEST_CASE("a long synth shows its progress only on a terminal, and not in its JSON") {
   const auto work = [](int side) {
     Arguments arguments = made().synthOf(side);
     arguments.push_back("--json");
@@ -123,7 +123,7 @@ TEST_CASE("a long synth tells how far it is, apart from its JSON, and only on a 
   CHECK(errorsOf(made().synthOf(side), true, "--quiet").empty());
 }
 
-TEST_CASE("no progress is told of what takes less than a second") {
+TEST_CASE("a task of less than a second shows no progress") {
   const Made& m = made();
   CHECK(errorsOf({"synth", m.bundle, "-o", m.workplace.path("new.png"), "--size", "64"}, true)
             .empty());
