@@ -245,7 +245,7 @@ TEST_CASE("a folder without maps stands for its only subfolder with maps") {
   makeFolder(workplace, "wall/more");
   workplace.write("wall/more/rough.png", flat({0.5f}));
   checkRefusal({"bake", workplace.path("wall"), "-o", workplace.path("new.glb")}, kBadInput,
-               {"wall: a folder without a map", "more, textures have maps"});
+               {"wall: a folder without a map", "inside that have maps: more, textures"});
 }
 
 TEST_CASE("a note names maps that seem to be of two materials") {
@@ -387,7 +387,7 @@ TEST_CASE("the errors for a folder without a map and for two files of one map na
   const std::string color = workplace.write("diff.png", flat(kColor));
   checkRefusal({"bake", color, nameless, "-o", out}, kBadInput,
                {"sphere.png: its name does not say which map it is", "rough",
-                "photographs are baked one at a time"});
+                "or one photograph at a time"});
   const std::string grey = workplace.write("orm.png", flat({0.5f}));
   checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
   CHECK(!std::filesystem::exists(out));

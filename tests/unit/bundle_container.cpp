@@ -235,7 +235,7 @@ TEST_CASE("only the claimed bytes are read of a big file that thousands of buffe
     const auto bundle = readBundle(folder / "scene.gltf");
     REQUIRE_FALSE(bundle.ok());
     CHECK(bundle.error().kind == ErrorKind::badInput);
-    CHECK_THAT(bundle.error().message, Catch::Contains("at most 4294967296 of all buffers"));
+    CHECK_THAT(bundle.error().message, Catch::Contains("at most 4294967296 in all buffers"));
   }
 }
 
