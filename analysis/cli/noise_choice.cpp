@@ -2,6 +2,8 @@
 // Names of noises -> indices; see noise_choice.h.
 #include "noise_choice.h"
 
+#include "options.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
