@@ -91,7 +91,7 @@ public:
       : file_(file), findings_(findings), pointer_("/accessors/" + std::to_string(index)),
         json_(elementOf(index)), reader_(json_, pointer_, findings) {}
 
-  /// Reads the accessor's description. `types` lists the accepted component types.
+  /// Reads the accessor's description. `types` lists the valid component types.
   void describe(const char* type, std::size_t components,
                 std::initializer_list<std::uint64_t> types) {
     count_ = std::size_t(integer(reader_, "count", kMostElements));
@@ -101,7 +101,7 @@ public:
     if (!name || *name != type)
       fail("type", std::string("not ") + type);
     if (count_ == 0)
-      fail("count", "0; at least 1 is accepted");
+      fail("count", "0; expected at least 1");
     if (const json* normalized = reader_.optional("normalized"); normalized != nullptr) {
       if (!normalized->is_boolean())
         fail("normalized", "not true or false");
@@ -118,8 +118,8 @@ public:
                                   : std::nullopt;
     const std::optional<SparseElements> sparse = sparseElements();
     if (!dense && count_ > kMostZeros)
-      fail("count", std::to_string(count_) + " without bytes; 1 to " + std::to_string(kMostZeros) +
-                        " is accepted without a bufferView");
+      fail("count", std::to_string(count_) + " without a bufferView; expected 1 to " +
+                        std::to_string(kMostZeros));
     std::vector<decltype(convert(nullptr))> list(count_);
     for (std::size_t i = 0; dense && i < count_; ++i)
       list[i] = convert(dense->at(i));
@@ -127,7 +127,7 @@ public:
       const std::uint32_t element = loadIndex(sparse->indices.at(i), sparse->indexType);
       if (element >= count_)
         fail("sparse/indices",
-             std::to_string(element) + "; below " + std::to_string(count_) + " is accepted");
+             std::to_string(element) + "; expected an index below " + std::to_string(count_));
       list[element] = convert(sparse->values.at(i));
     }
     return list;
@@ -159,7 +159,7 @@ private:
     ObjectReader indices = inside(place, "indices"), replaced = inside(place, "values");
     sparse.indexType = componentType(indices, {kUnsignedByte, kUnsignedShort, kUnsignedInt});
     if (sparse.count == 0)
-      fail("sparse/count", "0; at least 1 is accepted");
+      fail("sparse/count", "0; expected at least 1");
     sparse.indices = elementsOf(indices, sparse.count, componentBytes(sparse.indexType), false);
     sparse.values = elementsOf(replaced, sparse.count, elementBytes_, false);
     return sparse;
@@ -181,14 +181,13 @@ private:
     return *value;
   }
 
-  std::uint64_t componentType(ObjectReader& reader, std::initializer_list<std::uint64_t> accepted) {
+  std::uint64_t componentType(ObjectReader& reader, std::initializer_list<std::uint64_t> valid) {
     const std::uint64_t type = integer(reader, "componentType", kFloat);
-    if (std::find(accepted.begin(), accepted.end(), type) == accepted.end()) {
+    if (std::find(valid.begin(), valid.end(), type) == valid.end()) {
       std::string list;
-      for (const std::uint64_t each : accepted)
+      for (const std::uint64_t each : valid)
         list += (list.empty() ? "" : ", ") + std::to_string(each);
-      reader.error("accessor", "componentType",
-                   std::to_string(type) + "; one of " + list + " is accepted");
+      reader.error("accessor", "componentType", std::to_string(type) + "; expected one of " + list);
       throw Unreadable{};
     }
     return type;
@@ -232,8 +231,7 @@ private:
     if (!name)
       return;
     findings_.error("compressed", "/bufferViews/" + std::to_string(view),
-                    "is compressed with " + *name +
-                        "; vertices that are not compressed are accepted");
+                    "is compressed with " + *name + "; export the vertices without compression");
     throw Unreadable{};
   }
 
@@ -272,7 +270,7 @@ readVectors(GltfFile& file, std::size_t accessor, FindingList& findings) {
       for (std::size_t c = 0; c < kComponents; ++c) {
         value[c] = loadFloat(element + c * bytes, reader.type(), reader.isNormalized());
         if (!std::isfinite(value[c]))
-          reader.fail("bufferView", "holds NaN or infinite values; finite ones are accepted");
+          reader.fail("bufferView", "holds NaN or infinite values; expected finite ones");
       }
       return value;
     });
@@ -294,8 +292,8 @@ std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_
     return reader.values([&](const std::byte* element) {
       const std::uint32_t value = loadIndex(element, reader.type());
       if (value >= limit)
-        reader.fail("bufferView", "index " + std::to_string(value) + "; below " +
-                                      std::to_string(limit) + " is accepted");
+        reader.fail("bufferView", "index " + std::to_string(value) + "; expected an index below " +
+                                      std::to_string(limit));
       return value;
     });
   } catch (const Unreadable&) {

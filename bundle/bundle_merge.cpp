@@ -87,7 +87,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   use.noise = bundle.noises.size();
   if (use.mix.source == MixSource::texture) {
     merged_.notes.push_back(input.file + ": noise '" + noise.name +
-                            "': the mask of its mix is left behind; its first step is shown");
+                            "': the mask of its mix is not copied; its first step is shown");
     use.mix = {};
   }
   noise.name = name;
@@ -105,7 +105,8 @@ Result<void> Merger::add(const NamedBundle& input) {
                                           "lichen that wrote it"};
   }
   if (input.bundle.noises.empty())
-    return Error{ErrorKind::badInput, input.file + ": has no noise; a bundle with one is accepted"};
+    return Error{ErrorKind::badInput,
+                 input.file + ": has no noise; expected a bundle with at least one"};
   for (std::size_t n = 0; n < input.bundle.noises.size(); ++n)
     addNoise(input, n);
   return {};

@@ -21,11 +21,11 @@ Error refusal(const std::string& what) { return Error{ErrorKind::usage, "bundle:
 Result<void> checkParts(const BundleFile& file) {
   const std::size_t noises = file.bundle.noises.size();
   if (noises == 0)
-    return refusal("no noises; at least one is accepted");
+    return refusal("no noises; expected at least one");
   if (file.bundle.materials.size() != noises || file.previews.size() != noises)
     return refusal(std::to_string(file.bundle.materials.size()) + " materials and " +
                    std::to_string(file.previews.size()) + " previews for " +
-                   std::to_string(noises) + " noises; one of each a noise is accepted");
+                   std::to_string(noises) + " noises; expected one of each per noise");
   if (file.shape == PreviewShape::plane && noises > std::size_t(kGroundSectors))
     return refusal(std::to_string(noises) + " noises; a preview plane shows at most " +
                    std::to_string(kGroundSectors) + ", a sphere or none any number");
@@ -38,7 +38,7 @@ Result<void> checkParts(const BundleFile& file) {
                      "; the preview scene has only texture coordinates 0");
     if (file.previews[i].tilesPerImage < 1)
       return refusal(std::to_string(file.previews[i].tilesPerImage) +
-                     " exemplars in a preview image; at least 1 is accepted");
+                     " exemplars in a preview image; expected at least 1");
   }
   return {};
 }
@@ -102,7 +102,8 @@ Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   const std::string text = root.compact();
   constexpr std::size_t kFraming = 64; // headers and padding
   if (text.size() + encoded.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
-    return refusal(std::to_string(encoded.binary.size()) + " bytes; a GLB holds below 4 GiB");
+    return refusal(std::to_string(encoded.binary.size()) +
+                   " bytes; expected less than 4 GiB in a GLB");
   std::vector<std::byte> glb = frameGlb(text, encoded.binary);
   if (const Result<Bundle> written = parseBundle(glb, "bundle"); !written)
     return Error{written.error().kind == ErrorKind::resources ? ErrorKind::resources
@@ -145,7 +146,7 @@ Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& fi
     const std::filesystem::path extension = path.extension();
     if (extension != ".glb" && extension != ".gltf")
       return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                         "; .glb or .gltf is accepted"};
+                                         "; expected .glb or .gltf"};
     Result<Encoded> encoded = encode(file);
     if (!encoded)
       return encoded.error();

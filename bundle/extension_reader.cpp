@@ -52,7 +52,7 @@ std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t&
   const std::string name = reader.has("name") ? reader.text("name").value_or("") : "";
   const auto mimeType = reader.text("mimeType");
   if (mimeType && *mimeType != "image/ktx2")
-    reader.error("table-mime-type", "mimeType", quoted(*mimeType) + "; image/ktx2 is accepted");
+    reader.error("table-mime-type", "mimeType", quoted(*mimeType) + "; expected image/ktx2");
   const auto view = reader.integer("bufferView", kMaxBufferViews, "buffer-view");
   reader.warnOfUnknown();
   if (!view)
@@ -124,8 +124,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
   if (const auto revision = reader.integer("revision", std::numeric_limits<int>::max());
       revision && *revision != std::uint64_t(revisionOf(method)))
     reader.error("noise-revision", "revision",
-                 std::to_string(*revision) + "; " + std::to_string(revisionOf(method)) +
-                     " is accepted");
+                 std::to_string(*revision) + "; expected " + std::to_string(revisionOf(method)));
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
   noise.data = formatOf(method).readNoise(reader, findings);
   const json* maps = reader.array("maps", kMaxMaps);
@@ -150,7 +149,7 @@ std::array<double, 2> readOffset(ObjectReader& reader) {
   if (offset && offset->size() == 2)
     return {(*offset)[0], (*offset)[1]};
   if (offset)
-    reader.error("count", "offset", std::to_string(offset->size()) + " values; 2 are accepted");
+    reader.error("count", "offset", std::to_string(offset->size()) + " values; expected 2");
   return {0.0, 0.0};
 }
 
@@ -199,12 +198,12 @@ Mapping readMapping(ObjectReader& reader, Method method) {
   const std::optional<Mapping> mapping = mappingFrom(name);
   if (mapping && mappingFits(method, *mapping))
     return *mapping;
-  std::string accepted;
+  std::string expected;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingFits(method, each))
-      accepted += (accepted.empty() ? "" : ", ") + std::string(nameOf(each));
+      expected += (expected.empty() ? "" : ", ") + std::string(nameOf(each));
   reader.error("material-mapping", "mapping",
-               quoted(name) + "; one of " + accepted + " is accepted for the method " +
+               quoted(name) + "; expected one of " + expected + " for the method " +
                    std::string(nameOf(method)));
   return Mapping::uv;
 }
@@ -214,11 +213,11 @@ NoiseSpace readSpace(ObjectReader& reader, Mapping mapping) {
   const std::string name = reader.text("space").value_or("world");
   const std::optional<NoiseSpace> space = noiseSpaceFrom(name);
   if (!space)
-    reader.error("material-space", "space", quoted(name) + "; world or object is accepted");
+    reader.error("material-space", "space", quoted(name) + "; expected world or object");
   else if (!isInSpace(mapping))
     reader.error("material-space", "space",
-                 quoted(name) + "; none is accepted for the mapping " +
-                     std::string(nameOf(mapping)) + ", which is not in space");
+                 quoted(name) + "; expected none for the mapping " + std::string(nameOf(mapping)) +
+                     ", which is not in space");
   return space.value_or(NoiseSpace::world);
 }
 
@@ -254,14 +253,14 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     const auto process = pointProcessFrom(name);
     if (!process)
       reader.error("material-point-process", "pointProcess",
-                   quoted(name) + "; stratified or poisson is accepted");
+                   quoted(name) + "; expected stratified or poisson");
     use.pointProcess = process.value_or(use.pointProcess);
   }
   use.mix = readMixWeight(reader, textures, findings);
   // A noise with errors may have no number of steps.
   if (reader.has("mix") && findings.errorCount() == 0 && !isMix(bundle.noises[use.noise]))
     findings.warn("mix-without-steps", reader.pointerTo("mix"),
-                  "the noise is no mix, so that its weight has no effect");
+                  "the noise is not a mix, so its weight has no effect");
   reader.warnOfUnknown();
   return use;
 }

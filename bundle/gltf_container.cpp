@@ -82,7 +82,7 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
   if (file.size() < kGlbHeaderBytes)
     fail("glb-length", "the GLB ends inside its header");
   if (const std::uint32_t version = word(file, 4); version != kGlbVersion)
-    fail("glb-version", "GLB version " + std::to_string(version) + "; 2 is accepted");
+    fail("glb-version", "GLB version " + std::to_string(version) + "; expected 2");
   if (const std::uint32_t length = word(file, 8); length != file.size())
     fail(
         "glb-length",
@@ -97,8 +97,8 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
     offset += kGlbChunkHeaderBytes;
     if (length > file.size() - offset || length % kGlbAlignment != 0)
       fail("glb-chunk", "GLB chunk " + std::to_string(chunk) + " of " + std::to_string(length) +
-                            " bytes; a multiple of 4, at most " +
-                            std::to_string(file.size() - offset) + ", is accepted");
+                            " bytes; expected a multiple of 4, at most " +
+                            std::to_string(file.size() - offset));
     if ((chunk == 0) != (type == kGlbChunkJson))
       fail("glb-chunk", "the first chunk of a GLB must be its only JSON");
     if (chunk == 0)
@@ -118,21 +118,22 @@ void splitText(std::span<const std::byte> file, GltfContainer& container) {
     return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
   });
   if (first == file.end() || char(*first) != '{')
-    fail(kNotGltf, "neither a GLB (first bytes glTF) nor a JSON object; a .glb or .gltf is "
-                   "accepted");
+    fail(kNotGltf, "neither a GLB (first bytes glTF) nor a JSON object; expected a .glb or "
+                   ".gltf");
   container.text = file;
 }
 
 void parseJson(std::span<const std::byte> text, json& document) {
   if (text.size() > kMaxJsonBytes)
-    fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; at most " +
-                          std::to_string(kMaxJsonBytes) + " are accepted");
+    fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; expected at most " +
+                          std::to_string(kMaxJsonBytes));
   if (nestsTooDeep(text))
     fail("json-depth",
-         "JSON nested deeper than the accepted " + std::to_string(kMaxJsonDepth) + " levels");
+         "JSON nested too deeply; expected at most " + std::to_string(kMaxJsonDepth) + " levels");
   if (const std::optional<JsonFault> fault = buildJson(text, kMaxJsonValues, document)) {
     if (fault->kind == JsonFault::Kind::count)
-      fail("json-count", "JSON of more values than the accepted " + std::to_string(kMaxJsonValues));
+      fail("json-count",
+           "too many JSON values; expected at most " + std::to_string(kMaxJsonValues));
     fail("json-syntax", fault->kind == JsonFault::Kind::range
                             ? "JSON with a number that is out of range"
                             : "JSON syntax error at byte " + std::to_string(fault->byte));
@@ -143,7 +144,7 @@ void parseJson(std::span<const std::byte> text, json& document) {
   if (asset == document.end() || !asset->is_object() || !asset->contains("version") ||
       !(*asset)["version"].is_string() ||
       (*asset)["version"].get_ref<const std::string&>().rfind("2.", 0) != 0)
-    fail("asset-version", "absent or not 2.x; \"2.0\" is accepted", "/asset/version");
+    fail("asset-version", "absent or not 2.x; expected \"2.0\"", "/asset/version");
 }
 
 } // namespace

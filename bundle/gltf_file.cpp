@@ -60,7 +60,7 @@ Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
   std::vector<std::byte> bytes;
   if (marker == std::string::npos ||
       !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
-    return Error{ErrorKind::badInput, "data URI that is not sound base64"};
+    return Error{ErrorKind::badInput, "data URI with invalid base64"};
   return bytes;
 }
 
@@ -107,8 +107,8 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   if (const auto list = document.find("buffers"); list != document.end() && list->is_array()) {
     if (list->size() > kMaxBuffers) {
       findings.error("count", "",
-                     std::to_string(list->size()) + " buffers; at most " +
-                         std::to_string(kMaxBuffers) + " are accepted");
+                     std::to_string(list->size()) + " buffers; expected at most " +
+                         std::to_string(kMaxBuffers));
       return std::nullopt;
     }
     gltf.buffers_.resize(list->size());
@@ -127,10 +127,10 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   const auto relative = pathOfUri(uri);
   if (!relative)
     return Error{ErrorKind::badInput,
-                 "URI " + quoted(uri) + "; a relative path or a base64 data URI is accepted"};
+                 "URI " + quoted(uri) + "; expected a relative path or a base64 data URI"};
   const auto path = fileInside(folder_, *relative);
   if (!path)
-    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " leads out of the file's folder"};
+    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " points outside the file's folder"};
   return *path;
 }
 
@@ -155,15 +155,15 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   const auto uri = description->find("uri");
   if (uri == description->end()) {
     if (index != 0 || !container_.binaryChunk)
-      return fault("buffer", "", "no uri, and no GLB chunk that would hold it");
+      return fault("buffer", "", "has no uri, and the file has no GLB chunk for it");
     target.bytes = *container_.binaryChunk;
   } else {
     if (!uri->is_string())
       return fault("buffer-uri", "/uri", "not a string");
     if (*length > kMaxStoredBytes - storedBytes_)
       return fault("buffer", "/byteLength",
-                   std::to_string(*length) + " bytes; at most " + std::to_string(kMaxStoredBytes) +
-                       " of all buffers are accepted");
+                   std::to_string(*length) + " bytes; expected at most " +
+                       std::to_string(kMaxStoredBytes) + " in all buffers");
     Result<std::vector<std::byte>> read =
         readUri(uri->get_ref<const std::string&>(), std::size_t(*length));
     if (!read)
@@ -176,7 +176,7 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   if (*length > target.bytes.size())
     return fault("buffer", "/byteLength",
                  std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
-                     " are there");
+                     " are available");
   target.bytes = target.bytes.first(std::size_t(*length));
   return std::nullopt;
 }
@@ -186,7 +186,7 @@ std::optional<std::span<const std::byte>> GltfFile::bufferView(std::size_t index
   if (const json* view = element(document(), "bufferViews", index);
       view != nullptr && view->contains("byteStride")) {
     findings.error("buffer-view", "/bufferViews/" + std::to_string(index) + "/byteStride",
-                   "not accepted on a table's bytes");
+                   "is set for a table's bytes; expected none");
     return std::nullopt;
   }
   const std::optional<StridedView> view = stridedView(index, findings);

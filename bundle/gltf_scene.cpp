@@ -100,7 +100,7 @@ private:
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count)
       findings_.error("index", pointer,
                       value.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 20) +
-                          "; an index below " + std::to_string(count) + " is accepted");
+                          "; expected an index below " + std::to_string(count));
   }
 
   const json& root_;

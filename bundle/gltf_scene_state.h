@@ -39,7 +39,7 @@ struct GltfScene::State {
   std::size_t ignoredNoises = 0;    ///< likewise
   std::set<std::string> noiseNames; ///< names of all noises of the file
 
-  SoundAccessors soundAccessors; ///< accessors that checkVertices() accepted
+  SoundAccessors soundAccessors; ///< accessors without errors, as checkVertices() found
   std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< indexed by material
   NameCounts materialNames, meshNames;
   bool listsExtension = false; ///< whether extensionsUsed lists the extension

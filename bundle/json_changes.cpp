@@ -136,7 +136,7 @@ private:
       static const JsonChange kNone{};
       const JsonChange& inside = member == change.members_.end() ? kNone : member->change;
       if (member != change.members_.end() && !found.insert(key).second)
-        fail(pointer + "/" + key, "stands twice; once is accepted");
+        fail(pointer + "/" + key, "appears twice; expected once");
       if (inside.isRemoved_) {
         (void)skip();
       } else {

@@ -151,34 +151,34 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
   });
   if (format == kFormats.end())
     return refusal(name, "vkFormat " + std::to_string(header.vkFormat) +
-                             "; accepted are 9, 16, 37, 43, 76, 83, 97, 100, 109 (R8, RG8, RGBA8, "
-                             "RGBA8 SRGB, R16F, RG16F, RGBA16F, R32F, RGBA32F)");
+                             "; expected 9, 16, 37, 43, 76, 83, 97, 100 or 109 (R8, RG8, RGBA8, "
+                             "RGBA8 SRGB, R16F, RG16F, RGBA16F, R32F or RGBA32F)");
   if (header.typeSize != format->typeSize)
     return refusal(name, "typeSize " + std::to_string(header.typeSize) + "; vkFormat " +
                              std::to_string(header.vkFormat) + " has " +
                              std::to_string(format->typeSize));
   for (const std::uint32_t side : {header.pixelWidth, header.pixelHeight})
     if (side == 0 || side > kMaxTableSide)
-      return refusal(name, "side of " + std::to_string(side) + " texels; 1 to " +
-                               std::to_string(kMaxTableSide) + " are accepted");
+      return refusal(name, "side of " + std::to_string(side) + " texels; expected 1 to " +
+                               std::to_string(kMaxTableSide));
   if (header.pixelDepth > kMaxTableSide)
-    return refusal(name, "depth of " + std::to_string(header.pixelDepth) + " texels; at most " +
-                             std::to_string(kMaxTableSide) + " are accepted");
+    return refusal(name, "depth of " + std::to_string(header.pixelDepth) +
+                             " texels; expected at most " + std::to_string(kMaxTableSide));
   if (header.layerCount != 0 || header.faceCount != 1)
     return refusal(name, std::to_string(header.layerCount) + " layers and " +
                              std::to_string(header.faceCount) +
-                             " faces; only a single 2-D or 3-D image (0 and 1) is accepted");
+                             " faces; expected a single 2-D or 3-D image (0 and 1)");
   const auto mostLevels =
       header.pixelDepth > 0
           ? 1
           : std::uint32_t(std::bit_width(std::max(header.pixelWidth, header.pixelHeight)));
   if (header.levelCount == 0 || header.levelCount > mostLevels)
-    return refusal(name, std::to_string(header.levelCount) + " mip levels; 1 to " +
-                             std::to_string(mostLevels) + " are accepted for this size");
+    return refusal(name, std::to_string(header.levelCount) + " mip levels; expected 1 to " +
+                             std::to_string(mostLevels) + " for this size");
   if (header.supercompressionScheme != 0 || header.sgdByteOffset != 0 || header.sgdByteLength != 0)
     return refusal(name, "supercompression scheme " +
                              std::to_string(header.supercompressionScheme) +
-                             "; only uncompressed data (0, without global data) is accepted");
+                             "; expected uncompressed data (0, without global data)");
   Table table;
   table.name = name;
   table.format = format->format;
@@ -258,7 +258,7 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
   }
   if (end != file.size())
     return refusal(table.name, std::to_string(file.size() - end) +
-                                   " bytes after the last mip level; none are accepted");
+                                   " bytes after the last mip level; expected none");
   const LevelRange last = levelRange(table, table.mipLevels - 1);
   table.texels.resize(last.offset + last.size);
   for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
@@ -318,7 +318,7 @@ Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
   }
   Result<Table> complete = readLevels(std::move(table).value(), file, metadataEnd);
   if (complete && !isFinite(complete.value()))
-    return refusal(name, "a texel is NaN or infinite; only finite values are accepted");
+    return refusal(name, "a texel is NaN or infinite; expected finite values");
   return complete;
 }
 

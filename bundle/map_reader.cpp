@@ -63,17 +63,18 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
     const auto channel =
         name.is_string() ? mapChannelFrom(name.get_ref<const std::string&>()) : std::nullopt;
     if (!channel)
-      return reader.error("map-channels", "channels", "holds something that is no channel's name");
+      return reader.error("map-channels", "channels",
+                          "has an element that is not the name of a channel");
     map.channels.push_back(*channel);
   }
   if (!targetKnown || channelsFit(map.target, map.channels))
     return;
-  std::string accepted;
+  std::string expected;
   for (const MapChannel channel : channelsOf(map.target))
-    accepted += (accepted.empty() ? "" : ", ") + std::string(nameOf(channel));
+    expected += (expected.empty() ? "" : ", ") + std::string(nameOf(channel));
   reader.error(
       "map-channels", "channels",
-      "not those of " + std::string(nameOf(map.target)) + ": " + accepted +
+      "not those of " + std::string(nameOf(map.target)) + "; expected " + expected +
           (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
 }
 
@@ -113,8 +114,8 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
     map.target = target.value_or(map.target);
     if (!target)
       reader.error("map-target", "target",
-                   quoted(*name) + "; baseColor, normal, occlusionRoughnessMetallic, emissive, "
-                                   "height or opacity is accepted");
+                   quoted(*name) + "; expected baseColor, normal, occlusionRoughnessMetallic, "
+                                   "emissive, height or opacity");
   }
   if (const auto name = reader.text("encoding")) {
     const auto encoding = valueEncodingFrom(*name);

@@ -17,7 +17,7 @@ std::string shortest(double value) { return json(value).dump(); }
 ObjectReader::ObjectReader(const json& value, std::string pointer, FindingList& findings)
     : value_(value), pointer_(std::move(pointer)), findings_(findings) {
   if (!value_.is_object())
-    findings_.error("type", pointer_, std::string(value_.type_name()) + "; an object is accepted");
+    findings_.error("type", pointer_, std::string(value_.type_name()) + "; expected an object");
 }
 
 bool ObjectReader::has(const char* key) const { return value_.is_object() && value_.contains(key); }
@@ -41,14 +41,14 @@ void ObjectReader::error(const char* code, const char* key, std::string message)
 std::optional<double> ObjectReader::checkedNumber(const json& value, const std::string& pointer,
                                                   NumberRange range) {
   if (!value.is_number()) {
-    findings_.error("type", pointer, std::string(value.type_name()) + "; a number is accepted");
+    findings_.error("type", pointer, std::string(value.type_name()) + "; expected a number");
     return std::nullopt;
   }
   const auto number = value.get<double>();
   if (!(number >= range.least && number <= range.most)) {
     findings_.error("range", pointer,
-                    shortest(number) + "; " + shortest(range.least) + " to " +
-                        shortest(range.most) + " is accepted");
+                    shortest(number) + "; expected " + shortest(range.least) + " to " +
+                        shortest(range.most));
     return std::nullopt;
   }
   return number;
@@ -68,13 +68,12 @@ const json* ObjectReader::array(const char* key, std::size_t most) {
   if (member == nullptr)
     return nullptr;
   if (!member->is_array()) {
-    error("type", key, std::string(member->type_name()) + "; an array is accepted");
+    error("type", key, std::string(member->type_name()) + "; expected an array");
     return nullptr;
   }
   if (member->empty() || member->size() > most) {
     error("count", key,
-          std::to_string(member->size()) + " elements; 1 to " + std::to_string(most) +
-              " are accepted");
+          std::to_string(member->size()) + " elements; expected 1 to " + std::to_string(most));
     return nullptr;
   }
   return member;
@@ -101,15 +100,14 @@ std::optional<std::uint64_t> ObjectReader::integer(const char* key, std::uint64_
   if (member == nullptr)
     return std::nullopt;
   if (!member->is_number_integer()) {
-    error("type", key, std::string(member->type_name()) + "; an integer is accepted");
+    error("type", key, std::string(member->type_name()) + "; expected an integer");
     return std::nullopt;
   }
   const auto value =
       member->is_number_unsigned() ? std::optional(member->get<std::uint64_t>()) : std::nullopt;
   if (!value || *value < least || *value > most) {
     error(rangeCode, key,
-          member->dump() + "; " + std::to_string(least) + " to " + std::to_string(most) +
-              " is accepted");
+          member->dump() + "; expected " + std::to_string(least) + " to " + std::to_string(most));
     return std::nullopt;
   }
   return value;
@@ -120,7 +118,7 @@ std::optional<std::string> ObjectReader::text(const char* key) {
   if (member == nullptr)
     return std::nullopt;
   if (!member->is_string()) {
-    error("type", key, std::string(member->type_name()) + "; a string is accepted");
+    error("type", key, std::string(member->type_name()) + "; expected a string");
     return std::nullopt;
   }
   return member->get<std::string>();

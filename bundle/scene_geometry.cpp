@@ -41,10 +41,10 @@ bool hasDraco(const json& primitive) {
 std::optional<std::string> unreadable(const json& primitive) {
   const std::uint64_t mode = primitive.value("mode", kTriangles);
   if (mode < kTriangles || mode > kTriangleFan)
-    return "mode " + std::to_string(mode) + ", points or lines; triangles are accepted";
+    return "mode " + std::to_string(mode) + ", points or lines; expected triangles";
   if (hasDraco(primitive))
     return std::string("is compressed with ") + kDraco +
-           "; vertices that are not compressed are accepted";
+           "; export the vertices without compression";
   if (!primitive["attributes"].contains("POSITION"))
     return "has no POSITION";
   return std::nullopt;
@@ -189,8 +189,8 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
     const json& primitive = state_->primitive(place);
     const std::string title = state_->path.string() + ": " + primitiveTitle(place) + ": ";
     if (const std::uint64_t mode = primitive.value("mode", kTriangles); mode > kTriangleFan)
-      return Error{ErrorKind::badInput, title + "mode " + std::to_string(mode) + "; 0 to " +
-                                            std::to_string(kTriangleFan) + " is accepted"};
+      return Error{ErrorKind::badInput, title + "mode " + std::to_string(mode) +
+                                            "; expected 0 to " + std::to_string(kTriangleFan)};
     if (Compression extension = compressionOf(document(), primitive))
       return extension;
     if (!primitive["attributes"].contains("POSITION"))

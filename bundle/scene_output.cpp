@@ -87,8 +87,8 @@ private:
       if (!mediaType)
         return fileError(state_.path, "/images/" + std::to_string(i) +
                                           "/uri: " + quoted(*stringMember(image, "uri")) +
-                                          " is no PNG, JPEG, WebP or KTX2; a .gltf is accepted "
-                                          "as output");
+                                          " is not a PNG, JPEG, WebP or KTX2; choose a .gltf as "
+                                          "output");
       JsonChange& change = state_.changes.member("images").element(i);
       change.member("uri").remove();
       change.member("bufferView").set(state_.addView(bytes.value(), sizeof(std::uint32_t), false));
@@ -140,11 +140,11 @@ private:
             array == std::string_view("images") ? tookImages : takesFirst_ && i == 0;
         if (namesFile(element) && !isInside)
           return fileError(path_,
-                           state_.path.string() + " names files beside it, such as " +
+                           state_.path.string() + " refers to files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
-                               (takesAllAsGlb() ? "; a .glb, or an output in the same folder, is "
-                                                  "accepted"
-                                                : "; an output in the same folder is accepted"),
+                               (takesAllAsGlb() ? "; choose a .glb, or an output in the same "
+                                                  "folder"
+                                                : "; choose an output in the same folder"),
                            ErrorKind::usage);
       }
     return {};
@@ -212,7 +212,7 @@ private:
     if (text.value().size() + binary.size() + others.size() >
         std::numeric_limits<std::uint32_t>::max() - kFraming)
       return fileError(path_, std::to_string(binary.size()) +
-                                  " bytes; a .glb holds below 4 GiB, a .gltf is accepted");
+                                  " bytes, and a .glb holds less than 4 GiB; choose a .gltf");
     return replaceFile(path_, frameGlb(text.value(), binary, others));
   }
 
@@ -249,7 +249,7 @@ Result<void> GltfScene::write(const std::filesystem::path& path) {
   const std::filesystem::path extension = path.extension();
   if (extension != ".glb" && extension != ".gltf")
     return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                       "; .glb or .gltf is accepted"};
+                                       "; expected .glb or .gltf"};
   return withinMemory([&] { return path.string() + ": not enough memory to write it"; },
                       [&] { return SceneWriter(*state_, path).run(); });
 }

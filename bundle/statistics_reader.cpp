@@ -64,8 +64,8 @@ std::vector<double> readMean(ObjectReader& reader, ValueEncoding encoding, std::
     return {};
   if (n != 0 && mean->size() != n)
     reader.error("map-mean", "mean",
-                 std::to_string(mean->size()) + " values; " + std::to_string(n) +
-                     ", one a channel, are accepted");
+                 std::to_string(mean->size()) + " values; expected " + std::to_string(n) +
+                     ", one per channel");
   return std::move(*mean);
 }
 
@@ -76,8 +76,8 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
     return {};
   if (n != 0 && covariance->size() != n * n)
     reader.error("map-covariance", "covariance",
-                 std::to_string(covariance->size()) + " values; " + std::to_string(n * n) +
-                     ", a row of the matrix a channel, are accepted");
+                 std::to_string(covariance->size()) + " values; expected " + std::to_string(n * n) +
+                     ", a row of the matrix per channel");
   else if (n != 0 && !isSymmetric(*covariance, n))
     reader.error("map-covariance", "covariance", "not symmetric");
   else if (n != 0 && !isPositiveSemidefinite(*covariance, n))
@@ -100,14 +100,13 @@ std::vector<double> readLosses(ObjectReader& reader, std::size_t rows) {
     if (!row.empty() && row.front() != 0.0)
       reader.error("map-mip-loss", "mipLoss",
                    json(row.front()).dump() + " at " + std::to_string(r * row.size()) +
-                       "; 0 is accepted: level 0 loses nothing");
+                       "; expected 0: level 0 loses nothing");
     const auto fall = std::is_sorted_until(row.begin(), row.end());
     if (fall != row.end())
       reader.error("map-mip-loss", "mipLoss",
                    json(*fall).dump() + " at " +
                        std::to_string(r * row.size() + std::size_t(fall - row.begin())) +
-                       "; no less than the mip level before, " + json(*(fall - 1)).dump() +
-                       ", is accepted");
+                       "; expected no less than the mip level before, " + json(*(fall - 1)).dump());
   }
   return std::move(*losses);
 }

@@ -69,14 +69,14 @@ LichenResult findParameters(const LichenBundle_T& plan, const LichenUniformInfo&
   const auto& materials = plan.bundle.materials;
   if (info.overrides & LICHEN_OVERRIDE_NOISE) {
     if (info.noise >= plan.bundle.noises.size()) {
-      writeDiagnostic(diagnostic, "noise %u does not exist; the bundle has %zu noises", info.noise,
-                      plan.bundle.noises.size());
+      writeDiagnostic(diagnostic, "noise %u does not exist; expected an index below %zu",
+                      info.noise, plan.bundle.noises.size());
       return LICHEN_ERROR_USAGE;
     }
     parameters.noise = info.noise;
   } else if (info.material >= materials.size() || !materials[info.material]) {
-    writeDiagnostic(diagnostic, "material %u has no noise; the bundle has %zu materials",
-                    info.material, materials.size());
+    writeDiagnostic(diagnostic, "material %u has no noise; number of materials: %zu", info.material,
+                    materials.size());
     return LICHEN_ERROR_USAGE;
   } else {
     parameters = *materials[info.material];

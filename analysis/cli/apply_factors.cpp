@@ -117,21 +117,19 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
     return items.size() == 1 ? one : many;
   };
   if (!changing.empty())
-    notes.push_back(fmt::format("{}: {} {} the noise; 1, which --factors one sets, shows it as it "
-                                "was baked",
-                                path, shortList(changing),
-                                verb(changing, "multiplies", "multiply")));
+    notes.push_back(fmt::format("{}: {} {} the noise; use --factors one to show it as baked", path,
+                                shortList(changing), verb(changing, "multiplies", "multiply")));
   if (!hiding.empty())
-    notes.push_back(fmt::format("{}: {} {} below {}, so that the noise hardly shows; --factors one "
-                                "sets 1",
+    notes.push_back(fmt::format("{}: {} {} below {}, which almost hides the noise; use --factors "
+                                "one to show it",
                                 path, shortList(hiding), verb(hiding, "is", "are"), kLeastFactor));
   if (!glowing.empty())
-    notes.push_back(fmt::format("{}: emissiveFactor of {} is 1 without an emissiveTexture: viewers "
-                                "that do not know the noise show it white",
+    notes.push_back(fmt::format("{}: emissiveFactor of {} is 1 without an emissiveTexture; viewers "
+                                "without the extension show it white",
                                 path, shortList(glowing)));
   if (!unlit.empty())
-    notes.push_back(fmt::format("{}: {} {} unlit, so that the noise is not shown", path,
-                                shortList(unlit), verb(unlit, "is", "are")));
+    notes.push_back(fmt::format("{}: {} {} unlit; the noise is not shown", path, shortList(unlit),
+                                verb(unlit, "is", "are")));
   return notes;
 }
 

@@ -56,19 +56,18 @@ std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshF
     const std::size_t count = singular->singularities.size();
     const std::size_t more = singularMeshes - 1;
     const std::string others = more > 0
-                                   ? fmt::format("; {} more {} such triangles, which --json lists",
+                                   ? fmt::format("; {} more {} such triangles; --json lists them",
                                                  more, more == 1 ? "mesh has" : "meshes have")
                                    : "";
-    notes.push_back(fmt::format("{}: {}: the frame has {} singular {}, around which the noise "
-                                "turns, at {} of the mesh{}",
-                                scene.path().string(), singular->mesh, count,
-                                count == 1 ? "triangle" : "triangles",
-                                placesOf(singular->singularities), others));
+    notes.push_back(fmt::format(
+        "{}: {}: the directions have {} singular {}, around which the noise "
+        "rotates, at {} of the mesh{}",
+        scene.path().string(), singular->mesh, count, count == 1 ? "triangle" : "triangles",
+        placesOf(singular->singularities), others));
   }
   if (!smoothed.empty())
-    notes.push_back(fmt::format("{}: {}: had no normals and {} given smooth ones",
-                                scene.path().string(), shortList(smoothed),
-                                smoothed.size() == 1 ? "is" : "are"));
+    notes.push_back(fmt::format("{}: {}: had no normals; smooth ones were added",
+                                scene.path().string(), shortList(smoothed)));
   return notes;
 }
 
@@ -91,7 +90,7 @@ std::vector<std::string> notesOnNormals(const GltfScene& scene,
   if (turned.empty())
     return {};
   return {fmt::format(
-      "{}: {}: a viewer without the extension has {} normalTexture along the noise's tangents",
+      "{}: {}: viewers without the extension orient {} normalTexture by the noise's tangents",
       scene.path().string(), shortList(turned), turned.size() == 1 ? "its" : "their")};
 }
 
@@ -107,8 +106,9 @@ std::vector<std::string> notesOnGrain(const GltfScene& scene,
       continue;
     const std::string more =
         framed.size() > 1 ? fmt::format(", like {} more of its material", framed.size() - 1) : "";
-    notes.push_back(fmt::format("{}: {}{}: has tangents, along which the noise lies, not --grain",
-                                scene.path().string(), scene.primitiveTitle(framed.front()), more));
+    notes.push_back(
+        fmt::format("{}: {}{}: has tangents, which the noise follows instead of --grain",
+                    scene.path().string(), scene.primitiveTitle(framed.front()), more));
   }
   return notes;
 }
@@ -121,9 +121,10 @@ void append(std::vector<std::string>& notes, std::vector<std::string> more) {
 } // namespace
 
 void addFrameOptions(CLI::App& verb, std::optional<Vector3>& grain) {
-  addValue(verb, "--grain", grain, optional(axis()), "",
-           "Of surface: where the exemplar's rows point, in the space of each mesh [default: where "
-           "they turn least]");
+  addValue(
+      verb, "--grain", grain, optional(axis()), "",
+      "surface: an axis in the space of each mesh that the exemplar's rows follow [default: the "
+      "smoothest directions]");
 }
 
 Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> materials,
@@ -131,8 +132,7 @@ Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> mat
                               const std::optional<Vector3>& grain, const SharedOptions& shared) {
   if (mapping != Mapping::surface) {
     if (grain)
-      return Error{ErrorKind::usage, fmt::format("--grain: --mapping {} has no frame; surface is "
-                                                 "accepted with it",
+      return Error{ErrorKind::usage, fmt::format("--grain: belongs to --mapping surface, not to {}",
                                                  nameOf(mapping))};
     return AddedFrames{};
   }

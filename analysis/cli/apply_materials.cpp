@@ -34,8 +34,7 @@ Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& want
       found.push_back(m);
   }
   if (found.size() > 1)
-    return refuse(
-        fmt::format("has that name for {}; an index is accepted", fmt::join(found, ", ")));
+    return refuse(fmt::format("has that name for {}; expected an index", fmt::join(found, ", ")));
   if (!found.empty())
     return found.front();
   std::size_t index = 0;
@@ -45,7 +44,8 @@ Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& want
   constexpr std::size_t kMostNamed = 12;
   const bool isMore = titles.size() > kMostNamed;
   titles.resize(std::min(titles.size(), kMostNamed));
-  return refuse(fmt::format("has {}{}", fmt::join(titles, ", "), isMore ? " and others" : ""));
+  return refuse(fmt::format("has no such material; expected one of {}{}", fmt::join(titles, ", "),
+                            isMore ? " and others" : ""));
 }
 
 } // namespace
@@ -54,7 +54,7 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
                                       const std::vector<std::string>& wanted) {
   if (scene.materialCount() == 0)
     return Error{ErrorKind::badInput,
-                 scene.path().string() + ": has no materials; a scene with one is accepted"};
+                 scene.path().string() + ": has no materials; expected at least one"};
   ChosenMaterials chosen;
   for (const std::string& each : wanted) {
     if (each == "all") {
@@ -67,8 +67,8 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
     chosen.indices.push_back(material.value());
   }
   if (chosen.areAll && !chosen.indices.empty())
-    return Error{ErrorKind::usage, "--material all: another --material is there too; all, or the "
-                                   "materials by name or index, is accepted"};
+    return Error{ErrorKind::usage, "--material all: given with another --material; expected all, "
+                                   "or materials by name or index"};
   if (chosen.areAll) {
     chosen.indices.resize(scene.materialCount());
     std::iota(chosen.indices.begin(), chosen.indices.end(), std::size_t(0));
@@ -132,9 +132,9 @@ Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, con
     return fit;
   if (!chosen.areAll || fit.empty())
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: {}; {} is accepted", scene.path().string(), first, instead)};
-  notes.push_back(fmt::format("{}: {} left out, since {}; {} is accepted there",
-                              scene.path().string(), shortList(others), first, instead));
+                 fmt::format("{}: {}; use {}", scene.path().string(), first, instead)};
+  notes.push_back(fmt::format("{}: {} left out, since {}; use {} there", scene.path().string(),
+                              shortList(others), first, instead));
   return fit;
 }
 

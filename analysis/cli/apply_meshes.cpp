@@ -51,10 +51,10 @@ Result<void> checkMeshes(GltfScene& scene, std::span<const std::size_t> material
         group.first = scene.primitiveTitle(place);
     }
   if (broken.count > 0)
-    notes.push_back(fmt::format("{}; it{} {} without the noise, as before, but viewers may "
-                                "refuse the scene",
+    notes.push_back(fmt::format("{}; it{} {} without noise and unchanged, but viewers may "
+                                "reject the scene",
                                 broken.first, andOthers(broken.count),
-                                broken.count == 1 ? "stays" : "stay"));
+                                broken.count == 1 ? "is" : "are"));
   for (const auto& [extension, group] : compressed)
     notes.push_back(fmt::format("{}: {}{}: compressed with {}, which lichen-render does not read",
                                 scene.path().string(), group.first, andOthers(group.count),

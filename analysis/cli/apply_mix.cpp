@@ -53,14 +53,14 @@ std::vector<std::string> sourcesOf(const MixOptions& options) {
 Result<void> check(const MixOptions& options, const Noise& noise) {
   const std::vector<std::string> sources = sourcesOf(options);
   if (!isMix(noise))
-    return usage(fmt::format("{}: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+    return usage(fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              sources.empty() ? "--mix-channel" : sources.front(), noise.name));
   if (sources.size() > 1)
-    return usage(fmt::format("{}: {} sources of the weight; one of them is accepted",
+    return usage(fmt::format("{}: {} sources of the weight; expected one of them",
                              fmt::join(sources, ", "), sources.size()));
   if (options.channel && options.texture.empty() && !options.colorSet)
-    return usage("--mix-channel: no texture and no vertex colours; --mix-texture or "
-                 "--mix-vertex-color is accepted with it");
+    return usage("--mix-channel: no texture and no vertex colours; add --mix-texture or "
+                 "--mix-vertex-color");
   return {};
 }
 
@@ -71,8 +71,8 @@ Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t>
     for (const PrimitivePlace place : scene.primitivesOf(material))
       if (!scene.attribute(place, attribute))
         return Error{ErrorKind::badInput,
-                     fmt::format("{}: {} with {} has no {}, which {} needs; another source of the "
-                                 "weight is accepted",
+                     fmt::format("{}: {} with {} has no {}, which {} needs; choose another source "
+                                 "of the weight",
                                  scene.path().string(), scene.primitiveTitle(place),
                                  scene.materialTitle(material), attribute, option)};
   return {};
@@ -95,8 +95,8 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   if (code == std::errc{} && end == wanted.data() + wanted.size()) {
     if (index < scene.textureCount())
       return index;
-    return usage(fmt::format("--mix-texture {}: {} has {} textures; an index of one, or a file, is "
-                             "accepted",
+    return usage(fmt::format("--mix-texture {}: {} has {} textures; expected the index of one, or "
+                             "a file",
                              wanted, scene.path().string(), scene.textureCount()));
   }
   const Result<std::vector<std::byte>> file = readFile(wanted);
@@ -107,8 +107,8 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   if (first != kFirstOfPng && first != kFirstOfJpeg)
     return Error{
         ErrorKind::badInput,
-        fmt::format("{}: no PNG or JPEG, which a mask of glTF is; one of them, or the index "
-                    "of a texture of the scene, is accepted",
+        fmt::format("{}: not a PNG or JPEG; expected one of them, which glTF needs for a mask, "
+                    "or the index of a texture of the scene",
                     wanted)};
   const Result<ImageFile> image = decodeImage(file.value(), wanted);
   if (!image)
@@ -116,8 +116,9 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   const auto& mask = std::get<SrgbImage>(image.value().pixels);
   constexpr int kAlpha = 3;
   if (channel == kAlpha && mask.channels % 2 != 0)
-    return Error{ErrorKind::badInput, wanted + ": has no alpha, which --mix-channel asks for; red, "
-                                               "green or blue is accepted"};
+    return Error{ErrorKind::badInput, wanted +
+                                          ": has no alpha, which --mix-channel asks for; expected "
+                                          "red, green or blue"};
   return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
                       [&]() -> Result<std::size_t> {
                         return scene.addTexture(file.value(),
@@ -169,14 +170,15 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
         continue;
       const auto [repeatsU, repeatsV] = repeats(scene, texture);
       const bool isClamped = (leaves(0) && !repeatsU) || (leaves(1) && !repeatsV);
-      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) leaves 0 to 1, "
-                          "where the mask of the mix lies; outside, {}",
+      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) exceeds 0 to "
+                          "1, the range of the mask; outside, {}",
                           scene.primitiveTitle(place), least[0], least[1], most[0], most[1],
                           isClamped ? "its border continues" : "it repeats");
     }
   if (count > 0)
-    notes.push_back(fmt::format("{}: {}{}", scene.path().string(), first,
-                                count > 1 ? fmt::format("; so do {} more", count - 1) : ""));
+    notes.push_back(fmt::format(
+        "{}: {}{}", scene.path().string(), first,
+        count > 1 ? fmt::format("; {} more {} so", count - 1, count == 2 ? "does" : "do") : ""));
   return {};
 }
 
@@ -222,20 +224,20 @@ Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
 void addMixOptions(CLI::App& verb, MixOptions& options) {
   constexpr const char* kGroup = "Mix";
   addValue(verb, "--mix", options.weight, optional(number(kMixWeightRange)), "",
-           "The place in a mix: 0 is its first input, 1 its last [default: the bundle's]")
+           "Weight of a mix everywhere: 0 the first input, 1 the last [default: the bundle's]")
       .group(kGroup);
   addValue(verb, "--mix-direction", options.direction, optional(twoPlaces()), "",
-           "Texture coordinates at which it is 0 and 1")
+           "Texture coordinates at which the weight is 0, and at which it is 1")
       .group(kGroup);
   addText(verb, "--mix-texture", options.texture, "IMAGE|INDEX",
-          "A mask in texture coordinates 0: a PNG or JPEG, or a texture of the scene")
+          "Mask of the weight: a PNG or JPEG, or the index of a texture of the scene")
       .group(kGroup);
   addValue(verb, "--mix-vertex-color", options.colorSet, optional(wholeNumber(0, kMostColorSet)),
-           "", "The vertex colours COLOR_N")
+           "", "N of the vertex colours COLOR_N, which hold the weight")
       .group(kGroup);
   const Choices<int> channels{{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}};
   addValue(verb, "--mix-channel", options.channel, optional(oneOf(channels)), "",
-           "Which channel of the mask or the colours [default: red]")
+           "Channel of the mask or the colours [default: red]")
       .group(kGroup);
 }
 

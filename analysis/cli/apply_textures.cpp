@@ -121,7 +121,7 @@ void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> material
       continue;
     scene.leaveImage(image);
     notes.push_back(fmt::format(
-        "{}: /images/{}: the file '{}' is absent; beside the noise nothing shows it",
+        "{}: /images/{}: the file '{}' is missing, but the noise replaces everything that shows it",
         scene.path().string(), image, scene.document()["images"][image]["uri"].get<std::string>()));
   }
 }

@@ -35,12 +35,12 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
   case FlatteningChoice::Reason::mended:
     break;
   case FlatteningChoice::Reason::calm:
-    return "there is nothing that flattening would mend; nothing is removed";
+    return "neither cloudiness nor low-frequency is a risk; nothing is removed";
   case FlatteningChoice::Reason::object:
-    return "what varies slowly has an outline, as a large object has and light has not; nothing is "
-           "removed, --flatten PERIOD would";
+    return "the slow variation has an outline, like a large object and unlike light; nothing is "
+           "removed; --flatten PERIOD removes it nevertheless";
   case FlatteningChoice::Reason::stubborn:
-    return "no flattening would mend what clouds the noise; nothing is removed";
+    return "even the shortest period leaves the risks; nothing is removed";
   }
   std::vector<std::string_view> names;
   for (const MapTarget map : choice.flattened)

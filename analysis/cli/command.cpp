@@ -16,13 +16,13 @@ Result<void> checkOutput(const std::filesystem::path& output,
                          const std::array<std::string, 2>& extensions) {
   const std::string extension = output.extension().string();
   if (extension != extensions[0] && extension != extensions[1])
-    return Error{ErrorKind::usage, fmt::format("{}: the extension {} or {} is accepted",
+    return Error{ErrorKind::usage, fmt::format("{}: expected the extension {} or {}",
                                                output.string(), extensions[0], extensions[1])};
   const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     return Error{ErrorKind::environment,
-                 fmt::format("{}: the folder {} does not exist; make it first", output.string(),
+                 fmt::format("{}: the folder {} does not exist; create it first", output.string(),
                              folder.string())};
   return {};
 }

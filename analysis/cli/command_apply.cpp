@@ -93,18 +93,18 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method(), mapping))
     return {};
-  std::vector<std::string> accepted, methods;
+  std::vector<std::string> mappings, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingFits(noise.method(), each))
-      accepted.emplace_back(nameOf(each));
+      mappings.emplace_back(nameOf(each));
   for (const Method each : allMethods())
     if (mappingFits(each, mapping))
       methods.push_back("--method " + std::string(nameOf(each)));
   return Error{
       ErrorKind::usage,
-      fmt::format("--mapping {}: noise '{}' is of the method {}, which has no such form; "
+      fmt::format("--mapping {}: noise '{}' is of the method {}, which does not support it; "
                   "use {}{}",
-                  nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(accepted),
+                  nameOf(mapping), noise.name, nameOf(noise.method()), alternatives(mappings),
                   methods.empty() ? std::string()
                                   : ", or a noise that is baked with " + alternatives(methods))};
 }
@@ -113,13 +113,11 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
 Result<void> checkMappingOptions(const Arguments& arguments) {
   if (arguments.space && !isInSpace(arguments.mapping))
     return Error{ErrorKind::usage,
-                 fmt::format("--space {}: the mapping {} is not in space; --mapping triplanar or "
-                             "surface is accepted with it",
+                 fmt::format("--space {}: belongs to --mapping triplanar or surface, not to {}",
                              nameOf(*arguments.space), nameOf(arguments.mapping))};
   if (arguments.planeSharpness && arguments.mapping != Mapping::triplanar)
     return Error{ErrorKind::usage,
-                 fmt::format("--plane-sharpness: the mapping {} has no planes; --mapping triplanar "
-                             "is accepted with it",
+                 fmt::format("--plane-sharpness: belongs to --mapping triplanar, not to {}",
                              nameOf(arguments.mapping))};
   return {};
 }
@@ -130,7 +128,7 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
   if (!foreign)
     return {};
   return Error{ErrorKind::usage,
-               fmt::format("{}: an option of the method {}; noise '{}' is of the method {}",
+               fmt::format("{}: belongs to the method {}; noise '{}' is of the method {}",
                            foreign->name, nameOf(foreign->method), noise.name,
                            nameOf(noise.method()))};
 }
@@ -140,9 +138,10 @@ void noteName(const std::string& scene, const std::string& name, const AppliedNo
               std::vector<std::string>& notes) {
   if (applied.name == name)
     return;
-  notes.push_back(fmt::format(
-      "{}: noise '{}' is {} '{}'", scene, name,
-      applied.isNew ? "given a name that no other has," : "there already, as", applied.name));
+  notes.push_back(
+      fmt::format("{}: noise '{}' {} '{}'", scene, name,
+                  applied.isNew ? "is renamed, since the name is taken, to" : "is already there as",
+                  applied.name));
 }
 
 void report(const Arguments& arguments, const Outcome& outcome, double seconds) {
@@ -191,8 +190,8 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const auto [file, name] = splitNoise(arguments.noise);
   if (name.empty() && file.size() < arguments.noise.size())
     return Error{ErrorKind::usage,
-                 fmt::format("--noise {}: the name behind the colon is empty; {} or {}:NAME is "
-                             "accepted",
+                 fmt::format("--noise {}: the name after the colon is empty; expected {} or "
+                             "{}:NAME",
                              arguments.noise, file, file)};
   Result<Bundle> bundle = readBundle(file);
   if (!bundle)
@@ -292,41 +291,42 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "SCENE", arguments->scene, "", "A .glb or .gltf of anyone's").required();
+  addText(verb, "SCENE", arguments->scene, "", "Any .glb or .gltf").required();
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
-          "A bundle made by 'lichen bake', and which of its noises: the first by default")
+          "A bundle made by 'lichen bake', and the name of a noise [default: the first]")
       .required();
   addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
-           "A material of the scene that gets the noise; again for another, or all of them")
+           "Name or index of a material that gets the noise; repeat it for more; or all")
       .required();
   const Choices<Mapping> mappings{{"uv", Mapping::uv},
                                   {"triplanar", Mapping::triplanar},
                                   {"surface", Mapping::surface},
                                   {"solid", Mapping::solid}};
-  addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
-           "Where the noise is evaluated");
+  addValue(
+      verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
+      "Where the noise lies: in texture coordinates, on three planes, on the surface itself, or "
+      "in the volume");
   const Choices<NoiseSpace> spaces{{"world", NoiseSpace::world}, {"object", NoiseSpace::object}};
   addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
-           "Of triplanar and surface: world, where one pattern runs from mesh to mesh, or object, "
-           "which it moves, turns and scales with [default: the bundle's]");
+           "triplanar, surface: one pattern continues from mesh to mesh (world), or it moves with "
+           "each object (object) [default: the bundle's]");
   addValue(
       verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
-      "Of uv: texture-coordinate units that one exemplar spans; of other mappings: multiples of "
-      "its own width [default: the bundle's]");
+      "Size of one exemplar. uv: in texture-coordinate units; else: in multiples of its own width "
+      "[default: the bundle's]");
   addValue(verb, "--rotation", arguments->rotationDegrees, optional(number(kDegreesRange)), "",
-           "Degrees, as KHR_texture_transform turns a texture [default: the bundle's]");
+           "Degrees, in the sense of KHR_texture_transform [default: the bundle's]");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
-           "Another seed, another pattern [default: the bundle's]");
+           "Seed of the pattern [default: the bundle's]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
-           "Scale of the variation [default: the bundle's]");
+           "Factor of the variation [default: the bundle's]");
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
-           "Of triplanar: the exponent of the planes' weights [default: the bundle's]");
+           "triplanar: exponent of the plane weights [default: the bundle's]");
   addFrameOptions(verb, arguments->grain);
-  addValue(
-      verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
-      "keep",
-      "The factors that multiply the noise, such as baseColorFactor: as they are, or set to 1");
+  addValue(verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
+           "keep",
+           "keep the factors that multiply the noise, such as baseColorFactor, or set them to 1");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

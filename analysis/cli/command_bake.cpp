@@ -48,9 +48,8 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
-  return Error{ErrorKind::usage,
-               fmt::format("{}: belongs to --method {}; with {} it is not accepted", foreign->name,
-                           nameOf(foreign->method), nameOf(arguments.method))};
+  return Error{ErrorKind::usage, fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
+                                             nameOf(foreign->method), nameOf(arguments.method))};
 }
 
 /// The notes of a bake: printed as they arise, or part of the JSON report.
@@ -207,20 +206,23 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       .required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--name", arguments->name, nameText(), "",
-           "Name of noise and material [default: the input's]");
-  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
+           "Name of the noise and its material [default: the input's]");
+  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplar in metres");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addText(verb, "--report", arguments->report, "OUT.html",
-          "A page with pictures, measures and charts of the noise");
+          "Also write a page with pictures, measures and charts of the noise");
   Choices<Method> methods;
   for (const Method method : allMethods())
     methods.emplace_back(nameOf(method), method);
-  addValue(verb, "--method", arguments->method, oneOf(methods), "tiling", "The noise method");
+  addValue(
+      verb, "--method", arguments->method, oneOf(methods), "tiling",
+      "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
+      "the GPU");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
-           "Bits per channel of the tables; a texton's are floats of twice as many");
+           "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addBakeOptions(verb));
   arguments->verb = &verb;

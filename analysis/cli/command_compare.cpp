@@ -83,8 +83,8 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   const MapExemplar& exemplar = exemplars.front();
   if (exemplar.target != MapTarget::baseColor)
     return Error{ErrorKind::usage,
-                 fmt::format("{}: has no base colour; an image is compared with that, the other "
-                             "maps with a bundle",
+                 fmt::format("{}: has no base colour to compare with an image; expected one, or a "
+                             "bundle as the result",
                              arguments.exemplar)};
   const Result<ReadExemplar> result = readExemplar({arguments.result}, {}, arguments.shared);
   if (!result)
@@ -92,7 +92,7 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
   const MapExemplar& image = result.value().set.maps.front();
   if (image.target != MapTarget::baseColor)
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: has no base colour; an image or a folder with one is accepted",
+                 fmt::format("{}: has no base colour; expected an image, or a folder with one",
                              arguments.result)};
   const ValueEncoding encoding =
       exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;
@@ -137,7 +137,7 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBak
   const Noise& measured = bundle.value().noises[noise.value()];
   if (arguments.mix && !isMix(measured))
     return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              measured.name)};
   MaterialNoise material = materialOf(bundle.value(), noise.value());
   material.mix = {.weight = arguments.mix.value_or(0.0)};
@@ -219,10 +219,10 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
 
 Result<int> run(const Arguments& arguments) {
   if (!arguments.noise.empty() && !isBundle(arguments.result))
-    return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; a bundle has noises",
+    return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
   if (arguments.mix && !isBundle(arguments.result))
-    return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; a bundle is accepted",
+    return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; expected a bundle",
                                                *arguments.mix, arguments.result)};
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
@@ -248,15 +248,15 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "The photograph, or a folder with the maps of a material")
       .required();
   addText(verb, "RESULT", arguments->result, "|BUNDLE",
-          "An image made from it, or a .glb or .gltf of which one is made")
+          "An image made from it, or a .glb or .gltf with its noise")
       .required();
   addText(verb, "--noise", arguments->noise, "NAME",
-          "Which noise of the bundle [default: the first]");
+          "Name of the bundle's noise [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "Which map of the exemplar, such as normal [default: all]");
+          "One of the exemplar's maps, such as normal [default: all]");
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
-           "Of a mix, the weight at which the exemplar is: 1 of its last input [default: 0, of its "
-           "first]");
+           "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
+           "0]");
   addExemplarOptions(verb, arguments->asBaked);
   return [arguments] { return run(*arguments); };
 }

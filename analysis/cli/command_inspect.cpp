@@ -230,8 +230,8 @@ std::string parametersOf(const MaterialNoise& use) {
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
   add(use.tileRotation == defaults.tileRotation,
       use.tileRotation == kMostTileRotation
-          ? std::string("tiles turned freely")
-          : fmt::format("tiles turned in {} steps", use.tileRotation));
+          ? std::string("tile rotation free")
+          : fmt::format("tile rotation in {} directions", use.tileRotation));
   add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
   add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
   add(use.mix == defaults.mix, mixOf(use.mix));
@@ -245,7 +245,7 @@ void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise
     channels.push_back(nameOf(channel));
   const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
   say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches a pixel", width, height,
+  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches per pixel", width, height,
                           bitsOf(bundle, noise, map), nameOf(map.encoding),
                           fetchesPerPixel(bundle, noise, map)));
   say(shared, "    " + statisticsOf(map.mean, map.covariance));
@@ -258,7 +258,7 @@ void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t ind
   say(shared, "");
   say(shared, "noise " + noise.name);
   say(shared,
-      fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches a pixel and plane",
+      fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches per pixel and plane",
                   nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
                   commandOf(noise).fetchesVary() ? "about " : "", fetchesPerPixel(bundle, index)));
   for (const std::string& line : commandOf(noise).linesOf(noise, useOf(bundle, index)))

@@ -43,8 +43,8 @@ Result<void> checkTexCoords(const Bundle& bundle, PreviewShape shape) {
     if (const int texCoord = bundle.materials[m]->texCoord; texCoord != 0)
       return Error{
           ErrorKind::usage,
-          fmt::format("material '{}' uses texture coordinates {}, of which the preview has "
-                      "only 0: --preview none is accepted",
+          fmt::format("material '{}' uses texture coordinates {}, and the preview scene has only "
+                      "0; use --preview none",
                       bundle.materialNames[m], texCoord)};
   return {};
 }
@@ -104,9 +104,8 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addMerge(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addTexts(verb, "BUNDLE", arguments->inputs, "...", "Bundles made by 'lichen bake', in order")
-      .required();
-  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle of them all")
+  addTexts(verb, "BUNDLE", arguments->inputs, "...", "Bundles made by 'lichen bake'").required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle with all noises")
       .required();
   addPreviewShape(verb, arguments->preview);
   return [arguments] { return run(*arguments); };

@@ -56,18 +56,20 @@ Result<void> check(const Arguments& arguments) {
   const std::size_t count = arguments.inputs.size();
   if (count < 2 || count > kMaxMixedExemplars)
     return Error{ErrorKind::usage,
-                 fmt::format("INPUT: {} given; 2 to {} are accepted", count, kMaxMixedExemplars)};
+                 fmt::format("INPUT: {} given; expected 2 to {}", count, kMaxMixedExemplars)};
   const std::vector<double>& weights = arguments.mix.weights;
   if (weights.empty())
     return {};
-  if (givenOf(*arguments.verb, kPathGroup))
-    return Error{ErrorKind::usage, "--steps: with --weights one texton is made; one of the two is "
-                                   "accepted"};
+  if (const auto given = givenOf(*arguments.verb, kPathGroup))
+    return Error{ErrorKind::usage,
+                 *given + ": given with --weights, which makes one texton; expected one of the "
+                          "two"};
   if (weights.size() != count)
-    return Error{ErrorKind::usage, fmt::format("--weights: {} for {} inputs; one each is accepted",
-                                               weights.size(), count)};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("--weights: {} for {} inputs; expected one per input", weights.size(), count)};
   if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; }))
-    return Error{ErrorKind::usage, "--weights: all are 0; a positive sum is accepted"};
+    return Error{ErrorKind::usage, "--weights: all are 0; expected a sum above 0"};
   return {};
 }
 
@@ -217,19 +219,19 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--steps", arguments->mix.steps,
            wholeNumber(int(kMixStepsRange.least), int(kMixStepsRange.most)), "21",
-           "Textons from each input to the next, both counted")
+           "Textons from each input to the next, including both ends")
       .group(kPathGroup);
   addValue(verb, "--weights", arguments->mix.weights, numbers(kWeightRange, kMaxMixedExemplars), "",
-           "One texture between all inputs, of these shares, instead of a way through them");
+           "Make one texture between all inputs instead, with these shares");
   addValue(verb, "--name", arguments->name, nameText(), "",
-           "Name of noise and material [default: the inputs']");
-  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the material's pattern");
+           "Name of the noise and its material [default: the inputs']");
+  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
            "Width of the exemplars in metres");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
-           "Half of the bits of a texton's floats");
+           "8: textons of 16-bit floats; 16: of 32-bit floats");
   addTextonOptions(verb, arguments->mix.texton, arguments->material);
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };

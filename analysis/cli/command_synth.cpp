@@ -66,8 +66,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
     return map.error();
   if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
     return Error{ErrorKind::usage,
-                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of {}, with which "
-                             "it is not accepted",
+                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of the method {}",
                              foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
                              nameOf(chosen.method()))};
   SynthesisOptions& synthesis = arguments.synthesis;
@@ -79,7 +78,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   arguments.methods[std::size_t(chosen.method())]->replace(material, synthesis.evaluation);
   if (arguments.mix && !isMix(chosen))
     return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is no mix; one made by 'lichen mix' is accepted",
+                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              chosen.name)};
   constexpr std::array<double, 2> kWholeWay{0.0, 1.0}, kMiddle{0.5, 0.5};
   synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kWholeWay);
@@ -142,24 +141,24 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
       .required();
   addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
-  addText(verb, "--noise", arguments->noise, "NAME",
-          "Which noise of the bundle [default: the first]");
+  addText(verb, "--noise", arguments->noise, "NAME", "Name of the noise [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "Which map of the noise, such as baseColor or normal [default: the first]");
-  addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024", "In pixels");
+          "Map of the noise, such as baseColor or normal [default: the first]");
+  addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024",
+           "Image size in pixels");
   addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(kTexelsPerTileRange), "",
-           "Pixels across one exemplar [default: its own width]");
+           "Pixels across one tile [default: the exemplar's width]");
   addValue(verb, "--origin", synthesis.origin, coordinates(kOriginRange), "0,0",
-           "The top left corner in tiles; large integer parts are exact");
+           "Top left corner in tiles, exact up to 2^40");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
-           "Another seed, another pattern [default: the material's]");
+           "Seed of the pattern [default: the material's]");
   addFlag(verb, "--tileable", synthesis.tileable,
-          "Opposite borders of the image continue each other");
+          "Make opposite borders of the image continue each other");
   addValue(verb, "--mix", arguments->mix, optional(mixWeights()), "",
-           "The place in a mix, from 0 to 1; or those at the left and the right border [default: "
-           "0,1; of a tileable image 0.5]");
+           "Weight of a mix everywhere, or at the left and right borders, 0 to 1 [default: 0,1; "
+           "tileable 0.5]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
-           "Scale of the variation [default: the material's]");
+           "Factor of the variation [default: the material's]");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addSynthOptions(verb));
   arguments->verb = &verb;

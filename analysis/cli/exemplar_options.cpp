@@ -47,22 +47,23 @@ std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
 
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
   addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
-           "Only this part of the exemplar; in pixels of its largest map");
+           "Use only this rectangle, in pixels of the largest map");
   addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
-           "Resample every map of the exemplar to this size");
+           "Resample every map to this size, after --crop");
   const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
                                               {"dx", NormalConvention::directX}};
   addValue(verb, "--normal", options.set.normal, oneOf(conventions), "gl",
-           "Whether green points up in normal maps whose names do not say, or down");
+           "Normal maps whose names do not say: gl (green up) or dx (green down)");
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
   addValue(verb, "--alpha", options.set.alpha, oneOf(uses), "ignore",
-           "What the alpha of the base colour is");
-  addValue(verb, "--flatten", options.flattening, flattening(), "none",
-           "Remove variation slower than PERIOD pixels, or what clouds the noise");
+           "Ignore the alpha of the base colour, or bake it as opacity");
+  addValue(
+      verb, "--flatten", options.flattening, flattening(), "none",
+      "Remove variation slower than PERIOD pixels; auto picks a period that improves the noise");
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",
-           "Whether the exemplar's opposite borders fit together");
+           "Whether opposite borders fit together: yes leaves them, no blends them, auto measures");
 }
 
 Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,

@@ -27,13 +27,14 @@ struct Verb {
 };
 constexpr Verb kVerbs[] = {
     {"bake", "Turn a photograph of a material into noise", addBake},
-    {"mix", "Turn photographs into noise that changes from one to the next", addMix},
-    {"synth", "Make an image of a noise, without a GPU", addSynth},
+    {"mix", "Turn several photographs into one noise that changes from the first to the last",
+     addMix},
+    {"synth", "Write an image of a noise, without a GPU", addSynth},
     {"inspect", "Show what a bundle holds and what it costs", addInspect},
-    {"check", "Look for faults in a bundle", addCheck},
+    {"check", "Find faults in a bundle", addCheck},
     {"compare", "Measure a result against its exemplar", addCompare},
-    {"merge", "Put several noises in one bundle", addMerge},
-    {"apply", "Put a noise on materials of a scene", addApply},
+    {"merge", "Put several noises into one bundle", addMerge},
+    {"apply", "Put a noise on the materials of a scene", addApply},
 };
 
 std::string verbNames() {
@@ -65,13 +66,13 @@ int failUsage(const CLI::App& app, const std::string& message) {
                                      given.empty() ? "" : given.front()->get_name() + " ")});
 }
 
-/// Returns the message for arguments that no option accepted.
+/// Returns the message for arguments that no option takes.
 std::string unexpected(const CLI::App& app) {
   const std::string first = app.remaining(true).front();
   if (first.starts_with("-"))
     return first + ": no such option";
   return app.get_subcommands().empty()
-             ? fmt::format("{}: no such verb; {} is accepted", first, verbNames())
+             ? fmt::format("{}: no such verb; expected {}", first, verbNames())
              : first + ": one argument too many";
 }
 
@@ -84,10 +85,11 @@ std::string mismatched(const std::string& text) {
 }
 
 void addSharedOptions(CLI::App& verb, SharedOptions& options) {
-  addFlag(verb, "--json", options.json, "One JSON object on standard output, nothing else there");
-  addFlag(verb, "--quiet", options.quiet, "No notes and no report; errors only");
+  addFlag(verb, "--json", options.json,
+          "Print one JSON object on standard output and nothing else");
+  addFlag(verb, "--quiet", options.quiet, "Print errors only: no notes, no progress, no report");
   addValue(verb, "--threads", options.threads, wholeNumber(0, 1024), "0",
-           "Threads to use; 0 for one a processor");
+           "Number of threads; 0 means one per processor");
 }
 
 /// Returns the arguments, quoted for a POSIX shell.
@@ -123,7 +125,7 @@ int run(int argc, char** argv) {
     verbs.emplace_back(added, verb.add(*added, shared));
     addSharedOptions(*added, shared);
   }
-  app.footer("'lichen VERB --help' has the options of a verb."); // later verbs would inherit it
+  app.footer("'lichen VERB --help' lists the options of a verb."); // later verbs would inherit it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // --help and --version
@@ -144,7 +146,7 @@ int run(int argc, char** argv) {
       const Result<int> result = runner();
       return result ? result.value() : fail(result.error());
     }
-  return failUsage(app, "a verb is missing; " + verbNames() + " is accepted");
+  return failUsage(app, "a verb is missing; expected " + verbNames());
 }
 
 } // namespace

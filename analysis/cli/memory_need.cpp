@@ -28,9 +28,9 @@ Result<void> MemoryNeed::add(const std::string& name, int width, int height) {
   constexpr double kGiga = 1e9;
   return Error{ErrorKind::resources,
                fmt::format("{}: {} x {} pixels need about {:.1f} GB of memory{}, and {:.1f} GB are "
-                           "available; --crop or --size makes them fewer",
+                           "available; use --crop or --size",
                            name, width, height, needed / kGiga,
-                           read_ > pixels ? " with the images before" : "",
+                           read_ > pixels ? " with the images before them" : "",
                            double(*available_) / kGiga)};
 }
 

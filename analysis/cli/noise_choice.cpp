@@ -2,6 +2,8 @@
 // Names of noises -> indices; see noise_choice.h.
 #include "noise_choice.h"
 
+#include "options.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,13 +31,13 @@ Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::st
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (wanted.empty() || found != names.end())
     return wanted.empty() ? 0 : std::size_t(found - names.begin());
-  return Error{ErrorKind::usage,
-               fmt::format("{} {}: {} has {}", option, wanted, owner, fmt::join(names, ", "))};
+  return Error{ErrorKind::usage, fmt::format("{} {}: not in {}; expected {}", option, wanted, owner,
+                                             alternatives(names))};
 }
 
 Error noNoiseIn(const std::string& file) {
-  return {ErrorKind::badInput, file + ": has no noise; a bundle of 'lichen bake', or a scene of "
-                                      "'lichen apply', is accepted"};
+  return {ErrorKind::badInput, file + ": has no noise; expected a bundle of 'lichen bake', or a "
+                                      "scene of 'lichen apply'"};
 }
 
 Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
@@ -47,12 +49,13 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
     return Error{ErrorKind::badInput,
                  fmt::format("{}: noise '{}' has {}; use the version of lichen that wrote it{}{}",
                              file, ignored->name, ignored->reason(),
-                             noises.empty() ? "" : "; --noise can name ", fmt::join(noises, ", "))};
+                             noises.empty() ? "" : ", or choose --noise ", alternatives(noises))};
   if (bundle.noises.empty() && bundle.ignoredNoises.empty())
     return noNoiseIn(file);
   if (bundle.noises.empty())
-    return Error{ErrorKind::badInput,
-                 file + ": has no noise of a method and a revision that this version knows"};
+    return Error{
+        ErrorKind::badInput,
+        file + ": has no noise that this version knows; use the version of lichen that wrote it"};
   return placeOf(wanted, noises, "--noise", file);
 }
 

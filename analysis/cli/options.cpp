@@ -92,7 +92,7 @@ Accepted<std::uint32_t> seedNumber() {
 }
 
 Accepted<std::uint32_t> tileRotation() {
-  return {"none|N|free", "none, free or a number of steps from 2 to 65536",
+  return {"none|N|free", "none, free or a number of directions from 2 to 65536",
           [](const std::string& text) -> std::optional<std::uint32_t> {
             if (text == "none")
               return std::uint32_t(0);
@@ -172,7 +172,7 @@ Option addReadOption(CLI::App& verb, const std::string& name, const std::string&
                      const std::string& preset, const std::string& help) {
   const auto read = [=](const std::string& text) {
     if (!take(text))
-      throw CLI::ValidationError(name + " " + text, sentence + " is accepted");
+      throw CLI::ValidationError(name + " " + text, "expected " + sentence);
   };
   return Option(verb.add_option_function<std::string>(name, read, help)
                     ->type_name(placeholder)
@@ -199,7 +199,7 @@ void addPreviewShape(CLI::App& verb, PreviewShape& shape) {
   const Choices<PreviewShape> shapes{{"sphere", PreviewShape::sphere},
                                      {"plane", PreviewShape::plane},
                                      {"none", PreviewShape::none}};
-  addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "The scene around the material");
+  addValue(verb, "--preview", shape, oneOf(shapes), "sphere", "Scene that shows the material");
 }
 
 std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group) {

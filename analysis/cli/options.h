@@ -98,7 +98,7 @@ private:
 };
 
 /// Declares an option whose text `take` reads. If `take` returns false, the parse ends with
-/// CLI::ValidationError("NAME TEXT: SENTENCE is accepted").
+/// CLI::ValidationError("NAME TEXT: expected SENTENCE").
 Option addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
                      const std::string& sentence, std::function<bool(const std::string& text)> take,
                      const std::string& preset, const std::string& help);

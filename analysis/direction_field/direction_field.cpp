@@ -21,13 +21,13 @@ Vector3 asArray(const Vector3d& v) { return {float(v.x()), float(v.y()), float(v
 Result<void> checkMesh(std::span<const Vector3> positions, std::span<const std::uint32_t> triangles,
                        std::span<const Vector3> normals, const std::optional<Vector3>& axis) {
   if (triangles.size() / 3 > kMostFieldTriangles || positions.size() > 3 * kMostFieldTriangles)
-    return Error{ErrorKind::resources, std::to_string(triangles.size() / 3) + " triangles of " +
-                                           std::to_string(positions.size()) +
-                                           " vertices; at most " +
-                                           std::to_string(kMostFieldTriangles) +
-                                           " with three vertices each are accepted"};
+    return Error{ErrorKind::resources,
+                 std::to_string(triangles.size() / 3) + " triangles of " +
+                     std::to_string(positions.size()) + " vertices; expected at most " +
+                     std::to_string(kMostFieldTriangles) + " triangles, with three vertices each"};
   if (axis && !(asVector(*axis).norm() > 0.0 && asVector(*axis).allFinite()))
-    return Error{ErrorKind::usage, "an axis without length; a finite one of some is accepted"};
+    return Error{ErrorKind::usage,
+                 "an axis without a direction; expected finite numbers, not all 0"};
   if (!normals.empty() && normals.size() != positions.size())
     return Error{ErrorKind::badInput, std::to_string(normals.size()) + " normals for " +
                                           std::to_string(positions.size()) + " vertices"};
@@ -37,8 +37,9 @@ Result<void> checkMesh(std::span<const Vector3> positions, std::span<const std::
         return Error{ErrorKind::badInput, "a position or normal is not finite"};
   for (const std::uint32_t index : triangles)
     if (index >= positions.size())
-      return Error{ErrorKind::badInput, "index " + std::to_string(index) + "; below " +
-                                            std::to_string(positions.size()) + " is accepted"};
+      return Error{ErrorKind::badInput, "index " + std::to_string(index) +
+                                            "; expected an index below " +
+                                            std::to_string(positions.size())};
   return {};
 }
 

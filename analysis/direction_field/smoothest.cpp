@@ -238,8 +238,8 @@ void iterate(const OrderedFactor& factor, const PartNorms& parts, const std::vec
 }
 
 Error notSolved() {
-  return {ErrorKind::badInput, "its triangles hang together as those of no surface do: the "
-                               "directions on them cannot be found"};
+  return {ErrorKind::badInput, "its triangles are not connected like a surface; the directions "
+                               "on them cannot be computed"};
 }
 
 /// The smoothest field before its values are scaled to absolute value 1, and its norms.

@@ -40,8 +40,8 @@ placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> material
                      scene.path().string() + ": " + scene.primitiveTitle(place) +
                          ": has no TANGENT, and " + scene.materialTitle(material) + " has " +
                          *reader +
-                         ", which needs those of its texture coordinates; a mesh exported with "
-                         "tangents, or a material without it, is accepted"};
+                         ", which needs those of its texture coordinates; export the mesh with "
+                         "tangents, or choose a material without it"};
       places[place.mesh].push_back(place);
     }
   return places;
@@ -95,8 +95,8 @@ Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& pla
     if (!budget.spend(geometry.positions.size() + geometry.triangles.size(), triangles))
       return Error{ErrorKind::resources,
                    scene.path().string() + ": " + scene.primitiveTitle(place) +
-                       ": all primitives up to it have too many triangles or vertices; fewer "
-                       "materials at a time are accepted"};
+                       ": the primitives up to this one have too many triangles or vertices "
+                       "in all; choose fewer materials at a time"};
     const auto [entry, isNew] =
         blockOf.try_emplace({*scene.attribute(place, "POSITION"), scene.attribute(place, "NORMAL")},
                             mesh.blocks.size());
@@ -115,7 +115,7 @@ Result<JoinedMesh> join(GltfScene& scene, const std::vector<PrimitivePlace>& pla
       return Error{ErrorKind::resources,
                    scene.path().string() + ": " + scene.meshTitle(place.mesh) + ": more than " +
                        std::to_string(kMostFieldTriangles) +
-                       " triangles; a mesh of fewer, or one with tangents, is accepted"};
+                       " triangles; use a smaller mesh, or one with tangents"};
     for (const std::uint32_t index : geometry.triangles)
       mesh.triangles.push_back(std::uint32_t(block.first + index));
   }

@@ -43,20 +43,19 @@ Result<void> checkRanges(const MapExemplar& map) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
   if (map.width < 1 || map.height < 1 || map.width > kMaxImageSide || map.height > kMaxImageSide)
     return usage("a map of " + std::to_string(map.width) + " x " + std::to_string(map.height) +
-                 " pixels: sides from 1 to " + std::to_string(kMaxImageSide) + " are accepted");
+                 " pixels; expected sides from 1 to " + std::to_string(kMaxImageSide));
   if (map.channels.empty() || map.channels.size() > std::size_t(kMaxChannels))
-    return usage("a map of " + std::to_string(map.channels.size()) +
-                 " channels: 1 to 3 are accepted");
+    return usage("a map of " + std::to_string(map.channels.size()) + " channels; expected 1 to 3");
   if (map.values.size() != std::size_t(map.width) * std::size_t(map.height) * map.channels.size())
     return usage("a map with " + std::to_string(map.values.size()) +
-                 " values: width x height x channels are needed");
+                 " values; expected width x height x channels");
   if (const std::optional<float> value = valueOutOfRange(map))
     return usage("a map with the value " + shortest(*value) + ", which stands for " +
-                 shortest(decoded(*value, map.encoding)) + ": both from " + shortest(-kHalfMax) +
-                 " to " + shortest(kHalfMax) + " are accepted");
+                 shortest(decoded(*value, map.encoding)) + "; expected both from " +
+                 shortest(-kHalfMax) + " to " + shortest(kHalfMax));
   if (!(map.quantum > 0.0) || !(map.quantum <= 1.0))
     return usage("a quantum of " + std::to_string(map.quantum) +
-                 ": above 0 and at most 1 is accepted");
+                 "; expected above 0 and at most 1");
   return {};
 }
 

@@ -76,8 +76,8 @@ void clampAbove(MapExemplar& map, float most, const std::string& name, const cha
     pixels += beyond ? 1u : 0u;
   }
   if (pixels > 0)
-    notes.push_back(fmt::format("{} has {} above {} in {} of {} pixels, up to {:g}; that is baked "
-                                "as {}",
+    notes.push_back(fmt::format("{} has {} above {} in {} of {} pixels, up to {:g}; clamped to "
+                                "{}",
                                 name, what, most, pixels, map.values.size() / map.channels.size(),
                                 largest, most));
 }
@@ -114,9 +114,8 @@ bool isTransparent(const Pixels& pixels) {
 }
 
 Error tooFewColors(const NamedImage& image, const char* what) {
-  return {
-      ErrorKind::badInput,
-      fmt::format("{}: a grey image; {} in red, green and blue are accepted", image.path, what)};
+  return {ErrorKind::badInput,
+          fmt::format("{}: a grey image; expected {} in red, green and blue", image.path, what)};
 }
 
 } // namespace
@@ -200,8 +199,8 @@ Result<MapExemplar> normalMap(const NamedImage& image, bool greenPointsDown,
   }
   if (2 * inward > pixels.count())
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: {} of {} normals point into the surface, so this is no normal "
-                             "map; normals as colours, with blue above one half, are accepted",
+                 fmt::format("{}: {} of {} normals point into the surface, so this is not a "
+                             "normal map; expected normals as colours, with blue above one half",
                              image.path, inward, pixels.count())};
   if (inward > 0)
     notes.push_back(fmt::format("{}: {} of {} normals point into the surface; they are baked as "

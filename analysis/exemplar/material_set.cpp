@@ -121,11 +121,11 @@ FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::stri
   const std::string file = std::filesystem::path(image.path).filename().string();
   const std::string slots = fmt::format("{}", fmt::join(slotsOf(named), ", "));
   notes.push_back(fits
-                      ? fmt::format("{} is baked as {}, as its name says; under a name that ends "
-                                    "otherwise it is the base colour",
+                      ? fmt::format("{} is baked as {}, as its name says; rename it to bake it as "
+                                    "the base colour",
                                     file, slots)
-                      : fmt::format("{} has {}colours, and is baked as the base colour, not as the "
-                                    "{} that its name says",
+                      : fmt::format("{} has {}colours, so it is baked as the base colour, although "
+                                    "its name says {}",
                                     file, isPacked || isNormal ? "no " : "", slots));
   return fits ? named : FileRole::baseColor;
 }
@@ -159,7 +159,7 @@ Result<void> appendMaps(SetFile source, const SetFiles& files, const MaterialSet
   if (std::optional<MapExemplar> alpha = alphaMap(image))
     maps.push_back({std::move(*alpha), "the alpha of " + name});
   else
-    notes.push_back(name + " is opaque everywhere; it has no opacity map");
+    notes.push_back(name + " is opaque everywhere; no opacity map is baked");
   return {};
 }
 
@@ -171,7 +171,7 @@ Result<void> checkOneOpacity(const std::vector<NamedMap>& maps) {
       continue;
     if (first != nullptr)
       return Error{ErrorKind::badInput, first->name + ": a second opacity beside " + named.name +
-                                            "; one is accepted, or alpha can be ignored"};
+                                            "; keep one of them, or ignore alpha"};
     first = &named;
   }
   return {};
@@ -222,7 +222,7 @@ Result<void> resize(std::vector<NamedMap>& maps, const std::array<int, 2>& size,
                     std::vector<std::string>& notes) {
   const auto [width, height] = size;
   if (std::min(width, height) < 1 || std::max(width, height) > kMaxImageSide)
-    return Error{ErrorKind::usage, fmt::format("size {}x{}: sides from 1 to {} are accepted", width,
+    return Error{ErrorKind::usage, fmt::format("size {}x{}; expected sides from 1 to {}", width,
                                                height, kMaxImageSide)};
   for (NamedMap& named : maps) {
     if (width > named.map.width || height > named.map.height)
@@ -284,13 +284,13 @@ void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& no
   }
   const MapExemplar& largest = largestOf(maps).map;
   const auto noteSize = [&](const char* remark) {
-    notes.push_back(fmt::format("{} x {} pixels {}; {} to {} a side are best", largest.width,
+    notes.push_back(fmt::format("{} x {} pixels {}; {} to {} per side are best", largest.width,
                                 largest.height, remark, kGoodPixels, kPlentyOfPixels));
   };
   if (varies && std::min(largest.width, largest.height) < kGoodPixels)
     noteSize("show little of a material");
   if (std::max(largest.width, largest.height) > kPlentyOfPixels)
-    noteSize("take long to bake and much memory to use");
+    noteSize("take long to bake and need much memory");
 }
 
 /// As readMaterialSet(), but throws std::bad_alloc.

@@ -42,9 +42,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kWordsAccepted =
-    "names with a word such as diff, nor_gl, rough, metal, ao, arm, disp, emissive or opacity are "
-    "accepted";
+constexpr const char* kNameWords =
+    "a word such as diff, nor_gl, rough, metal, ao, arm, disp, emissive or opacity";
 
 bool hasImageExtension(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -119,9 +118,9 @@ void noteOtherMaterials(SetFiles& set) {
     if (own.empty() || own == words)
       continue;
     if (first != nullptr) {
-      set.notes.push_back(first->path.filename().string() + " and " +
+      set.notes.push_back("the names of " + first->path.filename().string() + " and " +
                           file.path.filename().string() +
-                          " are called after two materials; they are baked as maps of one");
+                          " suggest two materials; they are baked as maps of one");
       return;
     }
     first = &file;
@@ -137,7 +136,7 @@ Result<void> checkSlots(const std::vector<SetFile>& files) {
         if (std::find(others.begin(), others.end(), slot) != others.end())
           return Error{ErrorKind::badInput,
                        files[b].path.string() + ": a second file of " + std::string(slot) +
-                           " beside " + files[a].path.filename().string() + "; one is accepted"};
+                           " beside " + files[a].path.filename().string() + "; expected one"};
       }
   return {};
 }
@@ -217,10 +216,11 @@ Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std
     for (const std::string& name : names)
       list += (list.empty() ? "" : ", ") + name;
     return Error{ErrorKind::badInput, folder.string() +
-                                          ": a folder without a map; of the folders inside, " +
-                                          list + " have maps: one of them is accepted"};
+                                          ": a folder without a map; choose one of the folders "
+                                          "inside that have maps: " +
+                                          list};
   }
-  notes.push_back("the maps are those of the folder " + names.front());
+  notes.push_back("the maps are read from the folder " + names.front());
   return inner;
 }
 
@@ -254,7 +254,7 @@ Result<Listed> listFiles(std::span<const fs::path> inputs) {
 
 Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNormal) {
   if (inputs.empty())
-    return Error{ErrorKind::usage, "no image to bake: at least one is needed"};
+    return Error{ErrorKind::usage, "no image to bake; expected at least one"};
   const Result<Listed> listed = listFiles(inputs);
   if (!listed)
     return listed.error();
@@ -276,15 +276,16 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
       set.notes.push_back(name + " is not used: its name does not say which map it is");
     else
       return Error{ErrorKind::badInput, files[f].string() +
-                                            ": its name does not say which map it is. Several "
-                                            "files are the maps of one material, and " +
-                                            kWordsAccepted +
-                                            "; photographs are baked one at a time"};
+                                            ": its name does not say which map it is, and several "
+                                            "files are the maps of one material; expected names "
+                                            "with " +
+                                            kNameWords + ", or one photograph at a time"};
   }
   if (set.files.empty())
     return Error{ErrorKind::badInput, inputs.front().string() +
-                                          ": a folder without a map; PNG, JPEG and EXR files of " +
-                                          kWordsAccepted};
+                                          ": a folder without a map; expected PNG, JPEG or EXR "
+                                          "files whose names have " +
+                                          kNameWords};
   const bool isFolder = listed.value().fromFolder.front();
   set.name = isFolder ? folderName(inputs.front()) : commonName(files);
   dropSecondConvention(set);

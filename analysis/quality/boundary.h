@@ -28,13 +28,13 @@ inline std::optional<Error> refusal(const SrgbImage& image, const char* role, in
                          image.channels <= 4 &&
                          image.values.size() == image.pixelCount() * std::size_t(image.channels);
   if (!hasPixels)
-    return Error{ErrorKind::badInput,
-                 std::string(role) + " is " + describe(image) + "; 1 to 4 are accepted"};
+    return Error{ErrorKind::badInput, std::string(role) + " is " + describe(image) +
+                                          "; expected pixels with 1 to 4 channels"};
   if (shorterSide(image) >= shortestSide)
     return std::nullopt;
   return Error{ErrorKind::badInput, std::string(role) + " is " + std::to_string(image.width) +
                                         " x " + std::to_string(image.height) +
-                                        "; this measure takes sides of at least " +
+                                        "; expected sides of at least " +
                                         std::to_string(shortestSide) + " pixels"};
 }
 
@@ -48,7 +48,8 @@ inline std::optional<Error> refusal(const SrgbImage& exemplar, const SrgbImage& 
   if (colorChannels(exemplar) == colorChannels(result))
     return std::nullopt;
   return Error{ErrorKind::badInput, "the exemplar is " + describe(exemplar) + " and the result " +
-                                        describe(result) + "; both must be grey or both in colour"};
+                                        describe(result) +
+                                        "; expected both grey or both in colour"};
 }
 
 /// The message when a measure runs out of memory.

@@ -100,8 +100,8 @@ std::optional<Error> viewRefusal(const SrgbImage& image, const LatticeView& view
   if (auto error = refusal(image, "the result", 1))
     return error;
   if (image.pixelCount() < kFewestPixels)
-    return Error{ErrorKind::badInput, "the result is " + describe(image) + "; at least " +
-                                          std::to_string(kFewestPixels) + " pixels are needed"};
+    return Error{ErrorKind::badInput, "the result is " + describe(image) + "; expected at least " +
+                                          std::to_string(kFewestPixels) + " pixels"};
   constexpr double kFarthestOrigin = 0x1p30;
   const bool usable = view.lattice.columnsPerTile > 0.0 && view.lattice.rowsPerTile > 0.0 &&
                       view.tilesPerPixelX > 0.0 && view.tilesPerPixelY > 0.0 &&
@@ -109,7 +109,8 @@ std::optional<Error> viewRefusal(const SrgbImage& image, const LatticeView& view
                       std::abs(view.originTilesY) < kFarthestOrigin;
   if (usable)
     return std::nullopt;
-  return Error{ErrorKind::usage, "lattice view: scales must be positive and origins below 2^30"};
+  return Error{ErrorKind::usage,
+               "lattice view out of range; expected positive scales and origins below 2^30"};
 }
 
 } // namespace
@@ -129,9 +130,9 @@ Result<double> stationaryLatticeVisibility(const SrgbImage& result, const Lattic
       return *error;
     constexpr int kMostTrials = 10000;
     if (trials < 1 || trials > kMostTrials || !(quantile > 0.0 && quantile <= 1.0))
-      return Error{ErrorKind::usage,
-                   std::to_string(trials) + " trials, quantile " + std::to_string(quantile) +
-                       ": 1 to 10000 trials and a quantile in (0, 1] are accepted"};
+      return Error{ErrorKind::usage, std::to_string(trials) + " trials, quantile " +
+                                         std::to_string(quantile) +
+                                         "; expected 1 to 10000 trials and a quantile in (0, 1]"};
     const auto classes = distanceClasses(result.width, result.height, view);
     const HalfSpectrum spectrum = forwardFft(luminancePlane(result), result.width, result.height);
     std::vector<double> scores(std::size_t(trials), 0.0);

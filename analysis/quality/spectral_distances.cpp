@@ -62,9 +62,9 @@ Result<double> autocovarianceError(const SrgbImage& exemplar, const SrgbImage& r
       return *error;
     const int largest = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;
     if (supportPixels < kSmallestSupport || supportPixels > largest)
-      return Error{ErrorKind::usage, "support " + std::to_string(supportPixels) +
-                                         ": for these images " + std::to_string(kSmallestSupport) +
-                                         " to " + std::to_string(largest) + " pixels are accepted"};
+      return Error{ErrorKind::usage, "support " + std::to_string(supportPixels) + "; expected " +
+                                         std::to_string(kSmallestSupport) + " to " +
+                                         std::to_string(largest) + " pixels for these images"};
     const std::vector<double> a = normalizedAutocovariance(exemplar, supportPixels);
     const std::vector<double> b = normalizedAutocovariance(result, supportPixels);
     double difference = 0.0, norm = 0.0;

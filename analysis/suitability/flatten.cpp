@@ -175,7 +175,7 @@ std::string exhausted() { return "not enough memory to flatten the exemplar"; }
 
 Result<void> checkMaps(std::span<const MapExemplar> maps) {
   if (maps.empty())
-    return Error{ErrorKind::usage, "no map to flatten: at least one is needed"};
+    return Error{ErrorKind::usage, "no map to flatten; expected at least one"};
   for (const MapExemplar& map : maps)
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;
@@ -190,8 +190,8 @@ Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool peri
     if (Result<void> checked = checkMaps(maps); !checked)
       return checked;
     if (!(periodPixels >= kFlattenPeriodRange.least && periodPixels <= kFlattenPeriodRange.most))
-      return Error{ErrorKind::usage, "a period of " + std::to_string(periodPixels) +
-                                         " pixels: 4 to 16384 are accepted"};
+      return Error{ErrorKind::usage,
+                   "a period of " + std::to_string(periodPixels) + " pixels; expected 4 to 16384"};
     return unlessInterrupted("flattening", [&]() -> Result<void> {
       const auto count = double(maps.size());
       for (std::size_t m = 0; m < maps.size(); ++m)

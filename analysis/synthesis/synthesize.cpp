@@ -35,21 +35,21 @@ std::string text(double number) {
 Result<void> checkRange(const char* name, double value, NumberRange range) {
   if (value >= range.least && value <= range.most)
     return {};
-  return usage(std::string(name) + " " + text(value) + ": a number from " + text(range.least) +
-               " to " + text(range.most) + " is accepted");
+  return usage(std::string(name) + " " + text(value) + "; expected a number from " +
+               text(range.least) + " to " + text(range.most));
 }
 
 Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (options.width < 1 || options.height < 1 || options.width > kMaxImageSide ||
       options.height > kMaxImageSide)
     return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                 ": sides from 1 to " + std::to_string(kMaxImageSide) + " pixels are accepted");
+                 "; expected sides from 1 to " + std::to_string(kMaxImageSide) + " pixels");
   if (options.material.noise >= bundle.noises.size())
     return usage("noise " + std::to_string(options.material.noise) + ": the bundle has " +
                  std::to_string(bundle.noises.size()));
   if (options.stride < 1 || (options.tileable && options.stride != 1))
     return usage("stride " + std::to_string(options.stride) +
-                 ": 1 is accepted, and more where the image is not tileable");
+                 "; expected 1, or more if the image is not tileable");
   if (options.texelsPerTile != 0.0)
     if (Result<void> checked =
             checkRange("texels per tile", options.texelsPerTile, kTexelsPerTileRange);
@@ -74,7 +74,7 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
       return checked;
   if (options.tileable && options.mix[0] != options.mix[1])
     return usage("mix " + text(options.mix[0]) + "," + text(options.mix[1]) +
-                 " of a tileable image: one weight is accepted");
+                 " of a tileable image; expected one weight");
   for (const double coordinate : options.origin)
     if (Result<void> checked = checkRange("origin", coordinate, kOriginRange); !checked)
       return checked;
@@ -198,8 +198,8 @@ Result<LinearImage> synthesizePreview(const Bundle& bundle, const MaterialNoise&
     if (Result<void> checked = check(bundle, options); !checked)
       return checked.error();
     if (tiles < 1 || tiles > kMaxPreviewSide)
-      return usage("a preview with " + std::to_string(tiles) + " tiles a side; 1 to " +
-                   std::to_string(kMaxPreviewSide) + " are accepted");
+      return usage("a preview with " + std::to_string(tiles) + " tiles per side; expected 1 to " +
+                   std::to_string(kMaxPreviewSide));
     const Noise& noise = bundle.noises[options.material.noise];
     const std::optional<std::size_t> map = findMap(noise, target);
     if (!map)

@@ -105,13 +105,13 @@ double channelError(const gaussian::GaussianModel& model, const TextonCoefficien
 Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& options) {
   const auto usage = [](const std::string& what) { return Error{ErrorKind::usage, what}; };
   if (maps.empty())
-    return usage("no maps; at least one is accepted");
+    return usage("no maps; expected at least one");
   std::set<MapTarget> targets;
   for (const MapExemplar& map : maps) {
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked.error();
     if (!targets.insert(map.target).second)
-      return usage("two maps of " + std::string(nameOf(map.target)) + "; one is accepted");
+      return usage("two maps of " + std::string(nameOf(map.target)) + "; expected one");
   }
   return checkTextonOptions(options);
 }
@@ -155,9 +155,9 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
   if (!gaussian::isModelled(modelled, wanted))
-    return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, and "
-                                      "no texton does; a photograph with detail, or another "
-                                      "method, is accepted"};
+    return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, "
+                                      "which no texton can reproduce; use a photograph with "
+                                      "detail, or another method"};
   TextonCoefficients coefficients =
       fitted(model, options, progress.part(kHeldOutOfProgress, kFitOfProgress));
   bake.quality.modelError = relativeModelError(model, coefficients, options.order);
@@ -168,10 +168,11 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   progress.reach(kFitOfProgress);
 
   if (!correctCovariance(coefficients, options.order, wanted))
-    return Error{ErrorKind::badInput,
-                 fmt::format("{} x {} coefficients cannot vary as the exemplar's {} channels do; a "
-                             "larger support, or another method, is accepted",
-                             coefficients.width, coefficients.height, joint.channels())};
+    return Error{
+        ErrorKind::badInput,
+        fmt::format("{} x {} coefficients cannot vary as the exemplar's {} channels do; use a "
+                    "larger support, or another method",
+                    coefficients.width, coefficients.height, joint.channels())};
   bake.noise.name = std::move(name);
   bake.noise.data = shapeOf(joint, coefficients, options.order);
   const TextonOfMaps whole{inStoredUnits(std::move(coefficients), joint.units), joint.mean};

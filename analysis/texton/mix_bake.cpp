@@ -30,18 +30,18 @@ Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}
 Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options) {
   if (exemplars < 2 || exemplars > kMaxMixedExemplars)
     return usage(
-        fmt::format("{} exemplars to mix; 2 to {} are accepted", exemplars, kMaxMixedExemplars));
+        fmt::format("exemplars to mix: {}; expected 2 to {}", exemplars, kMaxMixedExemplars));
   if (Result<void> checked = checkTextonOptions(options.texton); !checked)
     return checked;
   if (options.texton.fit != TextonFit::transport)
-    return usage("a mix by projections; the fit by transport distance is accepted");
+    return usage("a mix fitted by projections; expected the fit by transport distance");
   if (!options.weights.empty())
     return {}; // the fit checks the weights
   const int legs = int(exemplars) - 1;
   const int most = (kMaxTextonSteps - 1) / legs + 1;
   if (options.steps < int(kMixStepsRange.least) || options.steps > most)
-    return usage(fmt::format("{} steps from an exemplar to the next; {} to {} are accepted for {} "
-                             "exemplars, {} textons in all at the most",
+    return usage(fmt::format("steps from an exemplar to the next: {}; expected {} to {} for {} "
+                             "exemplars, at most {} textons in all",
                              options.steps, kMixStepsRange.least, most, exemplars,
                              kMaxTextonSteps));
   return {};
@@ -59,7 +59,7 @@ std::string channelsOf(const MapExemplar& map) {
 Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) {
   const auto refuse = [&](const std::string& what) {
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: {}; exemplars of a mix have the same maps", other.name, what)};
+                 fmt::format("{}: {}; expected the same maps in all exemplars", other.name, what)};
   };
   const auto find = [](const MixedExemplar& exemplar, MapTarget target) {
     return std::find_if(exemplar.maps.begin(), exemplar.maps.end(),
@@ -72,7 +72,7 @@ Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) 
     const MapExemplar& map = other.maps[m];
     const auto same = find(first, map.target);
     if (same == first.maps.end())
-      return refuse(fmt::format("has {}, which {} has not", nameOf(map.target), first.name));
+      return refuse(fmt::format("has {}, which {} does not have", nameOf(map.target), first.name));
     if (same->channels != map.channels)
       return refuse(fmt::format("{} has {}, in {} it has {}", nameOf(map.target), channelsOf(map),
                                 first.name, channelsOf(*same)));
@@ -80,7 +80,7 @@ Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) 
       return refuse(fmt::format("{} is stored as {}, in {} as {}", nameOf(map.target),
                                 nameOf(map.encoding), first.name, nameOf(same->encoding)));
     if (first.maps[m].target != map.target)
-      return usage(other.name + ": maps in another order; that of their targets is accepted");
+      return usage(other.name + ": maps in another order; expected that of their targets");
   }
   return {};
 }
@@ -88,14 +88,14 @@ Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) 
 Result<void> checkMaps(std::span<const MixedExemplar> exemplars) {
   for (const MixedExemplar& exemplar : exemplars) {
     if (exemplar.maps.empty())
-      return usage(exemplar.name + ": no maps; at least one is accepted");
+      return usage(exemplar.name + ": no maps; expected at least one");
     std::set<MapTarget> targets;
     for (const MapExemplar& map : exemplar.maps) {
       if (Result<void> checked = exemplar::checkRanges(map); !checked)
         return checked.error();
       if (!targets.insert(map.target).second)
         return usage(
-            fmt::format("{}: two maps of {}; one is accepted", exemplar.name, nameOf(map.target)));
+            fmt::format("{}: two maps of {}; expected one", exemplar.name, nameOf(map.target)));
     }
     if (Result<void> alike = checkAlike(exemplars.front(), exemplar); !alike)
       return alike.error();
@@ -121,8 +121,8 @@ Result<std::array<int, 2>> tileOf(std::span<const MixedExemplar> exemplars) {
     const double rows = std::round(double(height) * double(tile[0]) / double(width));
     if (rows > double(kMaxTableSide))
       return Error{ErrorKind::badInput,
-                   fmt::format("{}: {} x {} pixels are {} x {:.0f} beside the widest exemplar; a "
-                               "height of up to {} is accepted",
+                   fmt::format("{}: {} x {} pixels become {} x {:.0f} at the widest exemplar's "
+                               "width; expected a height of at most {}",
                                exemplar.name, width, height, tile[0], rows, kMaxTableSide)};
     tile[1] = std::max(tile[1], int(rows));
   }
@@ -148,8 +148,8 @@ Result<void> checkFrames(const TextonShape& shape) {
   const std::uint64_t rows = std::uint64_t(shape.frameHeight()) * std::uint64_t(shape.steps);
   if (rows <= kMaxTableSide)
     return {};
-  return usage(fmt::format("{} steps of {} rows each make an image of {}; up to {} are accepted, "
-                           "with fewer steps or a smaller support",
+  return usage(fmt::format("{} steps of {} rows each make an image of {}; expected at most {}; "
+                           "use fewer steps or a smaller support",
                            shape.steps, shape.frameHeight(), rows, kMaxTableSide));
 }
 

@@ -39,22 +39,22 @@ constexpr double kFitOfProgress = 0.9;
 Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
   if (options.width < 1 || options.height < 1)
-    return usage(fmt::format("a texton of {} x {} coefficients; 1 x 1 and more is accepted",
+    return usage(fmt::format("a texton of {} x {} coefficients; expected at least 1 x 1",
                              options.width, options.height));
   if (options.stepsPerLeg < 1)
-    return usage(fmt::format("{} steps from an exemplar to the next; at least 1 is accepted",
+    return usage(fmt::format("{} steps from an exemplar to the next; expected at least 1",
                              options.stepsPerLeg));
   for (const MixExemplar& exemplar : exemplars) {
     if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
-      return usage(
-          fmt::format("{}: {} channels, and {} has {}; a mix takes exemplars with the same "
-                      "channels",
-                      exemplar.name, exemplar.model.channels.size(), exemplars[0].name,
-                      exemplars[0].model.channels.size()));
+      return usage(fmt::format("{}: {} channel{}, and {} has {}; expected exemplars with the same "
+                               "channels",
+                               exemplar.name, exemplar.model.channels.size(),
+                               exemplar.model.channels.size() == 1 ? "" : "s", exemplars[0].name,
+                               exemplars[0].model.channels.size()));
     if (!gaussian::isModelled(gaussian::modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
-                   fmt::format("{}: varies only from one border to the other, and no texton does; "
-                               "a photograph with detail is accepted",
+                   fmt::format("{}: varies only from one border to the other, which no texton "
+                               "can reproduce; use a photograph with detail",
                                exemplar.name)};
   }
   return {};
@@ -133,8 +133,8 @@ Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::Gaus
   for (std::size_t k = 0; k < exemplars.size(); ++k)
     parts.push_back(fmt::format("{:.3g} {}", step.weights[k], exemplars[k].name));
   return Error{ErrorKind::badInput,
-               fmt::format("a mix of {}: {} x {} coefficients cannot vary as these colours do; a "
-                           "larger texton, or exemplars with detail, are accepted",
+               fmt::format("a mix of {}: {} x {} coefficients cannot vary as these colours do; use "
+                           "a larger texton, or exemplars with detail",
                            fmt::join(parts, ", "), step.texton.width, step.texton.height)};
 }
 
@@ -187,16 +187,16 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
 Result<std::vector<double>> normalized(std::span<const double> weights, std::size_t exemplars) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
   if (exemplars == 0 || weights.size() != exemplars)
-    return usage(fmt::format("{} weights for {} exemplars; one each is accepted", weights.size(),
-                             exemplars));
+    return usage(fmt::format("weights: {} for {} exemplars; expected one per exemplar",
+                             weights.size(), exemplars));
   double sum = 0.0;
   for (const double weight : weights) {
     if (!(weight >= 0.0 && std::isfinite(weight)))
-      return usage(fmt::format("a weight of {}; 0 and more is accepted", weight));
+      return usage(fmt::format("a weight of {}; expected 0 or more", weight));
     sum += weight;
   }
   if (!(sum > 0.0 && std::isfinite(sum)))
-    return usage(fmt::format("weights of sum {}; a positive one is accepted", sum));
+    return usage(fmt::format("weights of sum {}; expected a sum above 0", sum));
   std::vector<double> result(weights.begin(), weights.end());
   for (double& weight : result)
     weight /= sum;
@@ -211,7 +211,7 @@ Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, const Mi
   return withinMemory(exhausted, [&]() -> Result<TextonMix> {
     if (exemplars.size() < 2)
       return Error{ErrorKind::usage,
-                   fmt::format("{} exemplars to mix; at least 2 are accepted", exemplars.size())};
+                   fmt::format("exemplars to mix: {}; expected at least 2", exemplars.size())};
     if (Result<void> checked = check(exemplars, options); !checked)
       return checked.error();
     return unlessInterrupted(

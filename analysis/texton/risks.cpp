@@ -194,16 +194,17 @@ std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, Progress
   const Waves waves =
       varies ? wavesOf(map, texels, progress.part(kHistogramOfProgress, 1.0)) : Waves{};
   return {riskOf("histogram", scoreOf(histogram, kTextonHistogram),
-                 "the values are " + percent(histogram) + " of a deviation from Gaussian ones",
-                 "so that other colours than the exemplar's will appear", {{kTiling}, ""}),
+                 "the histogram differs from a Gaussian one by " + percent(histogram) +
+                     " of the deviation",
+                 "so colours that the exemplar does not have will appear", {{kTiling}, ""}),
           riskOf("outlines", scoreOf(waves.outlines, kTextonOutlines),
-                 "fine detail has the kurtosis " + oneDecimal(3.0 + waves.outlines) +
-                     ", where Gaussian noise has 3",
-                 "so that what stands out will be lost", {{kTiling}, ""}),
+                 "fine detail has a kurtosis of " + oneDecimal(3.0 + waves.outlines) +
+                     " (Gaussian noise has 3)",
+                 "so outlines will be lost", {{kTiling}, ""}),
           riskOf("low-frequency", scoreOf(waves.slow[0], kTextonSlow),
                  percent(waves.slow[0]) + " of the variation is slower than the texton's " +
                      std::to_string(texels.support) + " texels",
-                 "and will be missing", {settingsForSlow(texels, waves), ""})};
+                 "and will be lost", {settingsForSlow(texels, waves), ""})};
 }
 
 } // namespace

@@ -37,17 +37,18 @@ bool spansAll(const exemplar::ColorSpace& space) {
 Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
   const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
   if (options.bits != 8 && options.bits != 16)
-    return usage("precision " + std::to_string(options.bits) + ": 8 or 16 bits are accepted");
+    return usage("precision " + std::to_string(options.bits) + "; expected 8 or 16 bits");
   if (maps.empty())
-    return usage("no map to bake: at least one is needed");
+    return usage("no map to bake; expected at least one");
   for (const MapExemplar& map : maps) {
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;
     if (options.gaussian == GaussianOnly::yes && !spansAll(exemplar::colorSpaceOf(map)))
-      return usage("the values of " + std::string(nameOf(map.target)) + " span less than " +
-                   std::to_string(map.channels.size()) +
-                   " dimensions: without an inverse table all are needed, so gaussian auto or no "
-                   "is accepted");
+      return usage(
+          "the values of " + std::string(nameOf(map.target)) + " span less than " +
+          std::to_string(map.channels.size()) +
+          " dimensions, and a bake without an inverse table needs all; expected gaussian auto "
+          "or no");
   }
   return {};
 }

@@ -115,11 +115,11 @@ void turnSlopesBack(Value& value, const std::array<float, 2>& turn) {
 /// Describes what is wrong with a quality, if anything.
 std::optional<std::string> problemOf(const TilingQuality& quality) {
   if (quality.taps != 2 && quality.taps != 3)
-    return "taps " + std::to_string(quality.taps) + ": 2 and 3 are accepted";
+    return "taps " + std::to_string(quality.taps) + "; expected 2 or 3";
   if (!(quality.oneTapTiles >= kOneTapTilesRange.least &&
         quality.oneTapTiles <= kOneTapTilesRange.most))
     return "one tap from " + std::to_string(quality.oneTapTiles) +
-           " tiles a pixel: a number from 0 to 1000000 is accepted";
+           " tiles per pixel; expected a number from 0 to 1000000";
   return std::nullopt;
 }
 

@@ -68,7 +68,7 @@ Result<PrecisionLoss> precisionLoss(const Bundle& bundle, std::size_t noise, std
     const Table& gaussian = bundle.tables[described.as<TilingMap>().gaussian];
     if (int(gaussian.width) != exemplar.width || int(gaussian.height) != exemplar.height ||
         described.channels != exemplar.channels)
-      return Error{ErrorKind::usage, "an exemplar that the map was not baked from"};
+      return Error{ErrorKind::usage, "the exemplar is not the one from which the map was baked"};
     const std::vector<float> texels = evaluator.value().decodedTexels(map);
     return compared(exemplar, texels, periodic);
   });

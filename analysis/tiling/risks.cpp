@@ -78,20 +78,21 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const 
   while (share > kShortestAutoPeriod && !flattensBy(share))
     share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
   return riskOf("cloudiness", scoreOf(measured, kCloudiness),
-                "the contrast will vary by " + percent(measured) + " from place to place",
-                "with what is blended there by chance",
+                "the contrast will vary by " + percent(measured) + " across the noise",
+                "depending on which tiles are blended",
                 {flattensBy(share) ? flattening(map, slow, share) : std::vector<BakeSetting>{},
                  "a photograph that varies less over large distances"});
 }
 
 Risk fewColorsRisk(const FewColors& few) {
-  return riskOf("structure", scoreOf(few.spacing, kColorSpacing),
-                "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
-                    " colours, with next to nothing between them",
-                "whose outlines come out ragged",
-                {{},
-                 "a photograph, whose colours pass into one another; an image that tiles may be "
-                 "repeated as a plain texture instead"});
+  return riskOf(
+      "structure", scoreOf(few.spacing, kColorSpacing),
+      "the image has only " + std::to_string(std::max(2L, std::lround(few.count))) +
+          " colours and almost nothing between them",
+      "so outlines will be ragged",
+      {{},
+       "a photograph with gradual colours; an image that tiles can be repeated as a plain "
+       "texture instead"});
 }
 
 Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressPart progress) {
@@ -104,14 +105,13 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
     return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
   const Remedy remedy{{},
-                      "a photograph without joints, letters or a regular pattern; one that tiles "
-                      "may be repeated as a plain texture instead"};
+                      "a photograph without joints, letters or a regular pattern; an image that "
+                      "tiles can be repeated as a plain texture instead"};
   if (latticeScore > coherenceScore)
     return riskOf("structure", latticeScore,
-                  percent(lattice) + " of the variation repeats at even steps", consequence,
-                  remedy);
+                  percent(lattice) + " of the variation repeats regularly", consequence, remedy);
   return riskOf("structure", coherenceScore,
-                "outlines, as joints and letters have, are coherent to " + percent(coherence),
+                "outlines, such as joints and letters, are " + percent(coherence) + " coherent",
                 consequence, remedy);
 }
 
@@ -126,7 +126,7 @@ Risk lowFrequencyRisk(const MapExemplar& map, const MapExemplar& seen, const Slo
           " of the full range",
       "which will show as patches",
       slow.cause == SlowCause::object
-          ? Remedy{{}, "a photograph that shows many such objects, or a crop without the one"}
+          ? Remedy{{}, "a photograph with many such objects, or a crop without the object"}
           : Remedy{flattening(map, slow, kLongestAdvisedPeriod), "even light"});
 }
 

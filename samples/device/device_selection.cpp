@@ -241,7 +241,8 @@ Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
   VkPhysicalDeviceFeatures available{};
   vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
   if (!containsFeatures(available, options.features))
-    return Error{ErrorKind::environment, device + " lacks a feature that this program requires"};
+    return Error{ErrorKind::environment,
+                 device + " does not have a feature that this program requires"};
   VkPhysicalDeviceFeatures features = options.features;
   features.fullDrawIndexUint32 = available.fullDrawIndexUint32;
 

@@ -7,6 +7,7 @@
 #include "terrain.h"
 #include "unsuitable.h"
 
+#include <lichen/escaped.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 
@@ -29,7 +30,7 @@ namespace {
 using namespace lichen;
 
 int fail(ErrorKind kind, const std::string& message) {
-  std::fprintf(stderr, "lichen-exemplars: %s\n", message.c_str());
+  std::fprintf(stderr, "lichen-exemplars: %s\n", escaped(message).c_str());
   return int(kind);
 }
 
@@ -50,7 +51,7 @@ std::vector<exemplars::Material> pictures() {
 int reportWritten(const Result<void>& written, const std::filesystem::path& path) {
   if (!written)
     return fail(written.error().kind, written.error().message);
-  std::printf("%s\n", path.c_str());
+  std::printf("%s\n", escaped(path.string()).c_str());
   return 0;
 }
 
@@ -121,7 +122,7 @@ int run(int argc, char** argv) {
   cli::addText(app, "OUTDIR", folder, "", "Output folder; created if it does not exist").required();
   cli::addTexts(app, "NAME", names, "...",
                 "Exemplars to write: " + cli::alternatives(known) + " [default: the first " +
-                    std::to_string(exemplars::kMaterials.size()) + ", which are materials]");
+                    std::to_string(exemplars::kMaterials.size()) + ", the materials]");
   cli::addValue(app, "--size", side,
                 cli::wholeNumber(exemplars::kSmallestSide, exemplars::kLargestSide), "512",
                 "Pixels per side; details keep their size in pixels");
@@ -134,7 +135,7 @@ int run(int argc, char** argv) {
   }
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return failUsage(name + ": no such exemplar; " + cli::alternatives(known) + " are available");
+      return failUsage(name + ": no such exemplar; expected " + cli::alternatives(known));
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);

@@ -342,7 +342,7 @@ void NoiseHost::setTileOrigin(LichenUniformInfo& info) {
     originNotes_.insert(
         "/materials/" + std::to_string(info.material) +
         ": the camera is more than 2^40 tiles of its noise from the world's origin; the noise "
-        "there lacks detail");
+        "there loses detail");
   roles.fromTileOrigin = glm::vec3(origin_ - side * clamped);
   info.tileOrigin[0] = std::int64_t(clamped.x);
   info.tileOrigin[1] = std::int64_t(clamped.y);

@@ -79,9 +79,10 @@ Result<void> checkMessages(const ValidationMessages& messages) {
     return {};
   for (const std::string& text : texts)
     std::fprintf(stderr, "%s\n", text.c_str());
-  return Error{ErrorKind::environment, std::to_string(texts.size()) +
-                                           " messages from the Vulkan validation layers; please "
-                                           "report them"};
+  const bool isOne = texts.size() == 1;
+  return Error{ErrorKind::environment,
+               std::to_string(texts.size()) + (isOne ? " message" : " messages") +
+                   " from the Vulkan validation layers; please report " + (isOne ? "it" : "them")};
 }
 
 int runProgram(const char* name, const std::function<Result<void>()>& run) {

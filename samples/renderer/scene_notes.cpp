@@ -59,7 +59,7 @@ void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
         std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
     notes.push_back(fmt::format(
         "/materials/{}: vertices are {:.3g} units from their node's origin, where floats are "
-        "{:.2g} apart; its noise, with tiles of {:.2g}, may lack detail there; move the node's "
+        "{:.2g} apart; its noise, with tiles of {:.2g}, may lose detail there; move the node's "
         "origin closer to its vertices",
         m, reach, spacing, side));
   }
@@ -111,10 +111,11 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
                     [&](const Vertex& vertex) { return vertex.*coordinates != first; }))
       continue;
     notedMaterials.insert(m);
-    notes.push_back(fmt::format("/materials/{}: its noise is mapped by TEXCOORD_{}, which a mesh "
-                                "lacks or has with a single value, so the noise is constant "
-                                "there; triplanar mapping needs no texture coordinates",
-                                m, set));
+    notes.push_back(
+        fmt::format("/materials/{}: its noise is mapped by TEXCOORD_{}, which a mesh "
+                    "does not have, or has with a single value, so the noise is constant "
+                    "there; triplanar mapping needs no texture coordinates",
+                    m, set));
   }
 }
 

@@ -104,7 +104,7 @@ private:
     const std::optional<std::string> uri = place.string("uri");
     const auto& chunk = file_.container.binaryChunk;
     if (!uri && (!chunk || index != 0))
-      place.fail("only the first buffer of a .glb with a BIN chunk may lack a uri");
+      place.fail("has no uri; only the first buffer of a .glb with a BIN chunk needs none");
     if (!uri && length > chunk->size())
       place.fail("byteLength " + std::to_string(length) + " exceeds the " +
                  std::to_string(chunk->size()) + " bytes of the BIN chunk");

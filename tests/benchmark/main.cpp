@@ -69,16 +69,16 @@ nlohmann::ordered_json jsonOf(const char* family, const Row& row) {
 
 int main(int argumentCount, char** arguments) {
   using namespace lichen::bench;
-  CLI::App app{"Measures Lichen and prints each number beside its target"};
+  CLI::App app{"Measures Lichen and prints each number beside its target."};
   bool json = false, markdown = false;
   std::vector<std::string> only;
   int childSide = 0;
   std::vector<std::string> names;
   for (const Family& family : kFamilies)
     names.emplace_back(family.name);
-  app.add_flag("--json", json, "One JSON object on standard output");
-  app.add_flag("--markdown", markdown, "The table of docs/benchmarks.md")->excludes("--json");
-  app.add_option("--only", only, "Families of rows, of all by default")
+  app.add_flag("--json", json, "Print one JSON object on standard output");
+  app.add_flag("--markdown", markdown, "Print the table of docs/benchmarks.md")->excludes("--json");
+  app.add_option("--only", only, "Families of rows to measure [default: all]")
       ->check(CLI::IsMember(names));
   app.add_option("--peak-memory-of-bake", childSide)->group(""); // for bakeInChild
   CLI11_PARSE(app, argumentCount, arguments);

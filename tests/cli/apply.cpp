@@ -18,7 +18,7 @@ using namespace lichen;
 using namespace lichen::cli_test;
 using nlohmann::json;
 
-TEST_CASE("apply gives one material the noise and leaves all others as they are") {
+TEST_CASE("apply adds the noise to one material and leaves all others unchanged") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb",
                                 {"--seed", "7", "--tile", "2"});
@@ -39,7 +39,7 @@ TEST_CASE("apply gives one material the noise and leaves all others as they are"
   CHECK(bundle.tables[0].texels == readBundle(moss).value().tables[0].texels);
 }
 
-TEST_CASE("materials are named, counted or all") {
+TEST_CASE("materials are given by name, by index or as all") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -72,7 +72,7 @@ TEST_CASE("materials are named, counted or all") {
   CHECK(!std::filesystem::exists(output));
 }
 
-TEST_CASE("several materials are named by as many options, names with commas too") {
+TEST_CASE("--material may be repeated, and names may contain commas") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -89,7 +89,7 @@ TEST_CASE("several materials are named by as many options, names with commas too
                int(ErrorKind::usage), {"--material all"});
 }
 
-TEST_CASE("of all materials those without texture coordinates are left out with a note") {
+TEST_CASE("--material all skips materials without texture coordinates, with a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -98,7 +98,7 @@ TEST_CASE("of all materials those without texture coordinates are left out with 
   REQUIRE(ended.code == 0);
   CHECK_THAT(ended.errors, Catch::Contains("material 'glass' left out") &&
                                Catch::Contains("TEXCOORD_0") &&
-                               Catch::Contains("--mapping triplanar is accepted"));
+                               Catch::Contains("use --mapping triplanar there"));
   const json document = GltfScene::open(workplace.path("out.glb")).value().document();
   CHECK(document["materials"][0].contains("extensions"));
   CHECK(!document["materials"][1].contains("extensions"));
@@ -111,7 +111,7 @@ TEST_CASE("of all materials those without texture coordinates are left out with 
                int(ErrorKind::badInput), {"material 'wood'", "TEXCOORD_0"});
 }
 
-TEST_CASE("a noise of a bundle is named behind a colon") {
+TEST_CASE("the name of a noise follows its bundle after a colon") {
   const Workplace workplace;
   const std::string grey = workplace.write("grey.png", smoothGrey(8));
   const std::string first = bake(workplace, grey, "first.glb", {"--name", "one"});
@@ -133,7 +133,7 @@ TEST_CASE("a noise of a bundle is named behind a colon") {
                int(ErrorKind::usage), {"b:th.glb::", "empty"});
 }
 
-TEST_CASE("mappings that a method has not, or that the meshes do not allow, are refused by name") {
+TEST_CASE("the error for a mapping that the method or the meshes do not support names it") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(8)), "moss.glb");
   const std::string wool = writeTexton(workplace);
@@ -158,7 +158,7 @@ TEST_CASE("mappings that a method has not, or that the meshes do not allow, are 
   CHECK(!std::filesystem::exists(workplace.path("x.glb")));
 }
 
-TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted") {
+TEST_CASE("a broken mesh is an error if it gets the noise, else a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const auto refused = [&](const example::TinyScene& scene, const std::vector<std::string>& words) {
@@ -170,7 +170,7 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
     const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
     CHECK(other.code == 0); // the faulty primitive stays as it is
     CHECK_THAT(other.errors,
-               Catch::Contains(words.back()) && Catch::Contains("it stays without the noise"));
+               Catch::Contains(words.back()) && Catch::Contains("it is without noise"));
   };
   const example::TinyScene sound = example::tableScene();
   const auto attributeOf = [](example::TinyScene & scene) -> auto& {
@@ -180,7 +180,8 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
   const std::vector<std::uint16_t> outside{0, 1, 4};
   scene.json["meshes"][0]["primitives"][0]["indices"] =
       scene.addAccessor(outside, "SCALAR", 5123, 1);
-  refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "index 4; below 4 is accepted"});
+  refused(scene,
+          {"primitive 0 of mesh 'table'", "/accessors/", "index 4; expected an index below 4"});
   for (const auto& [name, components] : {std::pair{"POSITION", 3}, std::pair{"TEXCOORD_0", 2}}) {
     scene = sound;
     const std::vector<float> values(std::size_t(4 * components), std::nanf(""));
@@ -197,11 +198,11 @@ TEST_CASE("meshes that no viewer can draw are refused by name, elsewhere noted")
   refused(scene, {"primitive 0 of mesh 'table'", "2 texture coordinates for 4 positions"});
   scene = sound;
   scene.json["meshes"][0]["primitives"][0]["mode"] = 7;
-  refused(scene, {"primitive 0 of mesh 'table'", "mode 7; 0 to 6 is accepted"});
+  refused(scene, {"primitive 0 of mesh 'table'", "mode 7; expected 0 to 6"});
   CHECK(!std::filesystem::exists(workplace.path("x.glb")));
 }
 
-TEST_CASE("materials that are not what glTF says are refused by their place") {
+TEST_CASE("the error for a material that is not valid glTF states its JSON pointer") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const auto refused = [&](const char* member, const json& value, const char* named) {
@@ -218,7 +219,7 @@ TEST_CASE("materials that are not what glTF says are refused by their place") {
           "/materials/0/emissiveTexture/extensions");
 }
 
-TEST_CASE("vertices that are compressed get the noise, with a note") {
+TEST_CASE("compressed meshes get the noise, with a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const example::TinyScene sound = example::tableScene();
@@ -245,7 +246,7 @@ TEST_CASE("vertices that are compressed get the noise, with a note") {
   noted(scene, "EXT_meshopt_compression");
 }
 
-TEST_CASE("the report tells frames, singularities and what multiplies the noise") {
+TEST_CASE("the report lists frames, singularities and factors that multiply the noise") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -279,7 +280,7 @@ TEST_CASE("the report tells frames, singularities and what multiplies the noise"
   CHECK(apply(workplace, scene, moss, "wood", {"--quiet"}).errors.empty());
 }
 
-TEST_CASE("factors are kept or set to 1, and a note has those of many materials") {
+TEST_CASE("factors are kept or set to 1, and one note lists those of many materials") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
@@ -315,7 +316,7 @@ TEST_CASE("factors are kept or set to 1, and a note has those of many materials"
                int(ErrorKind::usage), {"--factors 2", "keep or one"});
 }
 
-TEST_CASE("an emissive factor that is set to 1 without a texture is noted") {
+TEST_CASE("setting an emissive factor to 1 without a texture gives a note") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("set"));
   for (const char* map : {"set/diff.png", "set/emissive.png"})
@@ -333,7 +334,7 @@ TEST_CASE("an emissive factor that is set to 1 without a texture is noted") {
   CHECK_FALSE(noted()); // it was emissive before
 }
 
-TEST_CASE("textures that the noise has no map for are named, as they stay") {
+TEST_CASE("a note names the textures for which the noise has no map") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
@@ -348,19 +349,19 @@ TEST_CASE("textures that the noise has no map for are named, as they stay") {
   CHECK_THAT(ended.errors, !Catch::Contains("baseColorTexture"));
 }
 
-TEST_CASE("a number of steps that may have been meant as an angle is noted") {
+TEST_CASE("a tile rotation that looks like an angle gives a note") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const std::string scene = writeScene(workplace, example::tableScene());
   const auto errorsOf = [&](const char* steps) {
     return apply(workplace, scene, moss, "wood", {"--tile-rotation", steps}).errors;
   };
-  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: a number of steps"));
+  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: the number of directions"));
   for (const char* meant : {"4", "free", "none"})
     CHECK_THAT(errorsOf(meant), !Catch::Contains("--tile-rotation"));
 }
 
-TEST_CASE("the same noise on a scene twice is stored once, under its name") {
+TEST_CASE("a noise applied twice is stored once, under its name") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -376,7 +377,7 @@ TEST_CASE("the same noise on a scene twice is stored once, under its name") {
   CHECK_THAT(ended.errors, Catch::Contains("'wool-2'"));
 }
 
-TEST_CASE("what a material may change without another bake is what the options say") {
+TEST_CASE("the options set every parameter that needs no new bake") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -392,7 +393,7 @@ TEST_CASE("what a material may change without another bake is what the options s
   CHECK(use.tileRotation == kMostTileRotation);
 }
 
-TEST_CASE("what the noise's method or the mapping has not is refused") {
+TEST_CASE("an option that the noise's method or the mapping does not have is an error") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -407,7 +408,7 @@ TEST_CASE("what the noise's method or the mapping has not is refused") {
   refused("--plane-sharpness", "2", {"--plane-sharpness", "uv", "--mapping triplanar"});
 }
 
-TEST_CASE("how sharply planes give way is the option's") {
+TEST_CASE("--plane-sharpness sets the sharpness of the planes") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -417,7 +418,7 @@ TEST_CASE("how sharply planes give way is the option's") {
   CHECK(readBundle(workplace.path("out.glb")).value().materials[0]->planeSharpness == 4.0);
 }
 
-TEST_CASE("the space of a mapping is the option's, then the bundle's, and inspect tells it") {
+TEST_CASE("the space comes from the option, else from the bundle, and inspect shows it") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -443,7 +444,7 @@ TEST_CASE("the space of a mapping is the option's, then the bundle's, and inspec
                int(ErrorKind::usage), {"--space object", "uv", "--mapping triplanar or surface"});
 }
 
-TEST_CASE("the same call gives the same bytes") {
+TEST_CASE("the same call writes the same bytes") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -454,7 +455,7 @@ TEST_CASE("the same call gives the same bytes") {
   CHECK(workplace.read("a.glb") == workplace.read("b.glb"));
 }
 
-TEST_CASE("scenes, noises and outputs that cannot be used are refused, and no file is left") {
+TEST_CASE("unusable scenes, noises and outputs are errors and leave no file") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());

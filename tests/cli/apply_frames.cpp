@@ -49,7 +49,7 @@ float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 
 } // namespace
 
-TEST_CASE("surface noise gets a frame where there is none") {
+TEST_CASE("surface noise gets a computed frame on a mesh without tangents") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   const std::string scene = writeScene(workplace, example::tableScene());
@@ -79,7 +79,7 @@ TEST_CASE("surface noise gets a frame where there is none") {
     CHECK(dot(tangent, tangents[0]) == Approx(1.0));
 }
 
-TEST_CASE("tangents that a mesh has are its frame") {
+TEST_CASE("a mesh with tangents keeps them as its frame") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -92,7 +92,7 @@ TEST_CASE("tangents that a mesh has are its frame") {
   CHECK(document["meshes"] == json(scene.json["meshes"]));
 }
 
-TEST_CASE("of all materials those that need other tangents are left out with a note") {
+TEST_CASE("--material all skips materials that need their own tangents, with a note") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -111,7 +111,7 @@ TEST_CASE("of all materials those that need other tangents are left out with a n
                int(ErrorKind::badInput), {"material 'wood'", "TANGENT"});
 }
 
-TEST_CASE("one note tells of the singular triangles of many meshes, by index where names agree") {
+TEST_CASE("one note reports the singular triangles of many meshes, with an index for equal names") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -119,11 +119,11 @@ TEST_CASE("one note tells of the singular triangles of many meshes, by index whe
   const std::string path = writeScene(workplace, scene);
   const Ended ended = apply(workplace, path, wool, "glass", {"--mapping", "surface"});
   REQUIRE(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains(path + ": mesh 0 'table': the frame has") &&
+  CHECK_THAT(ended.errors, Catch::Contains(path + ": mesh 0 'table': the directions have") &&
                                Catch::Contains("; 1 more mesh has such triangles"));
 }
 
-TEST_CASE("noise with normals of its own needs no tangents of a normal texture") {
+TEST_CASE("noise with its own normals does not need the tangents of a normal texture") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("bumps"));
   workplace.write("bumps/base_color.png", smooth(16));
@@ -138,7 +138,7 @@ TEST_CASE("noise with normals of its own needs no tangents of a normal texture")
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
   CHECK_THAT(ended.errors, Catch::Contains("material 'wood'") &&
-                               Catch::Contains("normalTexture along the noise's tangents"));
+                               Catch::Contains("normalTexture by the noise's tangents"));
   CHECK(vectorsOf(workplace.path("out.glb"), {0, 0}, "TANGENT").size() == 4);
   const Arguments surface{"--mapping", "surface"};
   CHECK(apply(workplace, path, wool, "wood", surface).code == int(ErrorKind::badInput));
@@ -147,7 +147,7 @@ TEST_CASE("noise with normals of its own needs no tangents of a normal texture")
         int(ErrorKind::badInput));
 }
 
-TEST_CASE("the grain is an axis along which the noise lies where a mesh has no tangents") {
+TEST_CASE("the noise follows the axis of --grain on meshes without tangents") {
   const Workplace workplace;
   const std::string wool = writeTexton(workplace);
   example::TinyScene scene = example::tableScene();
@@ -171,6 +171,6 @@ TEST_CASE("the grain is an axis along which the noise lies where a mesh has no t
   const Ended noted = apply(workplace, writeScene(workplace, scene), wool, "wood",
                             {"--mapping", "surface", "--grain", "0,1,0"});
   CHECK(noted.code == 0);
-  CHECK_THAT(noted.errors,
-             Catch::Contains("primitive 0 of mesh 'table'") && Catch::Contains("not --grain"));
+  CHECK_THAT(noted.errors, Catch::Contains("primitive 0 of mesh 'table'") &&
+                               Catch::Contains("instead of --grain"));
 }

@@ -11,7 +11,7 @@ using namespace lichen;
 using namespace lichen::cli_test;
 using nlohmann::json;
 
-TEST_CASE("an absent image is no matter to a .glb where the noise takes its place, else refused") {
+TEST_CASE("a missing image is an error unless the noise replaces everything that shows it") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
@@ -24,8 +24,8 @@ TEST_CASE("an absent image is no matter to a .glb where the noise takes its plac
   };
   const Ended ended = apply(workplace, write(), moss, "wood");
   CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("/images/0: the file 'old%20bark.png' is absent; beside "
-                                           "the noise nothing shows it"));
+  CHECK_THAT(ended.errors, Catch::Contains("/images/0: the file 'old%20bark.png' is missing, "
+                                           "but the noise replaces everything that shows it"));
   CHECK(GltfScene::open(workplace.path("out.glb")).value().document()["images"][0]["uri"] ==
         "old%20bark.png");
   const auto refused = [&] {
@@ -44,7 +44,7 @@ TEST_CASE("an absent image is no matter to a .glb where the noise takes its plac
   refused();
 }
 
-TEST_CASE("materials whose own shading leaves no place for a noise are left out, or refused") {
+TEST_CASE("materials whose shading ignores a noise are skipped by all and an error by name") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"}) {
@@ -62,8 +62,8 @@ TEST_CASE("materials whose own shading leaves no place for a noise are left out,
     CHECK(!document["materials"][1]["extensions"].contains(kExtension));
     checkRefusal({"apply", path, "--noise", moss, "--material", "glass", "--mapping", "triplanar",
                   "-o", workplace.path("x.glb")},
-                 int(ErrorKind::badInput), {"material 'glass' has", extension,
-                  "choose a material without that extension"});
+                 int(ErrorKind::badInput),
+                 {"material 'glass' has", extension, "choose a material without that extension"});
     scene.json["materials"][0]["extensions"][extension] = json::object();
     checkRefusal({"apply", writeScene(workplace, scene), "--noise", moss, "--material", "all",
                   "--mapping", "triplanar", "-o", workplace.path("x.glb")},
@@ -71,7 +71,7 @@ TEST_CASE("materials whose own shading leaves no place for a noise are left out,
   }
 }
 
-TEST_CASE("a .glb takes images in data URIs into itself") {
+TEST_CASE("a .glb embeds images from data URIs") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();

@@ -46,18 +46,19 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 
 } // namespace
 
-TEST_CASE("a missing or unknown verb is refused with the verbs there are") {
-  checkRefusal({}, kUsage,
-               {"a verb is missing; bake, mix, synth, inspect, check, compare, merge or apply",
-                "'lichen --help'"});
+TEST_CASE("the error for a missing or unknown verb lists the verbs") {
+  checkRefusal(
+      {}, kUsage,
+      {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge or apply",
+       "'lichen --help'"});
   checkRefusal(
       {"chek"}, kUsage,
-      {"lichen: chek: no such verb; bake, mix, synth, inspect, check, compare, merge or apply is "
-       "accepted; see 'lichen --help'"});
+      {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge "
+       "or apply; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
-TEST_CASE("a verb without its arguments, or with too many, is refused") {
+TEST_CASE("missing and surplus arguments of a verb are errors") {
   const Made& m = made();
   checkRefusal({"bake"}, kUsage, {"INPUT is required; see 'lichen bake --help'"});
   checkRefusal({"bake", m.image}, kUsage, {"--output is required"});
@@ -68,7 +69,7 @@ TEST_CASE("a verb without its arguments, or with too many, is refused") {
   checkRefusal({"check", m.bundle, "--json=3"}, kUsage, {"--json: takes no value"});
 }
 
-TEST_CASE("unknown options and numbers outside their range are refused by every verb") {
+TEST_CASE("unknown options and numbers out of range are errors of every verb") {
   const Made& m = made();
   for (const Arguments& verb : {Arguments{"bake", m.image, "-o", m.workplace.path("new.glb")},
                                 Arguments{"synth", m.bundle, "-o", m.workplace.path("new.png")},
@@ -81,66 +82,70 @@ TEST_CASE("unknown options and numbers outside their range are refused by every 
     checkRefusal(with({"--frobnicate", "8"}), kUsage, {"--frobnicate: no such option"});
     for (const std::string threads : {"-1", "100000", "two", "1.5"})
       checkRefusal(with({"--threads", threads}), kUsage,
-                   {"--threads " + threads + ": a whole number from 0 to 1024 is accepted"});
+                   {"--threads " + threads + ": expected a whole number from 0 to 1024"});
   }
 }
 
-TEST_CASE("bake refuses option values that it does not know, with those that it does") {
-  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: 8 or 16 is accepted"});
-  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: tiling or texton is accepted"});
+TEST_CASE("the error for an unknown option value of bake lists the valid ones") {
+  checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: expected 8 or 16"});
+  checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: expected tiling or texton"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
-                   {"--periodic maybe: auto, yes or no is accepted; see 'lichen bake --help'"});
+                   {"--periodic maybe: expected auto, yes or no; see 'lichen bake --help'"});
   checkBakeRefuses({"--transport", "slow"}, kUsage,
-                   {"--transport slow: fast, default or exact is accepted"});
+                   {"--transport slow: expected fast, default or exact"});
   checkBakeRefuses({"--preview", "teapot"}, kUsage,
-                   {"--preview teapot: sphere, plane or none is accepted"});
+                   {"--preview teapot: expected sphere, plane or none"});
   for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
     checkBakeRefuses({"--seed", seed}, kUsage,
-                     {"--seed " + seed + ": a whole number from 0 to 4294967295 is accepted"});
-  checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "UTF-8 text is accepted"});
+                     {"--seed " + seed + ": expected a whole number from 0 to 4294967295"});
+  checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "expected UTF-8 text"});
   for (const std::string metres : {"0", "-1", "nan", "inf", "wide"})
     checkBakeRefuses({"--tile", metres}, kUsage,
-                     {"--tile " + metres + ": a number from 1e-06 to 1000000 is accepted"});
+                     {"--tile " + metres + ": expected a number from 1e-06 to 1000000"});
 }
 
-TEST_CASE("synth refuses sizes that are not two numbers from 1 to 16384") {
+TEST_CASE("the error for a size that synth cannot make states the range") {
   for (const std::string size :
        {"0x0", "abc", "99999x1", "1x99999", "12x", "x12", "1x2x3", "", "12.5x4", "99999999999x1"})
     checkSynthRefuses({"--size", size}, kUsage,
-                      {"--size " + size + ": a size from 1x1 to 16384x16384 is accepted"});
+                      {"--size " + size + ": expected a size from 1x1 to 16384x16384"});
 }
 
-TEST_CASE("synth refuses option values that it does not know, with those that it does") {
-  checkSynthRefuses({"--noise", "granite"}, kUsage, {"--noise granite: ", "has stone"});
+TEST_CASE("the error for an unknown option value of synth lists the valid ones") {
+  checkSynthRefuses({"--noise", "granite"}, kUsage,
+                    {"--noise granite: not in ", "; expected stone"});
   for (const std::string map : {"depth", "normal"})
-    checkSynthRefuses({"--map", map}, kUsage, {"--map " + map + ": noise 'stone' has baseColor"});
+    checkSynthRefuses({"--map", map}, kUsage,
+                      {"--map " + map + ": not in noise 'stone'; expected baseColor"});
   checkSynthRefuses({"--blend", "add"}, kUsage,
-                    {"--blend add: histogram, variance or linear is accepted"});
+                    {"--blend add: expected histogram, variance or linear"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
-    checkSynthRefuses({"--origin", origin}, kUsage, {"--origin " + origin + ": X,Y with numbers"});
+    checkSynthRefuses({"--origin", origin}, kUsage,
+                      {"--origin " + origin + ": expected X,Y with numbers"});
   for (const std::string texels : {"0", "-4", "nan", "inf", "1e30", "many"})
-    checkSynthRefuses({"--texels-per-tile", texels}, kUsage,
-                      {"--texels-per-tile " + texels + ": a number from 0.0009765625 to 16777216"});
+    checkSynthRefuses(
+        {"--texels-per-tile", texels}, kUsage,
+        {"--texels-per-tile " + texels + ": expected a number from 0.0009765625 to 16777216"});
   for (const std::string sharpness : {"0", "17", "nan"})
     checkSynthRefuses({"--sharpness", sharpness}, kUsage,
-                      {"--sharpness " + sharpness + ": a number from 0.25 to 16"});
+                      {"--sharpness " + sharpness + ": expected a number from 0.25 to 16"});
   for (const std::string taps : {"1", "4", "two"})
-    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": 3 or 2 is accepted"});
+    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": expected 3 or 2"});
   for (const std::string tiles : {"-1", "1e7", "nan"})
     checkSynthRefuses({"--one-tap", tiles}, kUsage,
-                      {"--one-tap " + tiles + ": a number from 0 to 1000000"});
+                      {"--one-tap " + tiles + ": expected a number from 0 to 1000000"});
   for (const std::string steps : {"1", "65537", "quarter"})
     checkSynthRefuses({"--tile-rotation", steps}, kUsage,
                       {"--tile-rotation " + steps +
-                       ": none, free or a number of steps from 2 to 65536 is accepted"});
+                       ": expected none, free or a number of directions from 2 to 65536"});
   for (const std::string contrast : {"-1", "5", "nan"})
     checkSynthRefuses({"--contrast", contrast}, kUsage,
-                      {"--contrast " + contrast + ": a number from 0 to 4"});
+                      {"--contrast " + contrast + ": expected a number from 0 to 4"});
   for (const std::string seed : {"-1", "4294967296"})
-    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed " + seed + ": a whole number"});
+    checkSynthRefuses({"--seed", seed}, kUsage, {"--seed " + seed + ": expected a whole number"});
 }
 
-TEST_CASE("of an option given twice the last value counts") {
+TEST_CASE("the last value counts if an option is given twice") {
   const Made& m = made();
   const std::string picture = m.workplace.path("twice.png");
   const Ended ended = runLichen({"synth", m.bundle, "-o", m.workplace.path("absent/a.png"), "-o",
@@ -150,7 +155,7 @@ TEST_CASE("of an option given twice the last value counts") {
   CHECK_THAT(ended.output, Catch::Contains("\"width\": 5"));
 }
 
-TEST_CASE("help and messages have no word of the parser's own types") {
+TEST_CASE("the help does not show the parser's own type names") {
   for (const Arguments& verb :
        {Arguments{}, {"bake"}, {"synth"}, {"inspect"}, {"check"}, {"compare"}, {"merge"}}) {
     Arguments arguments = verb;
@@ -162,7 +167,7 @@ TEST_CASE("help and messages have no word of the parser's own types") {
   }
 }
 
-TEST_CASE("an output that cannot be is refused before the work, with the cure") {
+TEST_CASE("an impossible output is an error before the work starts") {
   const Made& m = made();
   const std::string absent = m.workplace.path("absent/new");
   checkRefusal({"bake", m.image, "-o", absent + ".glb"}, kEnvironment, {absent, "does not exist"});
@@ -174,7 +179,7 @@ TEST_CASE("an output that cannot be is refused before the work, with the cure") 
     checkRefusal({"synth", m.bundle, "-o", m.workplace.path(name)}, kUsage, {name, ".png", ".exr"});
 }
 
-TEST_CASE("an input that is absent, a folder, empty, or not an image is bad input") {
+TEST_CASE("a missing file, a folder, an empty file and a file that is not an image are bad input") {
   const Made& m = made();
   const auto refuses = [&](const std::string& input, const std::vector<std::string>& words) {
     checkRefusal({"bake", input, "-o", m.workplace.path("new.glb")}, kBadInput, words);
@@ -210,7 +215,7 @@ TEST_CASE("an image with values that are not numbers is bad input") {
                kBadInput, {"nan.exr"});
 }
 
-TEST_CASE("synth and check refuse what is not a bundle") {
+TEST_CASE("a file that is not a bundle is an error of synth and check") {
   const Made& m = made();
   const std::string plain =
       m.workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));
@@ -224,7 +229,7 @@ TEST_CASE("synth and check refuse what is not a bundle") {
     checkRefusal({"check", file}, kBadInput, {std::filesystem::path(file).filename().string()});
 }
 
-TEST_CASE("check ends with 3 where a file is truncated anywhere, or no glTF 2") {
+TEST_CASE("check exits with 3 for a truncated file and for a file that is not glTF 2") {
   const Made& m = made();
   const std::string whole = m.workplace.read("stone.glb");
   const std::string text = R"({"asset": {"version": "2.0"}})";
@@ -239,7 +244,7 @@ TEST_CASE("check ends with 3 where a file is truncated anywhere, or no glTF 2") 
                {"plain.gltf", "/asset/version"});
 }
 
-TEST_CASE("check ends with 1 where a glTF has faults") {
+TEST_CASE("check exits with 1 if a glTF has faults") {
   const Made& m = made();
   const std::string extension = "LICHEN_materials_exemplar_noise";
   const std::string faulty =
@@ -254,7 +259,7 @@ TEST_CASE("check ends with 1 where a glTF has faults") {
   }
 }
 
-TEST_CASE("check names the faults of a broken bundle and ends with 1") {
+TEST_CASE("check names the faults of a broken bundle and exits with 1") {
   const Made& m = made();
   std::string broken = m.workplace.read("stone.glb");
   const std::size_t at = broken.find("\"inverseTable\":");
@@ -270,7 +275,7 @@ TEST_CASE("check names the faults of a broken bundle and ends with 1") {
   CHECK_THAT(quiet.output, Catch::StartsWith("error: ") && !Catch::Contains("warning"));
 }
 
-TEST_CASE("a noise of a later revision is warned of by check, and refused by synth with both") {
+TEST_CASE("a noise of a later revision is a warning of check and an error of synth") {
   const Made& m = made();
   std::string later = m.workplace.read("stone.glb");
   const std::string revision = "\"revision\":";
@@ -287,7 +292,8 @@ TEST_CASE("a noise of a later revision is warned of by check, and refused by syn
   CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
 }
 
-TEST_CASE("synth takes the file's first noise, and a known one before an ignored one of its name") {
+TEST_CASE(
+    "synth uses the first noise, and prefers a known noise to an ignored one of the same name") {
   const Workplace workplace;
   const std::string grey = workplace.write("grey.png", smoothGrey(16));
   const std::string known = bake(workplace, grey, "stone.gltf", {"--name", "stone"});
@@ -313,7 +319,7 @@ TEST_CASE("synth takes the file's first noise, and a known one before an ignored
   const std::string first = writeWith("moss", true);
   const std::string refusal =
       "noise 'moss' has revision 2 of tiling; this version knows 1; use the version of lichen that "
-      "wrote it; --noise can name stone";
+      "wrote it, or choose --noise stone";
   refuse(first, {}, refusal);
   refuse(first, {"--noise", "moss"}, refusal);
   CHECK((synth(workplace, first, named).values == expected.values));
@@ -326,7 +332,7 @@ TEST_CASE("synth takes the file's first noise, and a known one before an ignored
   CHECK((synth(workplace, alike, named).values == expected.values));
 }
 
-TEST_CASE("check prints warnings, but not with --quiet, and ends with 0") {
+TEST_CASE("check prints warnings, except with --quiet, and exits with 0") {
   const Made& m = made();
   const std::string plain =
       m.workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));

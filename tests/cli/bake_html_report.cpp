@@ -54,7 +54,7 @@ std::array<unsigned, 2> extentsOf(const nlohmann::json& picture) {
 
 } // namespace
 
-TEST_CASE("a report holds the measures that compare finds, and nothing from elsewhere") {
+TEST_CASE("a report has the measures of compare and loads nothing from elsewhere") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(64));
   const std::string page = reportOf(workplace, input, {"--seed", "3"});
@@ -78,7 +78,7 @@ TEST_CASE("a report holds the measures that compare finds, and nothing from else
     CHECK(at->str() == "http://www.w3.org/2000/svg"); // the name of a namespace, not a link
 }
 
-TEST_CASE("a report of textons shows the Gaussian version and the spots that compare tells of") {
+TEST_CASE("a report of textons shows the Gaussian version and the spots that compare lists") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(64));
   const nlohmann::json data =
@@ -98,7 +98,7 @@ TEST_CASE("a report of textons shows the Gaussian version and the spots that com
   CHECK(tiling.at("kernels").is_null());
 }
 
-TEST_CASE("compare finds the measures of the report when it is told what the bake was told") {
+TEST_CASE("compare finds the measures of the report if it gets the options of the bake") {
   const Workplace workplace;
   // Light from one side, which flattening removes, and a normal map whose green channel points
   // down.
@@ -132,7 +132,7 @@ TEST_CASE("compare finds the measures of the report when it is told what the bak
   CHECK(without[0].at("value").get<double>() > 2.0 * with[0].at("value").get<double>());
 }
 
-TEST_CASE("a report says what was done to an exemplar, and shows it as it was before flattening") {
+TEST_CASE("a report lists the changes to an exemplar and shows it before flattening") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("leaf"));
   workplace.write("leaf/leaf_color.png", smooth(64));
@@ -154,7 +154,7 @@ TEST_CASE("a report says what was done to an exemplar, and shows it as it was be
   CHECK(maps[1].at("original").is_null());
 }
 
-TEST_CASE("the time that a bake prints is the whole, with that of its report") {
+TEST_CASE("the time that a bake prints includes its report") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(64));
   const Ended ended = runLichen({"bake", input, "-o", workplace.path("noise.glb"), "--report",
@@ -182,7 +182,7 @@ TEST_CASE("each histogram of a report counts every pixel once") {
     }
 }
 
-TEST_CASE("a report's command can be given to a shell, whatever the names in it") {
+TEST_CASE("a report's command works in a shell for any file name") {
   const Workplace workplace;
   const std::string name = "it's </script><b> $HOME \\ \"x\"\n";
   const nlohmann::json data =
@@ -197,7 +197,7 @@ TEST_CASE("a report's command can be given to a shell, whatever the names in it"
   CHECK(dataOf(workplace.read("report.html")).at("name") == name);
 }
 
-TEST_CASE("a report is the same every time but for its times") {
+TEST_CASE("two reports of the same bake differ only in their times") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
   const auto withoutTimes = [&](const char* threads) {
@@ -209,7 +209,7 @@ TEST_CASE("a report is the same every time but for its times") {
   CHECK((withoutTimes("1") == withoutTimes("2")));
 }
 
-TEST_CASE("images of any kind have a report") {
+TEST_CASE("every kind of image gets a report") {
   const Workplace workplace;
   LinearImage light(40, 20, 3);
   for (std::size_t i = 0; i < light.values.size(); ++i)
@@ -224,7 +224,7 @@ TEST_CASE("images of any kind have a report") {
   }
 }
 
-TEST_CASE("a report shows narrow exemplars as they are, beside a result that is not narrow") {
+TEST_CASE("a report shows a narrow exemplar unchanged, beside a result that is not narrow") {
   struct Shape {
     int width, height;
     std::array<unsigned, 2> result;
@@ -241,7 +241,7 @@ TEST_CASE("a report shows narrow exemplars as they are, beside a result that is 
   }
 }
 
-TEST_CASE("every map of a set is in its report") {
+TEST_CASE("a report shows every map of a set") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("rock"));
   workplace.write("rock/rock_color.png", smooth(16));
@@ -257,7 +257,7 @@ TEST_CASE("every map of a set is in its report") {
   CHECK(data["maps"][2]["histograms"][0]["channel"] == "roughness");
 }
 
-TEST_CASE("a report that cannot be is refused before the work") {
+TEST_CASE("an impossible report file is an error before the work starts") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(8));
   const std::string bundle = workplace.path("noise.glb");

@@ -145,7 +145,7 @@ TEST_CASE("an EXR of light above 1 keeps its mean light") {
   CHECK(got == Approx(mean).epsilon(0.03));
 }
 
-TEST_CASE("light beyond the range of tables is noted, and baked as the most that they hold") {
+TEST_CASE("light beyond the range of the tables is clamped, with a note") {
   const Workplace workplace;
   samples::Exr exr;
   for (samples::ExrChannel& channel : exr.channels)
@@ -167,7 +167,7 @@ TEST_CASE("light beyond the range of tables is noted, and baked as the most that
     CHECK((bundle == most));
     CHECK_THAT(notes,
                Catch::Contains("note: the image has light above 65504 in 1 of 64 pixels, up to " +
-                               std::string(text) + "; that is baked as 65504\n"));
+                               std::string(text) + "; clamped to 65504\n"));
   }
   CHECK(runLichen({"check", workplace.path("sun.glb")}).code == 0);
   REQUIRE(runLichen({"synth", workplace.path("sun.glb"), "-o", workplace.path("s.exr"), "--size",
@@ -191,7 +191,7 @@ TEST_CASE("images of one row, one column and one pixel bake cleanly and keep the
   }
 }
 
-TEST_CASE("exemplars whose neighbouring texels are opposite bake cleanly") {
+TEST_CASE("an exemplar whose neighbouring texels are opposite extremes bakes cleanly") {
   const Workplace workplace;
   SrgbImage squares(16, 16, 3), stripes(16, 16, 3);
   for (int y = 0; y < 16; ++y)
@@ -208,7 +208,7 @@ TEST_CASE("exemplars whose neighbouring texels are opposite bake cleanly") {
   }
 }
 
-TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
+TEST_CASE("alpha gives a note unless it is all opaque") {
   const Workplace workplace;
   SrgbImage image = speckled(8, 8, 4);
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
@@ -225,7 +225,7 @@ TEST_CASE("alpha that is not all opaque is noted, opaque alpha is not") {
                              "is ignored unless alpha is read as opacity\n"));
 }
 
-TEST_CASE("an image of one colour or of few pixels is noted, a good one is not") {
+TEST_CASE("an image with one colour or few pixels gives a note, a good image gives none") {
   const Workplace workplace;
   SrgbImage grey(100, 100, 3);
   grey.values.assign(grey.values.size(), 0.4f);
@@ -237,11 +237,11 @@ TEST_CASE("an image of one colour or of few pixels is noted, a good one is not")
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));
   CHECK_THAT(only("grey.png", grey), Catch::Contains("one colour"));
   CHECK_THAT(only("stamp.png", smooth(16)), Catch::Contains("16 x 16 pixels show little"));
-  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 a side are best"));
+  CHECK_THAT(only("small.png", smoothGrey(255)), Catch::Contains("256 to 1024 per side are best"));
   CHECK(only("good.png", smoothGrey(256)) == "0");
 }
 
-TEST_CASE("a photograph is baked upright") {
+TEST_CASE("a photograph is baked upright, as its EXIF orientation says") {
   const Workplace workplace;
   // The rows of the stored picture, from the bottom up, are the columns of the upright one:
   // orientation 6 is a rotation to the right.
@@ -261,7 +261,7 @@ TEST_CASE("a photograph is baked upright") {
                   "rotated or mirrored according to its EXIF orientation 6") != notes.end());
 }
 
-TEST_CASE("an exemplar that tiles does so at another size, where its borders stand out more") {
+TEST_CASE("an exemplar that tiles also tiles after resizing") {
   const Workplace workplace;
   // Grain hides a ramp of 16 pixels at the borders until it is averaged out.
   constexpr int kSide = 128, kSlope = 16;
@@ -292,7 +292,7 @@ TEST_CASE("an exemplar that tiles does so at another size, where its borders sta
   CHECK_FALSE(isPeriodic(blobs, {"--size", "16", "--crop", "0,0,40,64"}));
 }
 
-TEST_CASE("a file name that is not UTF-8 becomes a name that is") {
+TEST_CASE("a file name that is not UTF-8 becomes a valid noise name") {
   const Workplace workplace;
   const std::string input = workplace.write("caf\xe9.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input, "noise.glb");

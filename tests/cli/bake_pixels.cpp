@@ -62,7 +62,7 @@ double meanAlpha(const SrgbImage& image) { return meanOf(image)[3]; }
 
 } // namespace
 
-TEST_CASE("--crop bakes as a file with only that part would") {
+TEST_CASE("--crop gives the same bake as a file with only that part") {
   const Workplace workplace;
   const SrgbImage image = speckled(40, 30, 3);
   const std::string whole = workplace.write("whole.png", image);
@@ -70,7 +70,7 @@ TEST_CASE("--crop bakes as a file with only that part would") {
   CHECK((bundleOf(workplace, {whole}, {"--crop", "7,5,19,16"}) == bundleOf(workplace, {cut}, {})));
 }
 
-TEST_CASE("--crop cuts the same part out of smaller maps of a set") {
+TEST_CASE("--crop cuts the same part out of the smaller maps of a set") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("whole"));
   std::filesystem::create_directory(workplace.path("cut"));
@@ -83,7 +83,7 @@ TEST_CASE("--crop cuts the same part out of smaller maps of a set") {
          bundleOf(workplace, {workplace.path("cut")}, {})));
 }
 
-TEST_CASE("--size resamples every map, and says where it enlarges") {
+TEST_CASE("--size resamples every map, with a note on those that it enlarges") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("set"));
   workplace.write("set/diff.png", speckled(48, 32, 3));
@@ -102,7 +102,7 @@ TEST_CASE("--size resamples every map, and says where it enlarges") {
   CHECK(report.at("height") == 10);
 }
 
-TEST_CASE("--size averages light, and of normals the slopes") {
+TEST_CASE("--size averages light, and the slopes of normals") {
   const Workplace workplace;
   SrgbImage squares(32, 32, 1), bumps(32, 32, 3);
   for (int y = 0; y < 32; ++y)
@@ -136,7 +136,7 @@ TEST_CASE("--size averages light, and of normals the slopes") {
   }
 }
 
-TEST_CASE("--alpha opacity makes a map of alpha, whose mean holds at every distance") {
+TEST_CASE("--alpha opacity bakes a map whose mean is the same at every distance") {
   const Workplace workplace;
   const SrgbImage image = leaves(32);
   const std::string input = workplace.write("leaves.png", encodePng(image, 8).value());
@@ -158,7 +158,7 @@ TEST_CASE("--alpha opacity makes a map of alpha, whose mean holds at every dista
   }
 }
 
-TEST_CASE("colours that nobody has seen do not come to light") {
+TEST_CASE("colours under zero opacity do not appear in the noise") {
   const Workplace workplace;
   const SrgbImage image = leaves(32);
   const auto mostRed = [&](const Arguments& inputs, const Arguments& more) {
@@ -182,7 +182,7 @@ TEST_CASE("colours that nobody has seen do not come to light") {
                kBadInput, {"leaves_diff.png", "leaves_opacity.png", "opacity"});
 }
 
-TEST_CASE("--alpha opacity of an opaque image is noted, and changes nothing") {
+TEST_CASE("--alpha opacity gives a note for an opaque image and changes nothing") {
   const Workplace workplace;
   const std::string input = workplace.write("opaque.png", speckled(16, 16, 3));
   json report;
@@ -191,7 +191,7 @@ TEST_CASE("--alpha opacity of an opaque image is noted, and changes nothing") {
   CHECK((bundle == bundleOf(workplace, {input}, {})));
 }
 
-TEST_CASE("parts and sizes that cannot be are refused with what can") {
+TEST_CASE("the errors for an impossible --crop or --size state the valid values") {
   const Workplace workplace;
   const std::string input = workplace.write("small.png", speckled(16, 12, 3));
   const auto refuses = [&](const Arguments& more, const std::vector<std::string>& words) {
@@ -202,9 +202,9 @@ TEST_CASE("parts and sizes that cannot be are refused with what can") {
   refuses({"--crop", "8,0,9,4"}, {"crop 8,0,9,4", "does not fit into the 16 x 12 pixels"});
   refuses({"--crop", "0,12,1,1"}, {"crop 0,12,1,1"});
   for (const std::string text : {"0,0,0,4", "-1,0,4,4", "0,0,4", "0,0,4,4,4", "a,0,4,4", "0;0;4;4"})
-    refuses({"--crop", text}, {"--crop " + text + ": X,Y,W,H with whole numbers"});
+    refuses({"--crop", text}, {"--crop " + text + ": expected X,Y,W,H with whole numbers"});
   for (const std::string text : {"0", "16385", "4x", "x4", "4x0"})
-    refuses({"--size", text}, {"--size " + text + ": a size from 1x1 to 16384x16384"});
-  refuses({"--normal", "up"}, {"--normal up: gl or dx is accepted"});
-  refuses({"--alpha", "yes"}, {"--alpha yes: ignore or opacity is accepted"});
+    refuses({"--size", text}, {"--size " + text + ": expected a size from 1x1 to 16384x16384"});
+  refuses({"--normal", "up"}, {"--normal up: expected gl or dx"});
+  refuses({"--alpha", "yes"}, {"--alpha yes: expected ignore or opacity"});
 }

@@ -41,7 +41,7 @@ nlohmann::json jsonOf(const Workplace& workplace, const Arguments& arguments) {
 
 } // namespace
 
-TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
+TEST_CASE("risks are notes before the work starts, and the JSON lists all of them") {
   const Workplace workplace;
   const std::string input = workplace.write("slope.png", slope());
   const Ended ended = runLichen({"bake", input, "-o", workplace.path("noise.glb")});
@@ -62,7 +62,7 @@ TEST_CASE("a risk is a note before the work, and all risks are in the JSON") {
   CHECK(risks[3].at("level") == "none");
 }
 
-TEST_CASE("a picture of few colours is told so, and given no advice on exposure") {
+TEST_CASE("a picture with few colours gets a note about them and no advice on exposure") {
   const Workplace workplace;
   SrgbImage dither(kSide, kSide, 1), soft(kSide, kSide, 1);
   std::uint32_t state = 1;
@@ -82,7 +82,7 @@ TEST_CASE("a picture of few colours is told so, and given no advice on exposure"
   CHECK(risks(soft)[1].at("level") == "none");
 }
 
-TEST_CASE("of a set, a risk is told of the base colour, unless another map has it worse") {
+TEST_CASE("a set reports each risk for the base colour, or for a map with a higher score") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", speckled(64, 64, 3));
   const std::string uneven = workplace.write("slope_diff.png", slope());
@@ -99,7 +99,7 @@ TEST_CASE("of a set, a risk is told of the base colour, unless another map has i
   CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
 }
 
-TEST_CASE("a period is advised in pixels of the first map, which --flatten counts") {
+TEST_CASE("an advised period is in pixels of the first map, like --flatten") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", speckled(kSide, kSide, 3));
   const auto riskOf = [&](int width, int height, const Arguments& flatten) {
@@ -120,7 +120,7 @@ TEST_CASE("a period is advised in pixels of the first map, which --flatten count
   }
 }
 
-TEST_CASE("opacity is not advised to be flattened, which it never is") {
+TEST_CASE("the remedies for opacity do not mention --flatten") {
   const Workplace workplace;
   const std::string color = workplace.write("leaf_diff.png", speckled(64, 64, 3));
   const std::string opacity = workplace.write("leaf_opacity.png", slope());
@@ -130,7 +130,7 @@ TEST_CASE("opacity is not advised to be flattened, which it never is") {
   CHECK(risk.at("remedy") == "even light");
 }
 
-TEST_CASE("a height that slopes as a whole is no risk, and --flatten auto leaves it") {
+TEST_CASE("a height map with a uniform slope has no risk, and --flatten auto leaves it unchanged") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", slope());
   const std::string height = workplace.write("stone_disp.png", slope());
@@ -139,7 +139,7 @@ TEST_CASE("a height that slopes as a whole is no risk, and --flatten auto leaves
   CHECK_THAT(json.at("notes").dump(), Catch::Contains("is removed from baseColor\""));
 }
 
-TEST_CASE("--flatten auto says that an object is none of its business") {
+TEST_CASE("--flatten auto leaves a large object unchanged and says why") {
   const Workplace workplace;
   SrgbImage disc = speckled(128, 128, 3);
   for (int y = 0; y < 128; ++y)
@@ -154,7 +154,7 @@ TEST_CASE("--flatten auto says that an object is none of its business") {
   CHECK(json.at("risks")[2].at("remedy").get<std::string>().find("--flatten") == std::string::npos);
 }
 
-TEST_CASE("--flatten removes the risk, by itself or by a period, and says so") {
+TEST_CASE("--flatten auto and --flatten PERIOD remove the risk, with a note") {
   const Workplace workplace;
   const std::string input = workplace.write("slope.png", slope());
   for (const char* period : {"auto", "24"}) {
@@ -173,7 +173,7 @@ TEST_CASE("--flatten takes none, auto or a period in range") {
                  {std::string("--flatten ") + value, "none, auto or a number from 4 to 16384"});
 }
 
-TEST_CASE("a bake of a texton says whether it is close, and what to raise where it is not") {
+TEST_CASE("a texton bake reports how close it is and which option improves it") {
   const Workplace workplace;
   const std::string fine = workplace.write("fine.png", speckled(64, 64, 1));
   const std::string slow = workplace.write("slow.png", smoothGrey(64));
@@ -185,11 +185,11 @@ TEST_CASE("a bake of a texton says whether it is close, and what to raise where 
     return ended.errors;
   };
   const auto close = Catch::Contains("the texton is close to");
-  const auto few = Catch::Contains("impacts few: --impacts");
-  const auto cut = Catch::Contains("the texton no more");
+  const auto few = Catch::Contains("impacts are few: --impacts");
+  const auto cut = Catch::Contains("which limits the texton");
   CHECK_THAT(notesOf(fine, {"--support", "16"}), close && !few && !cut);
   CHECK_THAT(notesOf(fine, {"--support", "16", "--impacts", "5"}),
-             close && Catch::Contains("with 5 impacts few"));
+             close && Catch::Contains("; 5 impacts are few"));
   // Blobs as wide as the support have most of their variation in slower waves.
   CHECK_THAT(notesOf(slow, {"--support", "4"}),
              Catch::Contains("the texton is not close to") &&

@@ -62,7 +62,7 @@ void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wante
 
 } // namespace
 
-TEST_CASE("the core material of a set has every map in its slot") {
+TEST_CASE("the core material of a set has each map in its slot") {
   const Workplace workplace;
   makeFolder(workplace, "set");
   const Pixel glow{code(40), code(80), code(10)};

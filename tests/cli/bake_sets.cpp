@@ -58,7 +58,7 @@ const std::map<std::string, std::vector<std::string>> kEveryMap{
 
 } // namespace
 
-TEST_CASE("the maps of a folder are told by name in every scheme, and keep their values") {
+TEST_CASE("the maps of a folder are recognised in every naming scheme and keep their values") {
   const Workplace workplace;
   const std::map<std::string, std::vector<std::string>> schemes{
       {"poly_haven",
@@ -107,7 +107,7 @@ TEST_CASE("synth writes heights in 16 bits, and other maps in 8") {
   }
 }
 
-TEST_CASE("an EXR of a map has normals as a normal map has them, and data as it is") {
+TEST_CASE("an EXR of a map stores normals as a normal map does, and data unchanged") {
   const Workplace workplace;
   makeFolder(workplace, "set");
   workplace.write("set/normal.png", flat(kNormal));
@@ -128,7 +128,7 @@ TEST_CASE("an EXR of a map has normals as a normal map has them, and data as it 
   CHECK(orm[2] == 1.0f);
 }
 
-TEST_CASE("occlusion, roughness and metallic of their own files and packed ones bake to one map") {
+TEST_CASE("separate and packed occlusion, roughness and metallic become one map") {
   const Workplace workplace;
   const SrgbImage packed = speckled(24, 16, 3);
   const std::vector<std::string> names{"ao", "rough", "metal"};
@@ -153,7 +153,7 @@ TEST_CASE("occlusion, roughness and metallic of their own files and packed ones 
   CHECK((bundle("two") != bundle("packed")));
 }
 
-TEST_CASE("green of normals points as the name says, else as --normal does") {
+TEST_CASE("the name of a normal map, else --normal, decides whether green is up") {
   const Workplace workplace;
   const auto bundle = [&](const std::string& name, const Pixel& value, const Arguments& more) {
     const std::string folder = "f" + std::to_string(workplace.names().size());
@@ -184,7 +184,7 @@ TEST_CASE("the EXR of a noise's normals bakes to the same normals") {
   checkValue(workplace, "normal", kNormal);
 }
 
-TEST_CASE("normals of which most point into the surface are refused, fewer are noted") {
+TEST_CASE("a normal map with most normals inward is an error, with a few a note") {
   const Workplace workplace;
   const std::string rough = workplace.write("rough.png", flat({code(102)}));
   SrgbImage normals = flat(kNormal); // 16 pixels
@@ -198,7 +198,7 @@ TEST_CASE("normals of which most point into the surface are refused, fewer are n
   CHECK(hasNote(baked(workplace, {input, rough}), "8 of 16 normals point into the surface"));
 }
 
-TEST_CASE("of a packed map and a file of one of its channels the file is taken, with a note") {
+TEST_CASE("a separate file is preferred to a channel of a packed map, with a note") {
   const Workplace workplace;
   const Pixel packed{code(51), code(102), code(153)};
   const auto check = [&](const std::vector<std::pair<std::string, Pixel>>& files,
@@ -230,7 +230,7 @@ TEST_CASE("of a packed map and a file of one of its channels the file is taken, 
         {"the roughness of metallicRoughness.png"}, {1.0f, code(30), code(153)});
 }
 
-TEST_CASE("a folder without a map stands for its only folder with maps") {
+TEST_CASE("a folder without maps stands for its only subfolder with maps") {
   const Workplace workplace;
   makeFolder(workplace, "wall");
   makeFolder(workplace, "wall/textures");
@@ -239,30 +239,30 @@ TEST_CASE("a folder without a map stands for its only folder with maps") {
   workplace.write("wall/textures/diff.png", flat(kColor));
   workplace.write("wall/source/sphere.png", flat({0.5f}));
   const json report = baked(workplace, {workplace.path("wall")});
-  CHECK(hasNote(report, "the maps are those of the folder textures"));
+  CHECK(hasNote(report, "the maps are read from the folder textures"));
   CHECK(report.at("name") == "wall");
   checkValue(workplace, "baseColor", kColor);
   makeFolder(workplace, "wall/more");
   workplace.write("wall/more/rough.png", flat({0.5f}));
   checkRefusal({"bake", workplace.path("wall"), "-o", workplace.path("new.glb")}, kBadInput,
-               {"wall: a folder without a map", "more, textures have maps"});
+               {"wall: a folder without a map", "inside that have maps: more, textures"});
 }
 
-TEST_CASE("maps whose names begin as those of two materials do are noted, others are not") {
+TEST_CASE("a note names maps that seem to be of two materials") {
   const Workplace workplace;
   const auto isNoted = [&](const std::vector<std::string>& names) {
     const std::string folder = "f" + std::to_string(workplace.names().size());
     makeFolder(workplace, folder);
     for (const std::string& name : names)
       workplace.write(folder + "/" + name, flat({0.5f, 0.5f, 0.9f}));
-    return hasNote(baked(workplace, {workplace.path(folder)}), "are called after two materials");
+    return hasNote(baked(workplace, {workplace.path(folder)}), "suggest two materials");
   };
   CHECK(isNoted({"a_diff.png", "b_nor_gl.png"}));
   CHECK(isNoted({"rock_01_diff.png", "rock_02_rough.png"}));
   CHECK_FALSE(isNoted({"rock_01_diff_2k.png", "Rock01_4K-PNG_NormalGL.png", "rough.png"}));
 }
 
-TEST_CASE("of normals in both conventions those of OpenGL are taken, with a note") {
+TEST_CASE("OpenGL normals are preferred to DirectX normals, with a note") {
   const Workplace workplace;
   makeFolder(workplace, "set");
   workplace.write("set/Rock_NormalDX.png", flat({code(128), code(128), code(255)}));
@@ -272,7 +272,7 @@ TEST_CASE("of normals in both conventions those of OpenGL are taken, with a note
   checkValue(workplace, "normal", kNormal);
 }
 
-TEST_CASE("any part of a set is one, and images whose names say nothing are noted") {
+TEST_CASE("every map of a set is optional, and a note lists images that match no map") {
   const Workplace workplace;
   for (const auto& [name, target] : {std::pair{"height.png", "height"},
                                      {"opacity.png", "opacity"},
@@ -293,7 +293,7 @@ TEST_CASE("any part of a set is one, and images whose names say nothing are note
   }
 }
 
-TEST_CASE("several files are a set") {
+TEST_CASE("several files form a set") {
   const Workplace workplace;
   const std::string color = workplace.write("oak_bark_diff_1k.png", flat(kColor));
   const std::string rough = workplace.write("oak_bark_rough_1k.png", flat({code(102)}));
@@ -307,7 +307,8 @@ TEST_CASE("several files are a set") {
   CHECK(stone.at("name") == "stone");
 }
 
-TEST_CASE("one image alone is what its name says, unless its colours gainsay that") {
+TEST_CASE(
+    "a single image is baked as the map that its name says, unless its colours contradict it") {
   const Workplace workplace;
   const auto targetOf = [&](const std::string& name, const Pixel& value, const std::string& note) {
     INFO(name);
@@ -332,9 +333,9 @@ TEST_CASE("one image alone is what its name says, unless its colours gainsay tha
   CHECK(targetOf("arm.png", kColor, "is baked as occlusion, roughness, metallic") ==
         orm + "occlusion");
   CHECK(targetOf("glow_emissive.png", kColor, "is baked as emissive light") == "emissive red");
-  CHECK(targetOf("rusty_metal.png", kColor, "has colours, and is baked as the base colour") ==
+  CHECK(targetOf("rusty_metal.png", kColor, "has colours, so it is baked as the base colour") ==
         color);
-  CHECK(targetOf("quite_normal.png", grey, "has no colours, and is baked as the base colour") ==
+  CHECK(targetOf("quite_normal.png", grey, "has no colours, so it is baked as the base colour") ==
         color);
 }
 
@@ -364,7 +365,7 @@ TEST_CASE("images of every kind and size work inside a set") {
   }
 }
 
-TEST_CASE("a folder without a map and two files for one map are refused by their names") {
+TEST_CASE("the errors for a folder without a map and for two files of one map name them") {
   const Workplace workplace;
   const std::string out = workplace.path("new.glb");
   const auto refuses = [&](const std::vector<std::string>& files,
@@ -386,13 +387,13 @@ TEST_CASE("a folder without a map and two files for one map are refused by their
   const std::string color = workplace.write("diff.png", flat(kColor));
   checkRefusal({"bake", color, nameless, "-o", out}, kBadInput,
                {"sphere.png: its name does not say which map it is", "rough",
-                "photographs are baked one at a time"});
+                "or one photograph at a time"});
   const std::string grey = workplace.write("orm.png", flat({0.5f}));
   checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
   CHECK(!std::filesystem::exists(out));
 }
 
-TEST_CASE("an exact bake of a set says which maps were moved before they were matched") {
+TEST_CASE("an exact bake of a set reports which maps were moved before the matching") {
   const Workplace workplace;
   constexpr int kSide = 32;
   const SrgbImage color = smooth(kSide);
@@ -422,6 +423,6 @@ TEST_CASE("an exact bake of a set says which maps were moved before they were ma
     CHECK((map.at("excess") == 0.0) == (name == "occlusionRoughnessMetallic"));
   }
   CHECK(hasNote(report, "the values of baseColor are matched within "));
-  CHECK(hasNote(report, "the values of normal, moved to go with the other maps, are matched "));
+  CHECK(hasNote(report, "the values of normal, moved first to fit the other maps, are matched "));
   CHECK(hasNote(report, "one dimension and are sorted"));
 }

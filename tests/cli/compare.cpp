@@ -67,7 +67,7 @@ SrgbImage stripes(int side) {
 
 } // namespace
 
-TEST_CASE("an exemplar compared with itself is at no distance, in every measure") {
+TEST_CASE("an exemplar compared with itself has distance 0 in every measure") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
   const Compared self = compared(image, image);
@@ -79,7 +79,7 @@ TEST_CASE("an exemplar compared with itself is at no distance, in every measure"
   CHECK(self.value("seam_visibility") == 1.0);
 }
 
-TEST_CASE("a shift of all colours is found by the colour distance alone, and misses its target") {
+TEST_CASE("only the colour distance finds a shift of all colours, and it misses its target") {
   const Workplace workplace;
   SrgbImage image = speckled(64, 64, 3);
   for (float& value : image.values)
@@ -106,7 +106,7 @@ TEST_CASE("the result may have another size than the exemplar") {
   CHECK(same.value("color_distance") == 0.0);
 }
 
-TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
+TEST_CASE("compare synthesizes a bundle and adds its lattice visibility") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));
   const std::string bundle = bake(workplace, image);
@@ -123,7 +123,7 @@ TEST_CASE("a bundle is synthesized and has a lattice visibility too") {
         Approx(first.value("autocovariance_error")).margin(0.01));
 }
 
-TEST_CASE("a texton is held to the exemplar's Gaussian version, not to its colours") {
+TEST_CASE("textons are measured against the exemplar's Gaussian version, not its colours") {
   const Workplace workplace;
   // Few colours, which no Gaussian texture can reproduce.
   const std::string image = workplace.write("moss.png", speckled(128, 128, 3));
@@ -145,7 +145,7 @@ TEST_CASE("a texton is held to the exemplar's Gaussian version, not to its colou
     CHECK_THAT(page, Catch::Contains(words));
 }
 
-TEST_CASE("an exemplar of another size than was baked is noted, with the options that mend it") {
+TEST_CASE("the note on an exemplar of another size names the options that correct it") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));
   const std::string bundle = bake(workplace, image, "noise.glb", {"--size", "32"});
@@ -159,7 +159,8 @@ TEST_CASE("an exemplar of another size than was baked is noted, with the options
   CHECK_THAT(report.at("notes").dump(), Catch::Contains("64 x 64"));
 }
 
-TEST_CASE("the smaller maps of a set of textons are compared at the size of the largest, unnoted") {
+TEST_CASE("the smaller maps of a set of textons are compared at the size of the largest, without a "
+          "note") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("rock"));
   // The same picture twice, once at half the size.
@@ -188,7 +189,7 @@ TEST_CASE("the smaller maps of a set of textons are compared at the size of the 
              Catch::Contains("the exemplar is 32 x 32, but was 64 x 64 when it was baked"));
 }
 
-TEST_CASE("another noise of the bundle is compared when it is named") {
+TEST_CASE("--noise compares another noise of the bundle") {
   const Workplace workplace;
   const std::string moss = workplace.write("moss.png", smooth(32));
   const std::string grey = workplace.write("grey.png", smoothGrey(32));
@@ -204,7 +205,7 @@ TEST_CASE("another noise of the bundle is compared when it is named") {
                {"--noise grey: ", "is an image"});
 }
 
-TEST_CASE("an exemplar with a strong grain has the wider target for its spectrum") {
+TEST_CASE("an exemplar with a strong grain has the wider spectrum target") {
   const Workplace workplace;
   const std::string wood = workplace.write("wood.png", stripes(64));
   const Compared self = compared(wood, wood);
@@ -215,7 +216,7 @@ TEST_CASE("an exemplar with a strong grain has the wider target for its spectrum
   CHECK(compared(moss, moss).measures.at("spectrum_distance_db").at("target") == 0.6);
 }
 
-TEST_CASE("a measure that images are too small for says so and counts as none") {
+TEST_CASE("a measure that needs larger images is omitted, with the reason") {
   const Workplace workplace;
   const std::string small = workplace.write("small.png", smooth(16));
   const Compared self = compared(small, small);
@@ -225,10 +226,10 @@ TEST_CASE("a measure that images are too small for says so and counts as none") 
              Catch::Contains("at least 32"));
   CHECK_THAT(runLichen({"compare", small, small}).output,
              Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16; this "
-                             "measure takes sides of at least 32 pixels"));
+                             "expected sides of at least 32 pixels"));
 }
 
-TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {
+TEST_CASE("light above 1 is compared by its logarithm, also with a PNG") {
   const Workplace workplace;
   LinearImage light(40, 40, 3);
   for (std::size_t i = 0; i < light.values.size(); ++i)
@@ -239,7 +240,7 @@ TEST_CASE("light above 1 is compared by its logarithm, and a PNG with it too") {
   CHECK(compared(exemplar, dark).value("color_distance") > 0.1);
 }
 
-TEST_CASE("compare prints a line a measure with target and verdict, and nothing when quiet") {
+TEST_CASE("compare prints one line per measure with target and verdict, and nothing with --quiet") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
   const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
@@ -253,7 +254,7 @@ TEST_CASE("compare prints a line a measure with target and verdict, and nothing 
   CHECK(quiet.errors.empty());
 }
 
-TEST_CASE("channels that do not fit their target, or are not the exemplar's, are named") {
+TEST_CASE("the errors for channels that do not fit name them") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(16));
   const auto bytes = readFile(bake(workplace, image)).value();

@@ -18,7 +18,7 @@ Ended runExemplars(const Arguments& arguments) {
 
 } // namespace
 
-TEST_CASE("lichen-exemplars writes those that are named") {
+TEST_CASE("lichen-exemplars writes the exemplars that are named") {
   const Workplace workplace;
   const Ended ended =
       runExemplars({workplace.path("out"), "rust", "terrain", "scan", "text", "--size", "64"});
@@ -29,12 +29,12 @@ TEST_CASE("lichen-exemplars writes those that are named") {
                             workplace.path("out/terrain_mask.png") + "\n");
 }
 
-TEST_CASE("lichen-exemplars refuses what it does not know in one line that says what it does") {
+TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid ones") {
   const Workplace workplace;
   const std::string out = workplace.path("out");
   const std::vector<std::pair<Arguments, std::string>> cases{
-      {{out, "foo"}, "foo: no such exemplar; granite, "},
-      {{out, "--size", "63"}, "--size 63: a whole number from 64 to 2048 is accepted"},
+      {{out, "foo"}, "foo: no such exemplar; expected granite, "},
+      {{out, "--size", "63"}, "--size 63: expected a whole number from 64 to 2048"},
       {{out, "--size"}, "--size: a value is missing"},
       {{out, "--large"}, "--large: no such option"},
       {{}, "OUTDIR is required"}};
@@ -48,7 +48,7 @@ TEST_CASE("lichen-exemplars refuses what it does not know in one line that says 
   CHECK(workplace.names().empty());
 }
 
-TEST_CASE("the help of lichen-exemplars speaks of options, not of the parser's types") {
+TEST_CASE("the help of lichen-exemplars does not show the parser's type names") {
   const Ended ended = runExemplars({"--help"});
   CHECK(ended.code == 0);
   CHECK_THAT(ended.output, Catch::Contains("Arguments:") && Catch::Contains("[default: 512]"));

@@ -28,7 +28,7 @@ nlohmann::json inspected(const std::string& bundle) {
 
 } // namespace
 
-TEST_CASE("inspect --json tells size, precision, mean and parameters of what was baked") {
+TEST_CASE("inspect --json lists size, precision, mean and parameters of a bake") {
   const Workplace workplace;
   const SrgbImage image = smooth(kSide);
   const std::string bundle = bake(workplace, workplace.write("moss.png", image), "moss.glb",
@@ -57,7 +57,7 @@ TEST_CASE("inspect --json tells size, precision, mean and parameters of what was
   CHECK(noise["materials"][0].at("mapping") == "uv");
 }
 
-TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk") {
+TEST_CASE("inspect counts the texel bytes on the GPU and the file bytes on disk") {
   const Workplace workplace;
   // Grey: one channel of 8 bits. The mip levels of 24 x 24 have 24, 12, 6, 3 and 1 texels a side.
   const std::string input = workplace.write("moss.png", smoothGrey(kSide));
@@ -78,7 +78,7 @@ TEST_CASE("inspect counts the texels that a GPU holds, and the files on the disk
   CHECK(report.at("bytesOnDisk") == onDisk);
 }
 
-TEST_CASE("inspect's page has names and numbers in lines of at most 80 characters") {
+TEST_CASE("inspect prints lines of at most 80 characters") {
   const Workplace workplace;
   const std::string bundle =
       bake(workplace, workplace.write("moss.png", smooth(kSide)), "moss.glb", {"--seed", "7"});
@@ -87,7 +87,7 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
   INFO(ended.output);
   CHECK(ended.code == 0);
   for (const char* word :
-       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb", "5 fetches a pixel",
+       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, srgb", "5 fetches per pixel",
         "inverse table 1: joint, 32 x 32 x 32 cells", "uv, seed 7", "moss.baseColor.inverse"})
     CHECK_THAT(ended.output, Catch::Contains(word));
   std::istringstream lines(ended.output);
@@ -98,7 +98,7 @@ TEST_CASE("inspect's page has names and numbers in lines of at most 80 character
   CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
 }
 
-TEST_CASE("inspect tells the kind of each inverse table, and the fetches that it takes") {
+TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
   struct Kind {
     std::vector<std::string> options;
     const char* name;
@@ -119,7 +119,7 @@ TEST_CASE("inspect tells the kind of each inverse table, and the fetches that it
   }
 }
 
-TEST_CASE("inspect tells support, impacts and cost of textons, and the size of their exemplar") {
+TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
   const Workplace workplace;
   const std::string bundle = workplace.path("sand.glb");
   REQUIRE(writeBundle(bundle, example::textonMix()).ok());
@@ -147,13 +147,13 @@ TEST_CASE("inspect tells support, impacts and cost of textons, and the size of t
   CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
   const std::string page = runLichen({"inspect", bundle}).output;
   for (const char* words :
-       {"textons of 12 x 20 texels, order 3, 12.5 impacts a point, poisson; 3 steps",
-        "about 252 fetches a pixel and plane", "100 x 50, 16 bits, srgb", "texton: table 2",
+       {"textons of 12 x 20 texels, order 3, 12.5 impacts per point, poisson; 3 steps",
+        "about 252 fetches per pixel and plane", "100 x 50, 16 bits, srgb", "texton: table 2",
         "surface, seed 1, 12.5 impacts, poisson"})
     CHECK_THAT(page, Catch::Contains(words));
 }
 
-TEST_CASE("inspect refuses what is not a bundle in one line") {
+TEST_CASE("inspect reports a file that is not a bundle in one line") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smoothGrey(8));
   const std::string whole =
@@ -168,7 +168,7 @@ TEST_CASE("inspect refuses what is not a bundle in one line") {
                  int(ErrorKind::badInput), {"half.glb: "});
 }
 
-TEST_CASE("inspect passes over buffers that hold no table, whatever they are") {
+TEST_CASE("inspect ignores buffers without tables, valid or not") {
   const Workplace workplace;
   bake(workplace, workplace.write("moss.png", smoothGrey(8)), "moss.gltf", {"--preview", "none"});
   nlohmann::json gltf = nlohmann::json::parse(workplace.read("moss.gltf"));

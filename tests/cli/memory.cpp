@@ -34,8 +34,7 @@ constexpr std::uint64_t kMega = 1u << 20;
 
 } // namespace
 
-TEST_CASE(
-    "available memory is the least of the machine's and of what each control group has left") {
+TEST_CASE("available memory is the least of the machine's and of each control group's rest") {
   const Kernel kernel;
   CHECK(!kernel.available());
   kernel.write("proc/meminfo", "MemTotal:  4096 kB\nMemFree: 1 kB\nMemAvailable:  3072 kB\n");
@@ -63,7 +62,7 @@ TEST_CASE(
 
 // The sanitizers reserve more address space than any limit here.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST_CASE("an image that needs more memory than there is is refused before it is decoded") {
+TEST_CASE("an image that needs more memory than is available is an error before decoding") {
   const Workplace workplace;
   const std::string large = workplace.write("large.png", SrgbImage(4096, 4096, 1));
   const Limits limits{.memoryBytes = 1024 * kMega};
@@ -75,7 +74,7 @@ TEST_CASE("an image that needs more memory than there is is refused before it is
   const Ended ended = bake({});
   CHECK(ended.code == int(ErrorKind::resources));
   CHECK_THAT(ended.errors, Catch::Contains("large.png: 4096 x 4096 pixels need about") &&
-                               Catch::Contains("GB are available; --crop or --size"));
+                               Catch::Contains("GB are available; use --crop or --size"));
   CHECK(bake({"--size", "32"}).code == 0);
   CHECK(bake({"--crop", "0,0,32,32"}).code == 0);
 }

@@ -39,7 +39,7 @@ bool isSameImage(const Table& a, const Table& b) {
 
 } // namespace
 
-TEST_CASE("merge keeps order, tables, parameters and pictures of the noises") {
+TEST_CASE("merge preserves order, tables, parameters and pictures of the noises") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(24)), "moss.glb",
                                 {"--seed", "5", "--tile", "3"});
@@ -70,7 +70,7 @@ TEST_CASE("merge keeps order, tables, parameters and pictures of the noises") {
   CHECK(same.values == picture.values);
 }
 
-TEST_CASE("merge places noises of both methods in one bundle") {
+TEST_CASE("merge puts noises of both methods into one bundle") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb");
   const std::string dune = workplace.path("dune.glb");
@@ -93,14 +93,14 @@ TEST_CASE("merge places noises of both methods in one bundle") {
   }
 }
 
-TEST_CASE("a merged bundle of one is the bake itself, byte for byte") {
+TEST_CASE("merging a single bundle gives the bake itself, byte for byte") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb");
   static_cast<void>(merged(workplace, {moss}));
   CHECK((workplace.read("all.glb") == workplace.read("moss.glb")));
 }
 
-TEST_CASE("a name that is taken gets a number, with a note") {
+TEST_CASE("a noise whose name is taken gets a number, with a note") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(16));
   const std::string first = bake(workplace, input, "a.glb");
@@ -116,7 +116,7 @@ TEST_CASE("a name that is taken gets a number, with a note") {
   CHECK(all.tables.size() == 2); // one exemplar, used three times
 }
 
-TEST_CASE("what was merged can be merged again, and names stay unique") {
+TEST_CASE("merged bundles can be merged again, and names stay unique") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(16)), "m.glb");
   REQUIRE(merge(workplace, {moss, moss}).code == 0);
@@ -127,7 +127,7 @@ TEST_CASE("what was merged can be merged again, and names stay unique") {
   CHECK(all.noises[2].name == "moss-2-2");
 }
 
-TEST_CASE("every preview shape shows merged noises, and a plane no more than it has parts for") {
+TEST_CASE("every preview shape shows merged noises, a plane only up to its limit") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(4)), "m.glb");
   for (const char* shape : {"sphere", "plane", "none"})
@@ -139,7 +139,7 @@ TEST_CASE("every preview shape shows merged noises, and a plane no more than it 
   CHECK(merged(workplace, Arguments(48, moss), {"--preview", "plane"}).noises.size() == 48);
 }
 
-TEST_CASE("the preview's camera sees every ball whole, apart from the others and not small") {
+TEST_CASE("the preview's camera sees every ball completely, separately and large enough") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(4)), "m.glb");
   struct Count {
@@ -201,7 +201,7 @@ TEST_CASE("merge --json gives one object with its notes") {
   CHECK(report.at("notes").size() == 1);
 }
 
-TEST_CASE("merge refuses what it cannot carry over, and leaves no file") {
+TEST_CASE("merge reports what it cannot merge and leaves no file") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smoothGrey(8));
   const std::string moss = bake(workplace, image, "moss.gltf", {"--preview", "none"});

@@ -80,7 +80,7 @@ double meanOf(const std::string& file, int from, int to) {
 
 } // namespace
 
-TEST_CASE("mix writes a sound bundle of its steps, whose ends are the photographs") {
+TEST_CASE("mix writes a valid bundle whose first and last steps match the photographs") {
   const Made& m = made();
   const Ended checked = runLichen({"check", m.bundle, "--json"});
   CHECK(checked.code == 0);
@@ -115,7 +115,7 @@ TEST_CASE("mix makes the same bytes on any number of threads") {
   }
 }
 
-TEST_CASE("mix reports what it made, as JSON too") {
+TEST_CASE("mix reports its result as text and as JSON") {
   const Made& m = made();
   const Ended ended = m.mix("reported.glb", {"--json", m.dark});
   const json report = json::parse(ended.output);
@@ -127,7 +127,7 @@ TEST_CASE("mix reports what it made, as JSON too") {
   CHECK(report.at("maps") == std::vector<std::string>{"baseColor"});
 }
 
-TEST_CASE("mix says which input is no Gaussian texture, and what is one for it") {
+TEST_CASE("the note on an input that is not a Gaussian texture names it and a remedy") {
   // Squares of two values, a third of them dark: two thirds of a standard deviation from a
   // Gaussian.
   SrgbImage spots = speckled(64, 64, 3);
@@ -141,13 +141,13 @@ TEST_CASE("mix says which input is no Gaussian texture, and what is one for it")
                                  "--support", "8", "--steps", "2", "--preview", "none"});
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("spots.png: histogram (severe): the values are"));
+  CHECK_THAT(ended.errors, Catch::Contains("spots.png: histogram (severe): the histogram differs"));
   CHECK_THAT(ended.errors, Catch::Contains("what helps: to bake the input by itself "
                                            "with --method tiling"));
   CHECK_THAT(ended.errors, !Catch::Contains("dark.png: histogram"));
 }
 
-TEST_CASE("with weights mix makes one texton between all") {
+TEST_CASE("mix with --weights makes one texton between all inputs") {
   const Made& m = made();
   const std::string bundle = m.workplace.path("between.gltf");
   const Ended ended =
@@ -164,7 +164,7 @@ TEST_CASE("with weights mix makes one texton between all") {
                0.25 * ends.at("laterSteps")[3].at("mean")[0].get<double>()));
 }
 
-TEST_CASE("mix takes folders with the same maps, and keeps them apart from others") {
+TEST_CASE("mix reads folders with the same maps and rejects folders with other maps") {
   const Workplace workplace;
   const auto folder = [&](const std::string& name, bool hasRoughness) {
     std::filesystem::create_directory(workplace.path(name));
@@ -186,29 +186,29 @@ TEST_CASE("mix takes folders with the same maps, and keeps them apart from other
   CHECK(runLichen({"check", output}).code == 0);
   checkRefusal({"mix", moss, sand, "-o", output}, kBadInput,
                {"sand: has no occlusionRoughnessMetallic, which", "moss has",
-                "exemplars of a mix have the same maps"});
+                "expected the same maps in all exemplars"});
 }
 
-TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
+TEST_CASE("mix reports what it cannot mix and leaves no file") {
   const Made& m = made();
-  checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; 2 to 16 are accepted"});
-  checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; 2 to 16 are accepted"});
+  checkMixRefuses({m.dark}, kUsage, {"INPUT: 1 given; expected 2 to 16"});
+  checkMixRefuses(Arguments(17, m.dark), kUsage, {"INPUT: 17 given; expected 2 to 16"});
   checkMixRefuses({}, kUsage, {"INPUT"});
   checkMixRefuses({m.dark, m.light, "--steps", "1"}, kUsage,
-                  {"--steps 1: a whole number from 2 to 64 is accepted"});
+                  {"--steps 1: expected a whole number from 2 to 64"});
   checkMixRefuses({m.dark, m.light, "--steps", "65"}, kUsage,
-                  {"--steps 65: a whole number from 2 to 64 is accepted"});
+                  {"--steps 65: expected a whole number from 2 to 64"});
   checkMixRefuses({m.dark, m.light, m.dark, "--steps", "33"}, kUsage,
-                  {"33 steps", "2 to 32 are accepted for 3 exemplars"});
+                  {"steps from an exemplar to the next: 33", "expected 2 to 32 for 3 exemplars"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2,3"}, kUsage,
-                  {"--weights: 3 for 2 inputs; one each is accepted"});
+                  {"--weights: 3 for 2 inputs; expected one per input"});
   checkMixRefuses({m.dark, m.light, "--weights", "0,0"}, kUsage,
-                  {"--weights: all are 0; a positive sum is accepted"});
+                  {"--weights: all are 0; expected a sum above 0"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,-2"}, kUsage,
-                  {"--weights 1,-2: 1 to 16 numbers from 0 to 1000000"});
+                  {"--weights 1,-2: expected 1 to 16 numbers from 0 to 1000000"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,"}, kUsage, {"--weights 1,:"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2", "--steps", "5"}, kUsage,
-                  {"--steps: with --weights one texton is made"});
+                  {"--steps: given with --weights, which makes one texton"});
   checkMixRefuses({m.dark, m.light, "--fit", "projections"}, kUsage, {"--fit: no such option"});
   checkMixRefuses({m.dark, m.workplace.path("absent.png")}, kBadInput, {"absent.png"});
   checkMixRefuses({m.dark, m.workplace.write("no.png", std::string("no image"))}, kBadInput,
@@ -217,7 +217,7 @@ TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
                {"new.png", ".glb or .gltf"});
 }
 
-TEST_CASE("compare measures a mix at the input that it is told") {
+TEST_CASE("compare measures a mix at the weight of --mix") {
   const Made& m = made();
   const auto measured = [&](const std::string& exemplar, const Arguments& more) {
     Arguments arguments{"compare", exemplar, m.bundle, "--json"};
@@ -245,12 +245,12 @@ TEST_CASE("compare measures a mix at the input that it is told") {
   const std::string plain =
       bake(m.workplace, m.workplace.write("plain.png", smoothGrey(8)), "plain.glb");
   checkRefusal({"compare", m.dark, plain, "--mix", "1"}, kUsage,
-               {"--mix: noise 'plain' is no mix"});
+               {"--mix: noise 'plain' is not a mix"});
   checkRefusal({"compare", m.dark, m.light, "--mix", "1"}, kUsage, {"--mix 1:", "is an image"});
   checkRefusal({"compare", m.dark, m.bundle, "--mix", "2"}, kUsage, {"--mix 2:"});
 }
 
-TEST_CASE("synth shows a mix at a weight, or along a ramp") {
+TEST_CASE("synth shows a mix at one weight or along a ramp") {
   const Made& m = made();
   const auto synth = [&](const Arguments& more) {
     Arguments arguments{"synth", m.bundle, "-o", m.workplace.path("s.png"), "--size", "256x64"};
@@ -277,14 +277,14 @@ TEST_CASE("synth shows a mix at a weight, or along a ramp") {
   };
   refuses({"--mix", "1.5"}, {"--mix 1.5: a weight from 0 to 1"});
   refuses({"--mix", "0,1,0"}, {"--mix 0,1,0: a weight from 0 to 1, or two"});
-  refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image: one weight is accepted"});
+  refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image; expected one weight"});
   const Workplace other;
   const std::string plain = bake(other, other.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"synth", plain, "-o", other.path("new.png"), "--mix", "0.5"}, kUsage,
-               {"--mix: noise 'stone' is no mix"});
+               {"--mix: noise 'stone' is not a mix"});
 }
 
-TEST_CASE("apply gives a mix its weight from every source") {
+TEST_CASE("apply sets the weight of a mix from every source") {
   const Made& m = made();
   const Workplace workplace;
   example::TinyScene scene = example::tableScene();
@@ -328,7 +328,7 @@ TEST_CASE("apply gives a mix its weight from every source") {
   const Ended merged = runLichen({"merge", workplace.path("out.glb"), "-o",
                                   workplace.path("merged.glb"), "--preview", "none"});
   CHECK(merged.code == 0);
-  CHECK_THAT(merged.errors, Catch::Contains("the mask of its mix is left behind"));
+  CHECK_THAT(merged.errors, Catch::Contains("the mask of its mix is not copied"));
   CHECK(json::parse(runLichen({"inspect", workplace.path("merged.glb"), "--json"}).output)
             .at("noises")[0]
             .at("materials")[0]
@@ -337,7 +337,7 @@ TEST_CASE("apply gives a mix its weight from every source") {
   const auto refuses = [&](const Arguments& more, int code, const std::vector<std::string>& words) {
     checkRefusal(arguments(more), code, words);
   };
-  refuses({"--mix", "2"}, kUsage, {"--mix 2: a number from 0 to 1 is accepted"});
+  refuses({"--mix", "2"}, kUsage, {"--mix 2: expected a number from 0 to 1"});
   refuses({"--mix", "0.5", "--mix-vertex-color", "1"}, kUsage,
           {"--mix, --mix-vertex-color: 2 sources of the weight"});
   refuses({"--mix-channel", "red"}, kUsage, {"--mix-channel: no texture and no vertex colours"});
@@ -357,13 +357,13 @@ TEST_CASE("apply gives a mix its weight from every source") {
   const std::string plain = bake(workplace, workplace.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix", "0.5"},
-               kUsage, {"--mix: noise 'stone' is no mix"});
+               kUsage, {"--mix: noise 'stone' is not a mix"});
   checkRefusal({"apply", file, "--noise", plain, "--material", "wood", "-o",
                 workplace.path("new.glb"), "--mix-texture", m.grey},
-               kUsage, {"--mix-texture: noise 'stone' is no mix"});
+               kUsage, {"--mix-texture: noise 'stone' is not a mix"});
 }
 
-TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range") {
+TEST_CASE("a note names a mesh that exceeds the mask of a mix, with its range") {
   const Workplace workplace;
   const std::string mask = workplace.write("mask.png", smoothGrey(16));
   const auto errorsOf = [&](const example::TinyScene& scene, const std::string& texture) {
@@ -383,22 +383,21 @@ TEST_CASE("a mesh that reaches beyond the mask of a mix is noted, with its range
   cover(0.0f, 1.0f);
   CHECK_THAT(errorsOf(scene, mask), !Catch::Contains("TEXCOORD_0"));
   cover(-20.0f, 20.5f);
-  CHECK_THAT(
-      errorsOf(scene, mask),
-      Catch::Contains("scene.glb: primitive 0 of mesh 'table': TEXCOORD_0 from (-20, 0) to "
-                      "(20.5, 1) leaves 0 to 1, where the mask of the mix lies; outside, its "
-                      "border continues"));
+  CHECK_THAT(errorsOf(scene, mask),
+             Catch::Contains("scene.glb: primitive 0 of mesh 'table': TEXCOORD_0 from (-20, 0) to "
+                             "(20.5, 1) exceeds 0 to 1, the range of the mask; outside, its "
+                             "border continues"));
   // A texture of the scene uses its own sampler; without one it repeats.
   const std::size_t view = scene.addView(example::tinyPng());
   scene.json["images"] = {{{"mimeType", "image/png"}, {"bufferView", view}}};
   scene.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
   scene.json["samplers"] = {{{"wrapS", 33071}}};
   CHECK_THAT(errorsOf(scene, "0"),
-             Catch::Contains("leaves 0 to 1") && Catch::Contains("outside, it repeats"));
+             Catch::Contains("exceeds 0 to 1") && Catch::Contains("outside, it repeats"));
   CHECK_THAT(errorsOf(scene, "1"), Catch::Contains("outside, its border continues"));
 }
 
-TEST_CASE("a direction needs texture coordinates on a surface too") {
+TEST_CASE("the direction of a mix needs texture coordinates also with mapping surface") {
   const Workplace workplace;
   const std::string file = workplace.write("scene.glb", example::tableScene().glb());
   const auto onSurface = [&](const Arguments& more, const char* out) {

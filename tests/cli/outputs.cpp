@@ -36,7 +36,7 @@ SrgbImage grain(int width, int height, auto distribution) {
 
 } // namespace
 
-TEST_CASE("bake writes the one file that was named, synth and check work on it alone") {
+TEST_CASE("bake writes one file, and synth and check need nothing else") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   bake(workplace, input, "moss.glb");
@@ -49,7 +49,7 @@ TEST_CASE("bake writes the one file that was named, synth and check work on it a
   CHECK(image.channels == 3);
 }
 
-TEST_CASE("a .gltf with what it refers to can be checked and synthesized too") {
+TEST_CASE("a .gltf with its binary file can be checked and synthesized") {
   const Workplace workplace;
   const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)),
                                   "moss.gltf", {"--preview", "plane"});
@@ -57,14 +57,14 @@ TEST_CASE("a .gltf with what it refers to can be checked and synthesized too") {
   CHECK(synth(workplace, bundle, {"--size", "16x16"}).width == 16);
 }
 
-TEST_CASE("every preview shape gives a clean bundle") {
+TEST_CASE("every preview shape gives a bundle without findings") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   for (const char* shape : {"sphere", "plane", "none"})
     CHECK(runLichen({"check", bake(workplace, input, "moss.glb", {"--preview", shape})}).code == 0);
 }
 
-TEST_CASE("an EXR holds the light of which a PNG holds the sRGB code") {
+TEST_CASE("an EXR stores the light whose sRGB code a PNG stores") {
   const Workplace workplace;
   const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)));
   const SrgbImage png = synth(workplace, bundle, {"--size", "32x32"});
@@ -76,7 +76,7 @@ TEST_CASE("an EXR holds the light of which a PNG holds the sRGB code") {
     REQUIRE(png.values[i] == Approx(exr.values[i]).margin(1.0 / 255.0));
 }
 
-TEST_CASE("--name names the noise, and the input's name does without it") {
+TEST_CASE("the noise is named by --name, else after the input") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string named = bake(workplace, input, "named.glb", {"--name", "wet moss"});
@@ -85,7 +85,7 @@ TEST_CASE("--name names the noise, and the input's name does without it") {
   CHECK(synth(workplace, plain, {"--noise", "moss", "--size", "8x8"}).width == 8);
 }
 
-TEST_CASE("--json gives one object and nothing else") {
+TEST_CASE("--json prints one object and nothing else") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(16));
   const std::string bundle = workplace.path("moss.glb");
@@ -116,7 +116,8 @@ TEST_CASE("--json gives one object and nothing else") {
   CHECK(synthReport.at("height") == 10);
 }
 
-TEST_CASE("--lut and --gaussian choose the kind of table, and all kinds can be checked and shown") {
+TEST_CASE("--lut and --gaussian choose the kind of table, and every kind can be checked and "
+          "synthesized") {
   const Workplace workplace;
   const std::string input = workplace.write(
       "grain.png", grain(64, 48, std::uniform_real_distribution<float>(0.2f, 0.8f)));
@@ -148,7 +149,7 @@ TEST_CASE("--lut and --gaussian choose the kind of table, and all kinds can be c
   CHECK(pictures[2] == pictures[3]);
 }
 
-TEST_CASE("--gaussian auto leaves the table out of Gaussian exemplars only") {
+TEST_CASE("--gaussian auto omits the table only for Gaussian exemplars") {
   const Workplace workplace;
   const SrgbImage gaussian = grain(64, 64, std::normal_distribution<float>(0.5f, 0.05f));
   const SrgbImage uniform = grain(64, 64, std::uniform_real_distribution<float>(0.2f, 0.8f));
@@ -159,7 +160,7 @@ TEST_CASE("--gaussian auto leaves the table out of Gaussian exemplars only") {
   }
 }
 
-TEST_CASE("--quiet is silent, even where there is something to note") {
+TEST_CASE("--quiet prints nothing, not even notes") {
   const Workplace workplace;
   const std::string input = workplace.write("holed.png", speckled(16, 16, 4));
   const std::string bundle = workplace.path("holed.glb");
@@ -173,7 +174,7 @@ TEST_CASE("--quiet is silent, even where there is something to note") {
   }
 }
 
-TEST_CASE("bake and synth write the same bytes with one thread and with two, and again") {
+TEST_CASE("bake and synth write the same bytes on one thread, on two and again") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
   std::string firstBundle, firstPicture;
@@ -189,7 +190,7 @@ TEST_CASE("bake and synth write the same bytes with one thread and with two, and
   }
 }
 
-TEST_CASE("a full disk leaves the old file whole and no partial one") {
+TEST_CASE("a full disk leaves the old file intact and no partial file") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input, "moss.glb");
@@ -213,7 +214,7 @@ TEST_CASE("a full disk leaves the old file whole and no partial one") {
   CHECK(workplace.names() == names);
 }
 
-TEST_CASE("an interrupted bake leaves the old bundle or the new one, whole, and nothing else") {
+TEST_CASE("an interrupted bake leaves the old or the new bundle intact, and nothing else") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(24));
   const std::string bundle = bake(workplace, input, "moss.glb");
@@ -247,7 +248,7 @@ TEST_CASE("a bake that is interrupted while it works ends at once and leaves the
   CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
 }
 
-TEST_CASE("what standard output does not take is an error of one line") {
+TEST_CASE("a failed write to standard output is an error of one line") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   const std::string bundle = bake(workplace, input);
@@ -267,7 +268,7 @@ TEST_CASE("what standard output does not take is an error of one line") {
   }
 }
 
-TEST_CASE("the control characters of names never reach the terminal, other characters do") {
+TEST_CASE("control characters in names are escaped on the terminal, other characters are not") {
   const Workplace workplace;
   const std::string hostile = "m\x1b[31m\xc2\x9b\x7f\nf\xc3\xbc";
   const std::string shown = "m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc";
@@ -303,7 +304,7 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
   checkShown(lines.substr(0, lines.find('\n') + 1), shown);
 }
 
-TEST_CASE("borders that are blended are noted where they were measured, not where it was asked") {
+TEST_CASE("blended borders give a note with --periodic auto, not with --periodic no") {
   const Workplace workplace;
   SrgbImage ramp(32, 32, 3);
   for (int i = 0; i < 32 * 32 * 3; ++i)

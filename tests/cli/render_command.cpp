@@ -46,7 +46,7 @@ bool isOneLine(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("wrong arguments are a usage error on one line with the cure") {
+TEST_CASE("wrong arguments are a usage error on one line that says what to do") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
   const std::string out = " -o " + (folder.path() / "o.png").string() + " ";
@@ -77,7 +77,7 @@ TEST_CASE("wrong arguments are a usage error on one line with the cure") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "o.png"));
 }
 
-TEST_CASE("help and version are no errors") {
+TEST_CASE("help and version exit with 0") {
   const Outcome help = run("--help");
   CHECK(help.exitCode == 0);
   CHECK(help.output.find("--debug-view") != std::string::npos);
@@ -103,7 +103,7 @@ TEST_CASE("a scene that cannot be read is bad input") {
   }
 }
 
-TEST_CASE("a scene whose buffer's file is absent names that file in one clean line") {
+TEST_CASE("the error for a missing buffer file names it in one line") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
@@ -118,7 +118,7 @@ TEST_CASE("a scene whose buffer's file is absent names that file in one clean li
             ": names the file \"gone .bin\", which is not in the scene's folder\n");
 }
 
-TEST_CASE("a fault in a noise is bad input, named by its place") {
+TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointer") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
@@ -136,7 +136,7 @@ TEST_CASE("a fault in a noise is bad input, named by its place") {
   CHECK(outcome.output.find("/noises/0/maps/0/gaussian") != std::string::npos);
 }
 
-TEST_CASE("a machine without a Vulkan device is told what to install") {
+TEST_CASE("without a Vulkan device the error says what to install") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
   const Outcome outcome = run(scene + " -o " + (folder.path() / "o.png").string(),
@@ -147,7 +147,7 @@ TEST_CASE("a machine without a Vulkan device is told what to install") {
   CHECK(outcome.output.find("mesa-vulkan-drivers") != std::string::npos);
 }
 
-TEST_CASE("a picture is written as PNG or EXR, and JSON says what was done") {
+TEST_CASE("lichen-render writes a PNG or EXR and a JSON report") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
@@ -170,7 +170,7 @@ TEST_CASE("a picture is written as PNG or EXR, and JSON says what was done") {
         0);
 }
 
-TEST_CASE("a picture is reported on one line, with notes beside it, or quietly") {
+TEST_CASE("lichen-render reports a picture on one line with notes, or nothing with --quiet") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
@@ -190,7 +190,7 @@ TEST_CASE("a picture is reported on one line, with notes beside it, or quietly")
         "the extension KHR_materials_clearcoat is ignored");
 }
 
-TEST_CASE("the control characters of names never reach the terminal, other characters do") {
+TEST_CASE("control characters in names are escaped on the terminal, other characters are not") {
   const Outcome absent =
       run("\"$(printf 'm\\033[31m\\302\\233\\177\\nf\\303\\274').glb\" -o o.png");
   CHECK(absent.exitCode == 3);
@@ -201,7 +201,7 @@ TEST_CASE("the control characters of names never reach the terminal, other chara
         std::string::npos);
 }
 
-TEST_CASE("what standard output does not take is an error of one line") {
+TEST_CASE("a failed write to standard output is an error of one line") {
   for (const char* arguments : {"--help >/dev/full", "--version >/dev/full"}) {
     const Outcome full = run(arguments);
     CHECK(full.exitCode == 5);
@@ -212,7 +212,7 @@ TEST_CASE("what standard output does not take is an error of one line") {
   CHECK(run("--list-devices >/dev/full").exitCode == 5);
 }
 
-TEST_CASE("what only the device can tell has its exit code too") {
+TEST_CASE("errors that only the device can find have their exit codes") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;

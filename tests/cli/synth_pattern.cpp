@@ -113,15 +113,15 @@ TEST_CASE("--origin shifts a tileable image in itself") {
   CHECK(seam(shifted, true) < 1.5);
 }
 
-TEST_CASE("a size under half a tile is refused with the limits that make it tileable") {
+TEST_CASE("the error for a tileable size under half a tile names the limits that help") {
   const Workplace workplace;
   const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(32)));
   const Arguments synthesis{"synth",      bundle,   "-o",   workplace.path("a.png"),
                             "--tileable", "--size", "10x20"};
   checkRefusal(synthesis, int(ErrorKind::usage), {"at least 16x16, or at most 20 texels per tile"});
-  Arguments accepted = synthesis;
-  accepted.insert(accepted.end(), {"--texels-per-tile", "20"});
-  CHECK(runLichen(accepted).code == 0);
+  Arguments scaled = synthesis;
+  scaled.insert(scaled.end(), {"--texels-per-tile", "20"});
+  CHECK(runLichen(scaled).code == 0);
 }
 
 TEST_CASE("a tileable image is as varied as an endless one") {
@@ -141,7 +141,7 @@ TEST_CASE("windows at huge origins agree where they overlap") {
   CHECK(shareOfDifferent(window(first, 32, 32), window(third, 0, 32)) == 0.0);
 }
 
-TEST_CASE("the noise far from the origin is another part of the same material") {
+TEST_CASE("far from the origin the noise is another part of the same material") {
   const SrgbImage near = made({"--size", "256x256"});
   const SrgbImage far = made({"--size", "256x256", "--origin", "10000000,0"});
   CHECK(shareOfDifferent(near, far) > 0.9);
@@ -151,7 +151,7 @@ TEST_CASE("the noise far from the origin is another part of the same material") 
     CHECK(meanOf(far)[c] == Approx(meanOf(near)[c]).margin(0.04));
 }
 
-TEST_CASE("the pattern of a bundle is that of its material's seed, unless another is asked for") {
+TEST_CASE("the material's seed decides the pattern, unless --seed overrides it") {
   const Workplace workplace;
   const std::string bundle =
       bake(workplace, workplace.write("smooth.png", smooth(16)), "noise.glb", {"--seed", "12"});
@@ -173,7 +173,8 @@ TEST_CASE("the pattern does not repeat from one exemplar to the next") {
     CHECK(shareOfDifferent(window(image, 0, 32), window(image, shift, 32)) > 0.9);
 }
 
-TEST_CASE("fewer taps change the pattern between its vertices, from the limit on to one tap") {
+TEST_CASE("--taps changes the pattern between lattice vertices, and --one-tap applies from its "
+          "limit on") {
   const SrgbImage three = made({"--size", "64x64"});
   CHECK((made({"--size", "64x64", "--taps", "3", "--one-tap", "0"}).values == three.values));
   const SrgbImage two = made({"--size", "64x64", "--taps", "2"});
@@ -188,7 +189,7 @@ TEST_CASE("fewer taps change the pattern between its vertices, from the limit on
   CHECK((made({"--size", "64x64", "--one-tap", side, "--taps", "2"}).values == one.values));
 }
 
-TEST_CASE("turned tiles are another pattern for each number of steps, and none is the default") {
+TEST_CASE("each number of --tile-rotation gives another pattern, and none is the default") {
   const SrgbImage none = made({"--size", "64x64"});
   CHECK((made({"--size", "64x64", "--tile-rotation", "none"}).values == none.values));
   const SrgbImage two = made({"--size", "64x64", "--tile-rotation", "2"});

@@ -80,7 +80,7 @@ constexpr double kFewExcess = 3.0 / kFewImpacts;
 
 } // namespace
 
-TEST_CASE("synth shows the impacts and points of the material, unless it is told others") {
+TEST_CASE("synth uses the material's impacts and points, unless options override them") {
   const Workplace workplace;
   const std::string plain = bakeTexton(workplace, "plain.glb");
   const std::string sparse =
@@ -97,7 +97,8 @@ TEST_CASE("synth shows the impacts and points of the material, unless it is told
             .values);
 }
 
-TEST_CASE("fewer impacts are less normal, and those of a Poisson process less than one a cell") {
+TEST_CASE("fewer impacts are less normal, and a Poisson process is less normal than one impact per "
+          "cell") {
   const Workplace workplace;
   const std::string bundle = bakeTexton(workplace, "grain.glb");
   const double poisson =
@@ -112,7 +113,7 @@ TEST_CASE("fewer impacts are less normal, and those of a Poisson process less th
   CHECK(std::abs(many) < 0.1 * kFewExcess);
 }
 
-TEST_CASE("the preview, the measures and the report are of the material's impacts") {
+TEST_CASE("the preview, the measures and the report use the material's impacts") {
   const Workplace workplace;
   const std::string input = workplace.path("grain.png");
   const Arguments few{"--impacts", "1",        "--points",
@@ -135,7 +136,7 @@ TEST_CASE("the preview, the measures and the report are of the material's impact
   CHECK(previewOf(workplace, "merged.glb").values == previewOf(workplace, "sparse.glb").values);
 }
 
-TEST_CASE("options of the method that a noise is not of are refused with its name") {
+TEST_CASE("the error for an option of another method names that method") {
   const Workplace workplace;
   const std::string texton = bakeTexton(workplace, "grain.glb");
   const std::string tiling =
@@ -152,11 +153,11 @@ TEST_CASE("options of the method that a noise is not of are refused with its nam
   refuse(texton, "--taps", "2", {"--taps", "tiling", "'grain'", "texton"});
   refuse(texton, "--one-tap", "0.25", {"--one-tap", "tiling", "'grain'", "texton"});
   refuse(texton, "--tile-rotation", "4", {"--tile-rotation", "tiling", "'grain'", "texton"});
-  refuse(texton, "--impacts", "0.5", {"--impacts 0.5: a number from 1 to 1000 is accepted"});
-  refuse(texton, "--points", "blue", {"--points blue: stratified or poisson is accepted"});
+  refuse(texton, "--impacts", "0.5", {"--impacts 0.5: expected a number from 1 to 1000"});
+  refuse(texton, "--points", "blue", {"--points blue: expected stratified or poisson"});
 }
 
-TEST_CASE("check finds no fault in the texels of textons of any order, precision and set") {
+TEST_CASE("check finds no fault in textons of any order, precision or set") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("rock"));
   workplace.write("rock/rock_color.png", speckled(24, 20, 3));

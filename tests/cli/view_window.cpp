@@ -109,7 +109,8 @@ void replace(const Workplace& workplace, const std::string& with) {
 
 } // namespace
 
-TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in silence") {
+TEST_CASE(
+    "the viewer reacts to keys, mouse, resizing and file changes, and closes without messages") {
   if (!hasDevice())
     return;
   const Workplace workplace;
@@ -174,7 +175,8 @@ TEST_CASE("the viewer's window follows keys, mouse, size and file, and closes in
   CHECK(std::count(errors.begin(), errors.end(), '\n') == 2); // broken file, missing file
 }
 
-TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F frames the scene") {
+TEST_CASE(
+    "if its camera disappears from the file the viewer stays in place, and F frames the scene") {
   if (!hasDevice())
     return;
   const Workplace workplace;
@@ -194,7 +196,7 @@ TEST_CASE("a viewer whose camera is gone from the file stays where it is, and F 
   CHECK(view.errors().empty());
 }
 
-TEST_CASE("the viewer refuses what it cannot show in one line") {
+TEST_CASE("the viewer reports what it cannot show in one line") {
   const Workplace workplace;
   ::unsetenv("DISPLAY");
   ::unsetenv("WAYLAND_DISPLAY");

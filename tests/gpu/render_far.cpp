@@ -336,9 +336,9 @@ TEST_CASE("a note names noise that floats or the lattice cannot resolve") {
       sceneRenderer.notes() ==
       std::vector<std::string>{
           "/materials/0: the camera is more than 2^40 tiles of its noise from the world's origin; "
-          "the noise there lacks detail",
+          "the noise there loses detail",
           "/materials/0: vertices are 1.41 units from their node's origin, where floats are "
-          "1.2e-07 apart; its noise, with tiles of 6.1e-05, may lack detail there; move the "
+          "1.2e-07 apart; its noise, with tiles of 6.1e-05, may lose detail there; move the "
           "node's origin closer to its vertices",
           "/materials/0: an exemplar of its noise is at most 0.0032 pixels wide, so little more "
           "than the mean is visible; use a larger scale or move the camera closer"});

@@ -465,7 +465,7 @@ TEST_CASE("an error for a file that is not glTF says what is expected") {
   const auto scene = renderer::readScene(path);
   REQUIRE_FALSE(scene.ok());
   CHECK(scene.error().message == path.string() + ": neither a GLB (first bytes glTF) nor a JSON "
-                                                 "object; a .glb or .gltf is accepted");
+                                                 "object; expected a .glb or .gltf");
 }
 
 TEST_CASE("deep nesting and text that is not glTF are errors") {

@@ -98,11 +98,11 @@ const std::string kSupported =
     "is not supported; export without it (supported: KHR_lights_punctual, "
     "KHR_materials_emissive_strength, KHR_mesh_quantization, KHR_texture_transform, "
     "LICHEN_materials_exemplar_noise)";
-const std::string kVersion1 = "/asset/version: absent or not 2.x; \"2.0\" is accepted";
+const std::string kVersion1 = "/asset/version: absent or not 2.x; expected \"2.0\"";
 
 /// Expected error messages without the path they start with.
 const std::map<std::string, std::string> kBroken{
-    {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "GLB version 1; 2 is accepted"},
+    {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "GLB version 1; expected 2"},
     {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", kVersion1},
     {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf", kVersion1},
     {"glTF/BoxTextured-glTF/BoxTextured.gltf", kVersion1},

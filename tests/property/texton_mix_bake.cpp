@@ -246,15 +246,15 @@ TEST_CASE("what cannot be mixed is refused by name") {
     return bake.error().message;
   };
   CHECK(message({moss}, smallOptions(3), ErrorKind::usage) ==
-        "1 exemplars to mix; 2 to 16 are accepted");
+        "exemplars to mix: 1; expected 2 to 16");
   CHECK(message(std::vector<MixedExemplar>(17, moss), smallOptions(3), ErrorKind::usage) ==
-        "17 exemplars to mix; 2 to 16 are accepted");
+        "exemplars to mix: 17; expected 2 to 16");
   CHECK(message({moss, rock}, smallOptions(1), ErrorKind::usage) ==
-        "1 steps from an exemplar to the next; 2 to 64 are accepted for 2 exemplars, 64 textons in "
-        "all at the most");
+        "steps from an exemplar to the next: 1; expected 2 to 64 for 2 exemplars, at most 64 "
+        "textons in all");
   CHECK(message({moss, rock, moss}, smallOptions(33), ErrorKind::usage) ==
-        "33 steps from an exemplar to the next; 2 to 32 are accepted for 3 exemplars, 64 textons "
-        "in all at the most");
+        "steps from an exemplar to the next: 33; expected 2 to 32 for 3 exemplars, at most 64 "
+        "textons in all");
   MixedExemplar set = rock;
   set.maps.push_back({MapTarget::height,
                       {MapChannel::height},
@@ -263,32 +263,32 @@ TEST_CASE("what cannot be mixed is refused by name") {
                       2,
                       {0.0f, 0.5f, 0.5f, 1.0f}});
   CHECK(message({moss, set}, smallOptions(3), ErrorKind::badInput) ==
-        "rock: has height, which moss has not; exemplars of a mix have the same maps");
+        "rock: has height, which moss does not have; expected the same maps in all exemplars");
   CHECK(message({set, moss}, smallOptions(3), ErrorKind::badInput) ==
-        "moss: has no height, which rock has; exemplars of a mix have the same maps");
+        "moss: has no height, which rock has; expected the same maps in all exemplars");
   MixedExemplar bright = rock;
   bright.maps[0].encoding = ValueEncoding::log2;
   CHECK(message({moss, bright}, smallOptions(3), ErrorKind::badInput) ==
-        "rock: baseColor is stored as log2, in moss as srgb; exemplars of a mix have the same "
-        "maps");
+        "rock: baseColor is stored as log2, in moss as srgb; expected the same maps in all "
+        "exemplars");
   MixedExemplar tall = rock;
   tall.maps[0] = cropped(rock.maps[0], 0, 0, 1, 48);
   MixedExemplar wide{"wide", {threeMaterials(400, 4, 1)}};
   CHECK(message({wide, tall}, smallOptions(3), ErrorKind::badInput) ==
-        "rock: 1 x 48 pixels are 400 x 19200 beside the widest exemplar; a height of up to 16384 "
-        "is accepted");
+        "rock: 1 x 48 pixels become 400 x 19200 at the widest exemplar's width; expected a "
+        "height of at most 16384");
   TextonMixOptions large = smallOptions(64);
   large.texton.support = 300;
   const MixedExemplar big = exemplarOf("big", 1, 3, 300);
   CHECK(message({big, big}, large, ErrorKind::usage) ==
-        "64 steps of 384 rows each make an image of 24576; up to 16384 are accepted, with fewer "
-        "steps or a smaller support");
+        "64 steps of 384 rows each make an image of 24576; expected at most 16384; use "
+        "fewer steps or a smaller support");
   TextonMixOptions unfit = smallOptions(3);
   unfit.texton.fit = TextonFit::projections;
   CHECK(message({moss, rock}, unfit, ErrorKind::usage) ==
-        "a mix by projections; the fit by transport distance is accepted");
+        "a mix fitted by projections; expected the fit by transport distance");
   TextonMixOptions weights = smallOptions(3);
   weights.weights = {1.0};
   CHECK(message({moss, rock}, weights, ErrorKind::usage) ==
-        "1 weights for 2 exemplars; one each is accepted");
+        "weights: 1 for 2 exemplars; expected one per exemplar");
 }

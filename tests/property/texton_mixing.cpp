@@ -213,32 +213,32 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
     grey.values.push_back(float(i * 37 % 64) / 64.0f);
   const std::vector<MixExemplar> differing{color, exemplarOf(grey, "height.png")};
   CHECK(messageOf(fitTextonPath(differing, support(8, 4)), ErrorKind::usage) ==
-        "height.png: 1 channels, and moss.png has 3; a mix takes exemplars with the same channels");
+        "height.png: 1 channel, and moss.png has 3; expected exemplars with the same channels");
   CHECK(messageOf(fitTextonPath(std::vector{color}, support(8, 4)), ErrorKind::usage) ==
-        "1 exemplars to mix; at least 2 are accepted");
+        "exemplars to mix: 1; expected at least 2");
   const std::vector<MixExemplar> pair{color, exemplarOf(threeMaterials(32, 12, 2), "rust.png")};
   CHECK(messageOf(fitTextonPath(pair, support(0, 4)), ErrorKind::usage) ==
-        "a texton of 0 x 0 coefficients; 1 x 1 and more is accepted");
+        "a texton of 0 x 0 coefficients; expected at least 1 x 1");
   CHECK(messageOf(fitTextonPath(pair, support(8, 0)), ErrorKind::usage) ==
-        "0 steps from an exemplar to the next; at least 1 is accepted");
+        "0 steps from an exemplar to the next; expected at least 1");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{1.0}, support(8, 1)), ErrorKind::usage) ==
-        "1 weights for 2 exemplars; one each is accepted");
+        "weights: 1 for 2 exemplars; expected one per exemplar");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{1.0, -0.5}, support(8, 1)),
-                  ErrorKind::usage) == "a weight of -0.5; 0 and more is accepted");
+                  ErrorKind::usage) == "a weight of -0.5; expected 0 or more");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{0.0, 0.0}, support(8, 1)),
-                  ErrorKind::usage) == "weights of sum 0; a positive one is accepted");
+                  ErrorKind::usage) == "weights of sum 0; expected a sum above 0");
   // One coefficient correlates all channels fully, unlike those of the exemplars.
   CHECK(messageOf(fitTextonPath(pair, support(1, 1)), ErrorKind::badInput) ==
-        "a mix of 1 moss.png, 0 rust.png: 1 x 1 coefficients cannot vary as these colours do; a "
-        "larger texton, or exemplars with detail, are accepted");
+        "a mix of 1 moss.png, 0 rust.png: 1 x 1 coefficients cannot vary as these colours do; "
+        "use a larger texton, or exemplars with detail");
   // The periodic component removes a ramp entirely.
   MapExemplar ramp = constant(256, 16);
   for (std::size_t i = 0; i < ramp.values.size(); ++i)
     ramp.values[i] = float(i / 3 % 256) / 255.0f;
   const std::vector<MixExemplar> ramps{color, exemplarOf(ramp, "ramp.png")};
   CHECK(messageOf(fitTextonPath(ramps, support(8, 1)), ErrorKind::badInput) ==
-        "ramp.png: varies only from one border to the other, and no texton does; a photograph with "
-        "detail is accepted");
+        "ramp.png: varies only from one border to the other, which no texton can reproduce; use a "
+        "photograph with detail");
 }
 
 TEST_CASE("a mix tells how far it is, ends when it is told to, and is the same on any threads") {

@@ -25,11 +25,11 @@ void checkFaults(const std::vector<example::Fault>& faults) {
 
 } // namespace
 
-TEST_CASE("the file that the faults are made in has none") {
+TEST_CASE("the example file has no faults before they are inserted") {
   CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
 }
 
-TEST_CASE("every fault of the extension's place is found") {
+TEST_CASE("every fault in the extension's root and lists is found") {
   checkFaults({
       {"not in extensionsUsed", "extensions-used",
        [](GlbParts& p) { p.json["extensionsUsed"] = {"KHR_texture_transform"}; }},
@@ -50,7 +50,7 @@ TEST_CASE("every fault of the extension's place is found") {
   });
 }
 
-TEST_CASE("every fault of a table's reference is found") {
+TEST_CASE("every fault in the reference to a table is found") {
   checkFaults({
       {"view out of range", "buffer-view",
        [](GlbParts& p) { p.extension()["tables"][0]["bufferView"] = 4000; }},
@@ -241,7 +241,7 @@ TEST_CASE("every fault of a map's description is found") {
   });
 }
 
-TEST_CASE("every disagreement of a map with its tables is found") {
+TEST_CASE("every contradiction between a map and its tables is found") {
   checkFaults({
       {"Gaussian index out of range", "map-gaussian-index",
        [](GlbParts& p) { p.map(1, 0)["gaussian"] = 99; }},
@@ -299,7 +299,7 @@ TEST_CASE("every disagreement of a map with its tables is found") {
   });
 }
 
-TEST_CASE("a table of slopes without their variance is refused") {
+TEST_CASE("a table of slopes without their variance is an error") {
   BundleFile file = example::everyMap();
   REQUIRE(encodeGlb(file));
   const std::size_t table = *file.bundle.noises[1].maps[1].as<TilingMap>().inverseTable;
@@ -349,7 +349,7 @@ TEST_CASE("every fault of a material's use is found") {
   });
 }
 
-TEST_CASE("what is merely odd is a warning and does not stop reading") {
+TEST_CASE("a harmless oddity is a warning and does not stop reading") {
   const auto warningOf = [](const std::function<void(GlbParts&)>& change) {
     GlbParts parts(soundFile());
     change(parts);
@@ -378,7 +378,7 @@ TEST_CASE("what is merely odd is a warning and does not stop reading") {
         }) == "extension-absent");
 }
 
-TEST_CASE("a file of countless faults is reported in bounds") {
+TEST_CASE("the number of reported faults is limited") {
   GlbParts parts(soundFile());
   parts.json["materials"] = nlohmann::json::array();
   for (int i = 0; i < 60000; ++i)

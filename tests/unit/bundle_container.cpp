@@ -47,7 +47,7 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("a document is what nlohmann's own parser makes of its text") {
+TEST_CASE("a document equals the result of nlohmann's own parser") {
   for (const std::string rest :
        {R"("a": null, "b": [true, false, [], {}, [[1], {"c": {}}]])",
         R"("a": -1, "b": 18446744073709551615, "c": 0.1, "d": 1e300, "e": 18446744073709551616)",
@@ -126,7 +126,7 @@ TEST_CASE("every fault of the GLB framing is found") {
   CHECK(codeOf(headerOnly) == "glb-chunk");
 }
 
-TEST_CASE("what is not glTF, too deep, too large or not JSON is refused") {
+TEST_CASE("a file that is not glTF, nested too deeply, too large or not JSON is an error") {
   CHECK(codeOfText("") == "not-gltf");
   CHECK(codeOfText("a photograph") == "not-gltf");
   CHECK(codeOfText("[]") == "not-gltf");
@@ -141,7 +141,7 @@ TEST_CASE("what is not glTF, too deep, too large or not JSON is refused") {
   CHECK(codeOfText(large + "\"}") == "json-size");
 }
 
-TEST_CASE("JSON of up to four million values is read, and no more") {
+TEST_CASE("JSON may have up to four million values") {
   const auto holding = [](std::size_t values) {
     constexpr std::size_t kOthers = 4; // the root, asset, version and the array
     std::string text = R"({"asset": {"version": "2.0"}, "extras": [0)";
@@ -185,7 +185,7 @@ TEST_CASE("buffers in data URIs are read, of any length modulo three") {
   }
 }
 
-TEST_CASE("a buffer's file is never sought outside the folder of the .gltf") {
+TEST_CASE("a buffer file outside the folder of the .gltf is never read") {
   const TemporaryFolder folder;
   const std::filesystem::path inside = folder.path() / "inside";
   std::filesystem::create_directory(inside);
@@ -213,7 +213,7 @@ TEST_CASE("a buffer's file is never sought outside the folder of the .gltf") {
   }
 }
 
-TEST_CASE("of a big file that thousands of buffers name only the bytes they claim are read") {
+TEST_CASE("only the claimed bytes are read of a big file that thousands of buffers name") {
   const TemporaryFolder folder;
   constexpr std::uintmax_t kHuge = std::uintmax_t(1) << 40; // sparse: uses no disk space
   GlbParts parts(smallFile());
@@ -235,7 +235,7 @@ TEST_CASE("of a big file that thousands of buffers name only the bytes they clai
     const auto bundle = readBundle(folder / "scene.gltf");
     REQUIRE_FALSE(bundle.ok());
     CHECK(bundle.error().kind == ErrorKind::badInput);
-    CHECK_THAT(bundle.error().message, Catch::Contains("at most 4294967296 of all buffers"));
+    CHECK_THAT(bundle.error().message, Catch::Contains("at most 4294967296 in all buffers"));
   }
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("a buffer's file that is shorter than it claims is refused") {
   CHECK_THAT(bundle.error().message, Catch::Contains("own.bin"));
 }
 
-TEST_CASE("a file that is absent or a folder is refused by its name") {
+TEST_CASE("the error for a missing file or a folder names it") {
   const TemporaryFolder folder;
   for (const std::filesystem::path& path : {folder.path() / "absent.glb", folder.path()}) {
     const auto bundle = readBundle(path);

@@ -127,7 +127,7 @@ TEST_CASE("one exemplar spans the same area everywhere on the ball and on the gr
   }
 }
 
-TEST_CASE("an exemplar keeps the shape on the ground that its textons tell") {
+TEST_CASE("the ground shows an exemplar with the proportions that its textons state") {
   BundleFile file = example::smallestTexton();
   file.bundle.noises[0].as<TextonShape>().texelsPerTileX *= 3; // the image becomes as wide as high
   file.shape = PreviewShape::plane;
@@ -140,8 +140,7 @@ TEST_CASE("an exemplar keeps the shape on the ground that its textons tell") {
   }
 }
 
-TEST_CASE("tangents are unit vectors in the surface along u, and are there exactly with a normal "
-          "texture") {
+TEST_CASE("tangents are unit vectors along u, and exist exactly if there is a normal texture") {
   for (const PreviewShape shape : {PreviewShape::sphere, PreviewShape::plane}) {
     GlbParts parts = scene(shape);
     for (const nlohmann::json& mesh : parts.json["meshes"])
@@ -199,7 +198,7 @@ TEST_CASE("a preview image spans its exemplars at the noise's own scale, offset 
   CHECK(material["alphaMode"] == "BLEND");
 }
 
-TEST_CASE("factors are 1 for channels that the noise has and stand in for those it has not") {
+TEST_CASE("factors are 1 for channels of the noise and stand in for missing channels") {
   const GlbParts parts = scene(PreviewShape::sphere);
   const nlohmann::json& felt = parts.json["materials"][0]["pbrMetallicRoughness"];
   CHECK(felt["metallicFactor"] == 0.0);
@@ -209,7 +208,7 @@ TEST_CASE("factors are 1 for channels that the noise has and stand in for those 
   CHECK(moss["roughnessFactor"] == 1.0);
 }
 
-TEST_CASE("parts of a file that do not fit one another are refused") {
+TEST_CASE("inconsistent parts of a bundle file are an error") {
   const auto refused = [](const std::function<void(BundleFile&)>& change) {
     BundleFile file = example::everyMap();
     change(file);

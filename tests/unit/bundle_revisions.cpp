@@ -57,7 +57,7 @@ TEST_CASE("a noise of a later revision is ignored with its maps, tables and mate
   }
 }
 
-TEST_CASE("a noise of a method that nobody knows is ignored, whatever its revision") {
+TEST_CASE("a noise of an unknown method is ignored, whatever its revision") {
   GlbParts parts = laterFile();
   parts.extension()["noises"][0]["method"] = "magic";
   SECTION("revision 1") { parts.extension()["noises"][0]["revision"] = 1; }
@@ -78,7 +78,7 @@ TEST_CASE("a noise of a method that nobody knows is ignored, whatever its revisi
   CHECK(findings[0].message.starts_with("method 'magic'; this version does not know it"));
 }
 
-TEST_CASE("the checker warns of a later revision with the one that is known, and of nothing else") {
+TEST_CASE("the checker's only warning on a later revision states the known one") {
   const std::vector<Finding> findings = checkBundle(laterFile().join());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].severity == Finding::Severity::warning);
@@ -87,7 +87,7 @@ TEST_CASE("the checker warns of a later revision with the one that is known, and
   CHECK(findings[0].message.starts_with("revision 2 of tiling; this version knows 1"));
 }
 
-TEST_CASE("a file of later noises alone has none") {
+TEST_CASE("a file with only later revisions has no noise") {
   GlbParts parts = laterFile();
   parts.extension()["noises"][1]["revision"] = 2147483647;
   const auto parsed = parseBundle(parts.join(), "later.glb");
@@ -99,7 +99,7 @@ TEST_CASE("a file of later noises alone has none") {
   CHECK_FALSE(parsed.value().materials[1].has_value());
 }
 
-TEST_CASE("faults of other noises are found beside a later one") {
+TEST_CASE("faults of other noises are found beside a noise of a later revision") {
   GlbParts parts = laterFile();
   SECTION("in a map") { parts.map(1, 0)["gaussian"] = 1000; }
   SECTION("in a table") { parts.setTableWord(2, 12, 0); }

@@ -74,7 +74,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
 
 } // namespace
 
-TEST_CASE("a table of every format comes back from KTX2 as it went in") {
+TEST_CASE("a table of every format survives the round trip through KTX2") {
   for (const TexelFormat format :
        {TexelFormat::r8Unorm, TexelFormat::rg8Unorm, TexelFormat::rgba8Unorm,
         TexelFormat::rgba8Srgb, TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
@@ -92,7 +92,7 @@ TEST_CASE("a table of every format comes back from KTX2 as it went in") {
   }
 }
 
-TEST_CASE("a GLB gives back the bundle it was made of") {
+TEST_CASE("a bundle survives the round trip through a GLB") {
   for (BundleFile file : {example::smallest(), example::everyMap(), example::smallestTexton(),
                           example::textonMix()}) {
     const auto glb = encodeGlb(file);
@@ -131,7 +131,7 @@ TEST_CASE("files of both kinds are written, checked and read") {
   CHECK(refused.error().kind == ErrorKind::usage);
 }
 
-TEST_CASE("a .gltf written over another takes the binary with it that only the old one named") {
+TEST_CASE("a .gltf written over another removes the binary that only the old one named") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "moss & b.gltf";
   const std::vector<std::byte> foreign(3);
@@ -144,8 +144,7 @@ TEST_CASE("a .gltf written over another takes the binary with it that only the o
   checkSameBundle(readBundle(path).value(), example::smallest().bundle);
 }
 
-TEST_CASE(
-    "a .gltf that names a binary which another program wrote is replaced, the binary is not") {
+TEST_CASE("replacing a .gltf keeps a binary that another program wrote") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "moss.gltf";
   for (const char* uri : {"other.01234567.bin", "moss.bin", "moss.0123456g.bin", "moss.0123456.bin",
@@ -159,7 +158,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a disk that is full between the two files of a .gltf leaves the old pair and no other") {
+TEST_CASE("a disk that is full between the two files of a .gltf leaves only the old pair") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "moss.gltf";
   REQUIRE(writeBundle(path, example::everyMap()).ok());

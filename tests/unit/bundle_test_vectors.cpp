@@ -23,7 +23,7 @@ const nlohmann::json& vectors() {
 
 } // namespace
 
-TEST_CASE("the specification's page shows the values that the code computes") {
+TEST_CASE("the specification shows the values that the code computes") {
   std::ifstream stream(sourcePath("docs/gltf_extension/README.md"));
   const std::string page((std::istreambuf_iterator<char>(stream)), {});
   const auto shows = [&page](const std::string& what, std::initializer_list<std::uint32_t> values) {
@@ -43,7 +43,7 @@ TEST_CASE("the specification's page shows the values that the code computes") {
   shows("`tileOffset(-1, -1, latticeSeed(1, 0), 256, 256)`", {offset[0], offset[1]});
 }
 
-TEST_CASE("the specification's page describes every property of the schemas") {
+TEST_CASE("the specification describes every property of the schemas") {
   std::ifstream pageStream(sourcePath("docs/gltf_extension/README.md"));
   const std::string page((std::istreambuf_iterator<char>(pageStream)), {});
   const std::string folder = sourcePath("docs/gltf_extension/schema/");
@@ -78,7 +78,7 @@ TEST_CASE("tile offsets are those of the published test vectors") {
   }
 }
 
-TEST_CASE("the steps of turned tiles are those of the published test vectors") {
+TEST_CASE("tile rotations are those of the published test vectors") {
   CHECK(vectors()["tileRotation"].size() > 20);
   for (const nlohmann::json& v : vectors()["tileRotation"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();

@@ -54,7 +54,7 @@ TEST_CASE("unorm texels are rounded to the nearest code and clamped") {
         std::vector<float>{0.0f, 0.0f, 0.0f, 1.0f / 255.0f, 254.0f / 255.0f, 1.0f, 1.0f});
 }
 
-TEST_CASE("sRGB texels hold the code of light, and alpha as it is") {
+TEST_CASE("sRGB texels store the code of light, and alpha unchanged") {
   // IEC 61966-2-1: code 188 is 0.5029 of white's light.
   const std::vector<float> texel =
       throughFormat(TexelFormat::rgba8Srgb, {0.5029f, 0.0f, 1.0f, 0.5f});
@@ -70,7 +70,7 @@ TEST_CASE("sRGB texels hold the code of light, and alpha as it is") {
   }
 }
 
-TEST_CASE("mip levels halve, never below one texel, and follow one another") {
+TEST_CASE("mip levels halve, never below one texel, and are stored one after another") {
   const Table table{"", TexelFormat::rg8Unorm, 5, 2, 0, 3, {}};
   CHECK(levelRange(table, 0).offset == 0);
   CHECK(levelRange(table, 0).size == 5 * 2 * 2);

@@ -24,11 +24,11 @@ json& shapeOf(GlbParts& parts) { return parts.extension()["noises"][1]["texton"]
 
 } // namespace
 
-TEST_CASE("the file of textons that the faults are made in has none") {
+TEST_CASE("the example file of textons has no faults before they are inserted") {
   CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
 }
 
-TEST_CASE("a frame has whole texels of the last mip and one more of zeros on each axis") {
+TEST_CASE("a frame has whole texels of the last mip level, plus one of zeros on each axis") {
   for (const int coefficients : {1, 2, 3, 4, 7, 8, 15, 16, 17, 63, 64, 1023, 1024}) {
     TextonShape shape;
     shape.coefficientsX = shape.coefficientsY = coefficients;
@@ -95,7 +95,7 @@ TEST_CASE("every fault of the shape of textons is found") {
       });
 }
 
-TEST_CASE("every disagreement of a map with its texton is found") {
+TEST_CASE("every contradiction between a map and its texton is found") {
   example::checkFaults(
       soundFile(),
       {
@@ -139,8 +139,8 @@ TEST_CASE("every disagreement of a map with its texton is found") {
       });
 }
 
-TEST_CASE("a texton's losses that are not as many for each channel are refused with what is "
-          "accepted, as are those of channels that fall") {
+TEST_CASE("losses of a texton are refused if their count does not fit the channels or if they "
+          "fall") {
   const auto messageOf = [](const std::vector<double>& losses) {
     GlbParts parts(soundFile());
     parts.map(1, 0)["mipLoss"] = losses;
@@ -152,13 +152,13 @@ TEST_CASE("a texton's losses that are not as many for each channel are refused w
     return found == findings.end() ? std::string() : found->message;
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
-        "16 values; as many for each of 3 channels, 2 to 16 each, are accepted");
+        "16 values; expected as many for each of 3 channels, 2 to 16 each");
   // These are the losses of channels that are constant except for the last.
   CHECK(messageOf({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.6}) == "");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==
-        "0.4 at 8; no less than the mip level before, 0.5, is accepted");
+        "0.4 at 8; expected no less than the mip level before, 0.5");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.1, 0.5, 0.6, 0.0, 0.5, 0.6}) ==
-        "0.1 at 3; 0 is accepted: level 0 loses nothing");
+        "0.1 at 3; expected 0: level 0 loses nothing");
 }
 
 TEST_CASE("every fault of a mix's later steps is found") {
@@ -269,7 +269,7 @@ TEST_CASE("every fault of a mix's weight is found") {
       });
 }
 
-TEST_CASE("the weight of a mix comes back from every source") {
+TEST_CASE("the weight of a mix survives the round trip for every source") {
   for (MixWeight mix :
        {MixWeight{.weight = 0.25},
         MixWeight{.source = MixSource::direction, .start = {0.5, 2.0}, .end = {-1.0, 0.0}},
@@ -303,7 +303,7 @@ TEST_CASE("every fault of a material's use of textons is found") {
       });
 }
 
-TEST_CASE("a shape at fault is named once, and its maps are not blamed for it") {
+TEST_CASE("a fault in a shape is reported once, and not for its maps") {
   GlbParts parts(soundFile());
   SECTION("absent") { parts.extension()["noises"][1].erase("texton"); }
   SECTION("not an object") { shapeOf(parts) = nullptr; }
@@ -315,7 +315,7 @@ TEST_CASE("a shape at fault is named once, and its maps are not blamed for it") 
       "/extensions/LICHEN_materials_exemplar_noise/noises/1/texton"));
 }
 
-TEST_CASE("members of the other method are odd, but no fault") {
+TEST_CASE("members of the other method are a warning, not an error") {
   GlbParts parts(soundFile());
   SECTION("a shape of tiling") { parts.extension()["noises"][0]["texton"] = shapeOf(parts); }
   SECTION("a scale of tiling") { parts.map(0, 0)["scale"] = {0.6}; }
@@ -327,7 +327,7 @@ TEST_CASE("members of the other method are odd, but no fault") {
   CHECK(findings[0].code == "unknown-property");
 }
 
-TEST_CASE("textons are read beside an ignored noise, whose tables are not") {
+TEST_CASE("textons are read beside an ignored noise, whose tables are skipped") {
   GlbParts parts(soundFile());
   parts.extension()["noises"][0] = {
       {"name", "felt"}, {"method", "magic"}, {"revision", 2}, {"spell", 7}};
@@ -345,7 +345,7 @@ TEST_CASE("textons are read beside an ignored noise, whose tables are not") {
           all.tables[all.noises[1].maps[m].as<TextonMap>().image].texels);
 }
 
-TEST_CASE("the exemplar's size is that of the Gaussian image, or what textons tell") {
+TEST_CASE("the exemplar's size is that of the Gaussian image, or the one that textons state") {
   const Bundle bundle = example::textonMix().bundle;
   const auto sizeOf = [&](std::size_t noise) {
     return exemplarSize(bundle, bundle.noises[noise], bundle.noises[noise].maps[0]);

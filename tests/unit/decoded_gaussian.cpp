@@ -47,9 +47,8 @@ shader::LichenMap mapOf(double mean, double deviation, shader::uint encoding) {
 
 } // namespace
 
-TEST_CASE(
-    "the decoded value is the mean over what is missing, at any mean and deviation, and beyond "
-    "the whole variance where contrast hides more") {
+TEST_CASE("the decoded value is the mean over the lost variance, for any mean and deviation, also "
+          "where contrast loses more than the whole variance") {
   for (const shader::uint encoding : {kSrgb, kLinear})
     for (const double mean : {-0.05, 0.0, 0.02, 0.2, 0.5, 0.8, 1.0, 1.1})
       for (const double deviation : {0.01, 0.05, 0.1, 0.2})
@@ -65,7 +64,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("of logarithmic light the mean is that of its powers") {
+TEST_CASE("the mean of logarithmic light is the mean of its powers") {
   for (const double mean : {-0.5, 0.0, 0.3, 2.0, 8.0})
     for (const double deviation : {0.01, 0.3, 1.0}) {
       const auto value =
@@ -77,8 +76,7 @@ TEST_CASE("of logarithmic light the mean is that of its powers") {
     }
 }
 
-TEST_CASE("where nothing is missing the value is the decoded one, and of slopes their variance is "
-          "what is missing") {
+TEST_CASE("without lost variance the value is the decoded one; slopes return the lost variance") {
   for (const shader::uint encoding : {kSrgb, kLinear, shader::uint(LICHEN_ENCODING_LOG2)})
     for (const double mean : {0.0, 0.03, 0.4, 1.0}) {
       const auto value = decodedGaussian(mapOf(mean, 0.1, encoding), {0.5f, 0.5f, 0.5f}, {});

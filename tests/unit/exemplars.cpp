@@ -101,7 +101,7 @@ std::array<std::vector<float>, 3> opponentPlanes(const SrgbImage& image) {
 
 } // namespace
 
-TEST_CASE("every exemplar is the same bytes on every run and machine") {
+TEST_CASE("every exemplar has the same bytes on every run and machine") {
   // Recorded from the generators. They change only when a material is changed on purpose.
   const std::map<std::string, std::uint64_t> expected{
       {"granite", 0x9df5416b37c7cd82u}, {"lichen_on_stone", 0xf785353a6c12a436u},

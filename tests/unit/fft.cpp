@@ -160,7 +160,7 @@ TEST_CASE("the transforms of a patch allocate nothing") {
     }
 }
 
-TEST_CASE("a host may plan with FFTW of its own while the library transforms") {
+TEST_CASE("a host may plan with its own FFTW while the library transforms") {
   const std::vector<float> plane = noise(31, 29, 2);
   const HalfSpectrum expected = forwardFftw(plane, 31, 29);
   std::atomic<bool> isDone = false;
@@ -193,7 +193,7 @@ TEST_CASE("the two backends agree on an image of prime sides") {
   CHECK(worst < kTolerance * rootEnergy(plane));
 }
 
-TEST_CASE("multiplicities make the energy of the half spectrum that of the plane") {
+TEST_CASE("multiplicities give the half spectrum the energy of the plane") {
   for (const auto& [width, height] : kSizes) {
     const std::vector<float> plane = noise(width, height, 4);
     const HalfSpectrum spectrum = forwardFft(plane, width, height);
@@ -205,7 +205,7 @@ TEST_CASE("multiplicities make the energy of the half spectrum that of the plane
   }
 }
 
-TEST_CASE("the sizes that transform fast are those of the factors 2, 3 and 5") {
+TEST_CASE("the sizes that transform fast have only the factors 2, 3 and 5") {
   for (int size = 1; size <= 200; ++size) {
     int least = 0;
     for (int two = 1; two <= 256; two *= 2)
@@ -217,7 +217,7 @@ TEST_CASE("the sizes that transform fast are those of the factors 2, 3 and 5") {
   }
 }
 
-TEST_CASE("transforms made at the same time on several threads give the same bytes") {
+TEST_CASE("concurrent transforms on several threads give the same bytes") {
   constexpr int kThreads = 4, kSide = 60;
   std::array<std::vector<std::complex<float>>, kThreads> results;
   std::vector<std::thread> threads;

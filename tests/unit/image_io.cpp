@@ -69,7 +69,7 @@ TEST_CASE("every kind of sample decodes, even with bytes after its end") {
   }
 }
 
-TEST_CASE("a check of the size sees that of every kind of image once, and can refuse it") {
+TEST_CASE("a size check is called once for every kind of image, and can refuse it") {
   for (const Bytes& file : everySupportedKind()) {
     std::vector<std::array<int, 2>> sizes;
     const auto check = [&](int width, int height) -> Result<void> {

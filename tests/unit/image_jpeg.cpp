@@ -96,7 +96,7 @@ TEST_CASE("a JPEG whose scan ends early is an error, even with an end marker") {
   CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its last pixel or its end marker");
 }
 
-TEST_CASE("a JPEG that lacks only its end marker is an error") {
+TEST_CASE("a JPEG without only its end marker is an error") {
   // Whether the pixel decoder reaches the end depends on the last bits.
   for (int code = 0; code < 256; ++code) {
     Bytes jpeg = makeJpeg({.width = 8,

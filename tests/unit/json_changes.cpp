@@ -27,14 +27,14 @@ std::string faultOf(const std::string& text, const JsonChange& change) {
 
 } // namespace
 
-TEST_CASE("without a change a text keeps every byte") {
+TEST_CASE("a text without changes keeps every byte") {
   for (const std::string text :
        {R"({})", " { } \n", R"({"a":1.0,"b" : [ 1e5 ,"\u00e9\\\"]" ] , "a":{"":null}})",
         "{\n  \"x\": [\n  ]\n}\n"})
     CHECK(changed(text, {}) == text);
 }
 
-TEST_CASE("members and elements are added as their neighbours stand") {
+TEST_CASE("members and elements are added with the indentation of their neighbours") {
   JsonChange change;
   change.member("list").append(3);
   change.member("new").member("inside").set("x");
@@ -46,7 +46,7 @@ TEST_CASE("members and elements are added as their neighbours stand") {
         R"({"list" : [ 3] , "new" : { "inside" : "x"} })");
 }
 
-TEST_CASE("values are replaced and members left out, and their neighbours keep their bytes") {
+TEST_CASE("replacing and removing members leaves the bytes of their neighbours unchanged") {
   JsonChange change;
   change.member("b").element(1).member("c").set(true);
   change.member("first").remove();
@@ -59,13 +59,14 @@ TEST_CASE("values are replaced and members left out, and their neighbours keep t
   CHECK(changed(R"({"a":1})", only) == "{}");
 }
 
-TEST_CASE("keys are compared by what they say") {
+TEST_CASE("keys are compared after unescaping") {
   JsonChange change;
   change.member("é\"").set(1);
   CHECK(changed(R"({"\u00e9\"":0,"e":"}"})", change) == R"({"\u00e9\"":1,"e":"}"})");
 }
 
-TEST_CASE("changes to what is not there, twice there, or of another type are refused by place") {
+TEST_CASE("changing a missing or repeated value, or one of another type, is an error that states "
+          "its pointer") {
   JsonChange append;
   append.member("a").append(1);
   CHECK_THAT(faultOf(R"({"a":{}})", append), Catch::StartsWith("/a: "));

@@ -49,7 +49,7 @@ TEST_CASE("the lattice hash has its published test vectors") {
   CHECK(pcg(1u) == 2831084092u);
 }
 
-TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 a side") {
+TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 per side") {
   for (const std::uint32_t size : kSizes) {
     const std::uint32_t step = 1u << tileOffsetShift(size);
     std::set<std::uint32_t> found;
@@ -119,7 +119,7 @@ TEST_CASE("the two axes of a tile offset, neighbours, planes and seeds are indep
   }
 }
 
-TEST_CASE("an integer tile origin is where the skewed coordinates say, exactly") {
+TEST_CASE("an integer tile origin matches the skewed coordinates exactly") {
   const LatticeOrigin origin = latticeOrigin(10000000, -3);
   const long double column = 10000000.0L * 3.46410161513775458705489268301174488L;
   CHECK(origin.cell[0] == std::int32_t(std::floor(column)) + 6);

@@ -50,8 +50,7 @@ TEST_CASE("stripes have an anisotropy of 1, whatever their direction") {
   }
 }
 
-TEST_CASE(
-    "two equal gratings across each other have no anisotropy, of unequal ones the closed form") {
+TEST_CASE("two equal crossed gratings have no anisotropy, unequal ones that of the closed form") {
   const auto crossed = [](double amplitude) {
     const double step = 2.0 * std::numbers::pi / 16.0; // whole periods over the 64 squares
     return grey(kSide + 1, [=](int x, int y) {
@@ -70,7 +69,7 @@ TEST_CASE("white noise has hardly any anisotropy") {
   CHECK(gradientAnisotropy(grey(kSide, hashed)) < 0.06);
 }
 
-TEST_CASE("every measure of an image against itself is met, and has the stated target") {
+TEST_CASE("an image meets every measure against itself, with the stated target") {
   const SrgbImage noise = grey(kSide, hashed);
   const auto measures = measureResult(noise, noise).value();
   CHECK(measures.size() == 4);
@@ -97,7 +96,7 @@ TEST_CASE("a measure is missed when it is over its target, not when it has no va
   CHECK(!measure.isMissed());
 }
 
-TEST_CASE("images that are too small leave a remark, images that do not fit are refused") {
+TEST_CASE("an image that is too small gives a remark, images that do not fit are an error") {
   const SrgbImage small = grey(8, hashed);
   const auto measures = measureResult(small, small).value();
   CHECK(named(measures, "color_distance").value == 0.0);

@@ -168,7 +168,7 @@ TEST_CASE("twice the contrast of a white noise is 6.02 decibels") {
   CHECK(spectrumDistanceDb(quiet, loud).value() == Approx(20.0 * std::log10(2.0)).margin(0.01));
 }
 
-TEST_CASE("white and 1/f^2 noise differ by what their power laws say") {
+TEST_CASE("white and 1/f^2 noise differ by the distance of their power laws") {
   constexpr int kImageSide = 512;
   const SrgbImage white = powerLawNoise(kImageSide, 0.0, 2);
   const SrgbImage pink = powerLawNoise(kImageSide, 2.0, 3);
@@ -217,7 +217,7 @@ TEST_CASE("the autocovariance error of a box-filtered white noise is that of a t
   CHECK(autocovarianceError(white, white, 8).value() == 0.0);
 }
 
-TEST_CASE("images without variance have nothing to differ in but their colour") {
+TEST_CASE("images without variance differ only in their colour") {
   const SrgbImage grey = makeImage(64, 64, 1, [](int, int, int) { return 0.5f; });
   const SrgbImage dark = makeImage(64, 64, 1, [](int, int, int) { return 0.25f; });
   CHECK(colorDistance(grey, dark).value() == Approx(0.25).margin(3e-5));
@@ -228,7 +228,7 @@ TEST_CASE("images without variance have nothing to differ in but their colour") 
   CHECK(latticeVisibility(grey, latticeView()).value() == 0.0);
 }
 
-TEST_CASE("lattice visibility is what sorting the pixels by their distance gives") {
+TEST_CASE("lattice visibility agrees with sorting the pixels by their distance") {
   const LatticeView view = latticeView();
   const SrgbImage image = latticeModulated(view, 10);
   // 0.01: classes end at one of 4096 steps of distance, not at a pixel.
@@ -236,7 +236,7 @@ TEST_CASE("lattice visibility is what sorting the pixels by their distance gives
         Approx(slowLatticeVisibility(image, view)).margin(0.01));
 }
 
-TEST_CASE("a contrast that follows the lattice is found, a stationary one is not") {
+TEST_CASE("contrast that follows the lattice is found, stationary contrast is not") {
   const LatticeView view = latticeView();
   const SrgbImage modulated = latticeModulated(view, 11);
   CHECK(latticeVisibility(modulated, view).value() >
@@ -253,7 +253,7 @@ TEST_CASE("a contrast that follows the lattice is found, a stationary one is not
   CHECK(exceeded <= 3);
 }
 
-TEST_CASE("the same modulation seen with a wrong lattice is not found") {
+TEST_CASE("the same modulation is not found with a wrong lattice") {
   const LatticeView view = latticeView();
   LatticeView wrong = view;
   wrong.tilesPerPixelX *= 1.37;
@@ -338,7 +338,7 @@ TEST_CASE("the measures are the same bytes on one thread and on many") {
   CHECK(all() == many);
 }
 
-TEST_CASE("images that a measure cannot use are refused with their sizes") {
+TEST_CASE("the error for images that a measure cannot use states their sizes") {
   const SrgbImage empty;
   const SrgbImage small = whiteNoise(20, 20, 19);
   const SrgbImage large = whiteNoise(100, 100, 20);
@@ -349,7 +349,7 @@ TEST_CASE("images that a measure cannot use are refused with their sizes") {
     CHECK(result.error().message.find(part) != std::string::npos);
   };
   refused(colorDistance(empty, large), ErrorKind::badInput, "the exemplar is 0 x 0");
-  refused(colorDistance(large, color), ErrorKind::badInput, "both must be grey");
+  refused(colorDistance(large, color), ErrorKind::badInput, "expected both grey");
   refused(spectrumDistanceDb(large, small), ErrorKind::badInput, "the result is 20 x 20");
   refused(seamVisibility(small, large), ErrorKind::badInput, "at least 49");
   refused(autocovarianceError(large, large, 26), ErrorKind::usage, "2 to 25");

@@ -27,7 +27,7 @@ std::vector<float> whiteNoise(int width, int height, std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("luminance weighs the colours and ignores alpha") {
+TEST_CASE("luminance weights the colours and ignores alpha") {
   SrgbImage image(1, 1, 4);
   image.values = {0.5f, 0.25f, 1.0f, 0.1f};
   CHECK(luminancePlane(image)[0] == Approx(0.2126 * 0.5 + 0.7152 * 0.25 + 0.0722));
@@ -48,7 +48,7 @@ TEST_CASE("the radial power of white noise is its variance at every frequency") 
     CHECK(power[ring] == Approx(1.0 / 12.0).epsilon(0.05));
 }
 
-TEST_CASE("a cosine's power stands in its own ring and, by the window, the next ones") {
+TEST_CASE("a cosine's power is in its own ring and, through the window, the next ones") {
   constexpr int kWidth = 256, kHeight = 192, kCrop = 64, kCycles = 10;
   constexpr double kAmplitude = 0.1;
   int ringSize = 0;
@@ -102,7 +102,7 @@ TEST_CASE("autocovariance agrees with the sum over pairs") {
   }
 }
 
-TEST_CASE("the cross-spectrum is that of the covariances of two planes, around the borders") {
+TEST_CASE("the cross-spectrum is the transform of the wrapped covariances of two planes") {
   for (const auto& [width, height] : {std::pair{12, 7}, std::pair{5, 8}, std::pair{1, 3}}) {
     const std::vector<float> a = whiteNoise(width, height, 5);
     const std::vector<float> b = whiteNoise(width, height, 6);
@@ -143,7 +143,8 @@ TEST_CASE("the power of white noise is its variance on average") {
   CHECK(mean == Approx(1.0 / 12.0).epsilon(4.5 / std::sqrt(double(kSide * kColumns))));
 }
 
-TEST_CASE("the smooth component has the jumps across the borders for its Laplacian, and no mean") {
+TEST_CASE(
+    "the Laplacian of the smooth component is the jumps across the borders, and its mean is 0") {
   // [M11] eq. 9, which determines the periodic component.
   for (const auto& [width, height] :
        {std::pair{16, 12}, std::pair{13, 7}, std::pair{1, 9}, std::pair{8, 1}, std::pair{1, 1}}) {

@@ -65,7 +65,7 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
 
 } // namespace
 
-TEST_CASE("every name in docs/theory.md is in the code, and where it says") {
+TEST_CASE("every name in docs/theory.md is in the file that it states") {
   std::map<std::string, std::string> code;
   for (const auto& [path, text] : sources())
     if (path.rfind("tests/", 0) != 0 && path.rfind("samples/", 0) != 0)

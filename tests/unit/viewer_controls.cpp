@@ -86,14 +86,14 @@ std::set<char> keysOfManual() {
 
 } // namespace
 
-TEST_CASE("an orbit camera that is not moved is the camera it started from") {
+TEST_CASE("an orbit camera that is not moved equals the camera that it started from") {
   Camera start = levelCamera();
   start.worldFromCamera[0] = glm::dvec4(0.0, 1.0, 0.0, 0.0); // rolled by a quarter
   start.worldFromCamera[1] = glm::dvec4(-1.0, 0.0, 0.0, 0.0);
   CHECK(OrbitCamera(start, kSubject).camera().worldFromCamera == start.worldFromCamera);
 }
 
-TEST_CASE("turning keeps the distance and looks at the subject from the other side") {
+TEST_CASE("half an orbit keeps the distance and shows the subject from the other side") {
   OrbitCamera orbit(levelCamera(), kSubject);
   orbit.turn({1.0f, 0.0f}); // half a circle
   checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, -5.0f});
@@ -105,7 +105,7 @@ TEST_CASE("turning keeps the distance and looks at the subject from the other si
   CHECK(glm::determinant(axes) == Approx(1.0));
 }
 
-TEST_CASE("however far it is turned up, the camera stays upright and short of the pole") {
+TEST_CASE("orbiting up never passes the pole, and the camera stays upright") {
   OrbitCamera orbit(levelCamera(), kSubject);
   for (int k = 0; k < 50; ++k)
     orbit.turn({0.1f, 0.3f});
@@ -116,7 +116,7 @@ TEST_CASE("however far it is turned up, the camera stays upright and short of th
   CHECK(glm::distance(eyeOf(camera), kSubject.center) == Approx(8.0f));
 }
 
-TEST_CASE("panning by a window's height moves what is at the subject by a window's height") {
+TEST_CASE("panning by a window's height moves the subject by a window's height") {
   OrbitCamera orbit(levelCamera(), kSubject);
   orbit.pan({0.0f, 1.0f}); // downwards: the camera goes up
   checkClose(eyeOf(orbit.camera()), {1.0f, 10.0f, 11.0f});
@@ -124,7 +124,7 @@ TEST_CASE("panning by a window's height moves what is at the subject by a window
   checkClose(eyeOf(orbit.camera()), {-3.0f, 10.0f, 11.0f});
 }
 
-TEST_CASE("zooming comes closer by factors, back as many, and never through the subject") {
+TEST_CASE("zooming multiplies the distance, can be undone and never passes the subject") {
   OrbitCamera orbit(levelCamera(), kSubject);
   orbit.zoom(1.0f);
   CHECK(eyeOf(orbit.camera()).z - 3.0 == Approx(8.0f / 1.1f));
@@ -137,7 +137,7 @@ TEST_CASE("zooming comes closer by factors, back as many, and never through the 
   CHECK(std::isfinite(eyeOf(orbit.camera()).z));
 }
 
-TEST_CASE("far from the world's origin the camera turns, moves and zooms as at it") {
+TEST_CASE("the camera moves far from the world's origin as it does at the origin") {
   const glm::dvec3 way{1e7 + 0.1, -2e7 + 0.3, 3e7 - 0.7};
   Camera start = levelCamera();
   start.worldFromCamera[3] += glm::dvec4(way, 0.0);
@@ -152,7 +152,7 @@ TEST_CASE("far from the world's origin the camera turns, moves and zooms as at i
   CHECK(glm::distance(eyeOf(away.camera()) - way, eyeOf(home.camera())) < 1e-5);
 }
 
-TEST_CASE("an orthographic camera zooms by the size of its view") {
+TEST_CASE("an orthographic camera zooms by changing the size of its view") {
   Camera start = levelCamera();
   start.perspective = false;
   start.halfHeight = 3.0f;
@@ -163,7 +163,7 @@ TEST_CASE("an orthographic camera zooms by the size of its view") {
   checkClose(eyeOf(orbit.camera()), {1.0f, 2.0f, 11.0f});
 }
 
-TEST_CASE("each key changes its own quantity, and Shift and R take it back") {
+TEST_CASE("each key changes its own quantity, and Shift and R undo it") {
   Look start;
   start.exposureEv = 1.0f;
   std::set<std::string> summaries;
@@ -189,7 +189,7 @@ TEST_CASE("four presses double a factor, and no number of them leaves its range"
   CHECK(lookAfter(controls, std::string(200, 'E')).exposureEv == 20.0f);
 }
 
-TEST_CASE("choices go around: the file's own, then each, then the file's own") {
+TEST_CASE("choices cycle: the file's own, then each, then the file's own") {
   Controls controls({"moss", "rock"}, {});
   CHECK(lookAfter(controls, "T").noise.noise == 0u);
   CHECK(lookAfter(controls, "T").noise.noise == 1u);
@@ -211,7 +211,7 @@ TEST_CASE("choices go around: the file's own, then each, then the file's own") {
   CHECK(lookAfter(controls, "D").debugView.empty());
 }
 
-TEST_CASE("a noise that a changed file no longer has is no longer chosen") {
+TEST_CASE("a chosen noise is deselected when the changed file no longer has it") {
   Controls controls({"moss", "rock"}, {});
   lookAfter(controls, "TT");
   controls.setNoises({"moss"});
@@ -219,7 +219,7 @@ TEST_CASE("a noise that a changed file no longer has is no longer chosen") {
   CHECK(controls.summary().empty());
 }
 
-TEST_CASE("keys that ask for something say what, others nothing") {
+TEST_CASE("keys with a request return it, other keys return nothing") {
   Controls controls({}, {});
   CHECK(controls.press({'F'}) == Request::fit);
   CHECK(controls.press({'W'}) == Request::screenshot);
@@ -235,7 +235,7 @@ TEST_CASE("the help and the manual have every key, and no other") {
   CHECK(keysOfManual() == handledKeys());
 }
 
-TEST_CASE("a file counts as changed once, when two looks in turn see it alike") {
+TEST_CASE("a file counts as changed once, when two checks in a row agree") {
   const auto stamp = [](std::uintmax_t bytes) {
     return FileStamp{std::filesystem::file_time_type{}, bytes};
   };
@@ -260,7 +260,7 @@ TEST_CASE("a file counts as changed once, when two looks in turn see it alike") 
   CHECK(watch.look(stamp(12), start) == Change::written); // it is back
 }
 
-TEST_CASE("a screenshot takes the first name that no file has") {
+TEST_CASE("a screenshot gets the first free name") {
   const TemporaryFolder folder;
   const std::filesystem::path scene = "elsewhere/moss.glb";
   CHECK(screenshotPath(folder.path(), scene).value() == folder.path() / "moss_001.png");

@@ -48,7 +48,7 @@ std::string verdict(double modelError, const TextonShape& shape) {
   if (modelError <= kCloseError)
     return "close to the photograph's spectrum, with the colours and outlines of Gaussian noise";
   return fmt::format("not close to the photograph's spectrum{}",
-                     isSupportWhole(shape) ? "" : ", a larger --support comes closer");
+                     isSupportWhole(shape) ? "" : " (a larger --support comes closer)");
 }
 
 std::string qualityNote(const TextonQuality& quality, const TextonShape& shape, double impacts) {
@@ -57,12 +57,12 @@ std::string qualityNote(const TextonQuality& quality, const TextonShape& shape, 
       "0.48){}; flatness {:.2f}",
       verdict(quality.modelError, shape), quality.modelError,
       quality.heldOutError
-          ? fmt::format(", and {:.3f} for a half of the exemplar fitted to the other",
+          ? fmt::format(", and {:.3f} if one half of the exemplar is fitted to the other",
                         *quality.heldOutError)
           : "",
       quality.flatness);
   if (quality.flatness * kUsualImpacts > kEnoughFlatness * impacts)
-    text += fmt::format(", with {:g} impacts few: --impacts {:.0f} makes the values nearly normal",
+    text += fmt::format("; {:g} impacts are few: --impacts {:.0f} makes the values nearly normal",
                         impacts, std::ceil(quality.flatness / KernelJudgement::kNearlyNormal));
   return text;
 }
@@ -103,7 +103,7 @@ public:
       result.notes.push_back(*std::move(line));
     result.notes.push_back(qualityNote(bake.quality, shape, material.impacts));
     result.json["texton"] = asJson(bake.quality);
-    result.facts.emplace_back("Impacts", fmt::format("{:g} to a point, {}", material.impacts,
+    result.facts.emplace_back("Impacts", fmt::format("{:g} per point, {}", material.impacts,
                                                      nameOf(material.pointProcess)));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
@@ -146,21 +146,21 @@ Json laterSteps(const std::vector<TextonStep>& steps) {
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material) {
   addValue(verb, "--support", texton.support,
            wholeNumber(int(kTextonSupportRange.least), int(kTextonSupportRange.most)), "64",
-           "Texels a side that one impact reaches")
+           "Side of the texton in texels; slower variation is lost")
       .group(kHeading);
   addValue(verb, "--order", texton.order, oneOf<int>({{"0", 0}, {"1", 1}, {"3", 3}}), "1",
-           "Of the B-spline between texels: steps, linear, or smooth enough for bumps")
+           "B-spline between texels: 0 nearest, 1 linear, 3 cubic, smooth enough for bumps")
       .group(kHeading);
   addValue(verb, "--impacts", material.impacts, number(kImpactsRange), "30",
-           "How many impacts reach a point, in the mean")
+           "Mean number of impacts at a point")
       .group(kHeading);
   addValue(verb, "--points", material.pointProcess, pointProcess(), "stratified",
-           "One impact in each cell of a grid, or a Poisson process")
+           "One impact per grid cell, or a Poisson process")
       .group(kHeading);
   const Choices<TextonVariance> variances{{"exemplar", TextonVariance::exemplar},
                                           {"periodic", TextonVariance::periodic}};
   addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
-           "Whose contrast the noise has: the exemplar's, or its periodic component's")
+           "Contrast of the exemplar, or of its periodic component")
       .group(kHeading);
 }
 
@@ -185,7 +185,7 @@ std::optional<std::string> supportNote(int supportWanted, const TextonShape& sha
   const int wanted = supportWanted - shape.order; // in coefficients
   if (wanted <= std::min(shape.coefficientsX, shape.coefficientsY))
     return std::nullopt;
-  return fmt::format("--support {}: the exemplar has {} x {} pixels, and the texton no more",
+  return fmt::format("--support {}: the exemplar has {} x {} pixels, which limits the texton",
                      supportWanted, shape.texelsPerTileX, shape.texelsPerTileY);
 }
 
@@ -193,12 +193,12 @@ std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shap
   const auto [least, most] =
       std::minmax_element(quality.modelErrors.begin(), quality.modelErrors.end());
   if (quality.modelErrors.size() == 1)
-    return fmt::format("the texton is {}: relative model error {:.3f}; {:.3f} of the deviation is "
-                       "what one texton lacks",
+    return fmt::format("the texton is {}: relative model error {:.3f}; one texton cannot show "
+                       "{:.3f} of the deviation",
                        verdict(*most, shape), *least, quality.rankError);
   return fmt::format(
       "the textons are {}: relative model errors {:.3f} to {:.3f}; neighbours differ "
-      "by {:.3f} of their deviation at most",
+      "by at most {:.3f} of their deviation",
       verdict(*most, shape), *least, *most, quality.largestStep);
 }
 
@@ -208,7 +208,7 @@ std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb)
   const Choices<TextonFit> fits{{"transport", TextonFit::transport},
                                 {"projections", TextonFit::projections}};
   addValue(verb, "--fit", options->options.fit, oneOf(fits), "transport",
-           "By least transport distance, or by the paper's alternating projections")
+           "Least transport distance, or the paper's alternating projections")
       .group(kHeading);
   return options;
 }
@@ -216,10 +216,10 @@ std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb)
 std::unique_ptr<const UseOptions> TextonCommand::addSynthOptions(CLI::App& verb) const {
   auto options = std::make_unique<Use>();
   addValue(verb, "--impacts", options->impacts, optional(number(kImpactsRange)), "",
-           "How many impacts reach a point, in the mean [default: the material's]")
+           "Mean number of impacts at a point [default: the material's]")
       .group(kHeading);
   addValue(verb, "--points", options->points, optional(pointProcess()), "",
-           "One impact in each cell of a grid, or a Poisson process [default: the material's]")
+           "One impact per grid cell, or a Poisson process [default: the material's]")
       .group(kHeading);
   return options;
 }
@@ -242,7 +242,7 @@ std::vector<std::string> TextonCommand::linesOf(const Noise& noise,
                                                 const MaterialNoise& use) const {
   const auto& shape = noise.as<TextonShape>();
   std::string text =
-      fmt::format("textons of {} x {} texels, order {}, {:g} impacts a point, {}",
+      fmt::format("textons of {} x {} texels, order {}, {:g} impacts per point, {}",
                   shape.coefficientsX + shape.order, shape.coefficientsY + shape.order, shape.order,
                   use.impacts, nameOf(use.pointProcess));
   return {text + (shape.steps > 1 ? fmt::format("; {} steps", shape.steps) : "")};

@@ -74,7 +74,7 @@ std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bou
             : fmt::format(
                   "the values of {}{} are matched within {:.3f} % of the optimum, certified",
                   nameOf(bound.map),
-                  isMoved(bound.map, bounds) ? ", moved to go with the other maps," : "",
+                  isMoved(bound.map, bounds) ? ", moved first to fit the other maps," : "",
                   100.0 * bound.excess()));
   return notes;
 }
@@ -151,7 +151,7 @@ public:
     if (steps <= kManySteps || steps >= kMostTileRotation)
       return {};
     return {
-        fmt::format("--tile-rotation {}: a number of steps of a turn, not an angle; 2 or 4 keep "
+        fmt::format("--tile-rotation {}: the number of directions, not an angle; 2 or 4 preserve "
                     "the finest detail, free is any angle",
                     steps)};
   }
@@ -163,7 +163,7 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
            "Exponent of the blend weights [default: the material's]")
       .group(kHeading);
   addValue(verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
-           "Into how many directions tiles are turned at random, each by itself [default: the "
+           "Number of directions for random tile rotation: none, 2, 4, ..., or free [default: the "
            "material's]")
       .group(kHeading);
   return options;
@@ -217,17 +217,17 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb)
                                          {"default", TransportEffort::standard},
                                          {"exact", TransportEffort::exact}};
   addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
-           "How near to optimal colours are matched")
+           "Quality of the colour matching (optimal transport)")
       .group(kHeading);
   const Choices<LookupTable> luts{{"joint", LookupTable::joint},
                                   {"separable", LookupTable::separable}};
   addValue(verb, "--lut", tiling.lut, oneOf(luts), "joint",
-           "One table of all colours, or a small one for each axis of colour")
+           "Inverse table: joint over all colours, or separable, a small one per colour axis")
       .group(kHeading);
   const Choices<GaussianOnly> gaussian{
       {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
   addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
-           "Whether the exemplar's values are Gaussian, and need no table")
+           "Store no inverse table; auto omits it if the values are Gaussian")
       .group(kHeading);
   return options;
 }
@@ -238,14 +238,13 @@ std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb)
                                          {"variance", BlendOperator::variancePreserving},
                                          {"linear", BlendOperator::linear}};
   addValue(verb, "--blend", options->evaluation.blend, oneOf(operators), "histogram",
-           "histogram is the method; the others show what it mends")
+           "How tiles are blended; variance and linear show what histogram repairs")
       .group(kHeading);
   addValue(verb, "--taps", options->evaluation.quality.taps,
-           oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3",
-           "How many tiles are fetched at most, as a host of the shaders may choose")
+           oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3", "Tiles fetched per point")
       .group(kHeading);
   addValue(verb, "--one-tap", options->evaluation.quality.oneTapTiles, number(kOneTapTilesRange),
-           "0", "Pixels of so many tiles a side and larger take one; 0: none")
+           "0", "Fetch one tile for pixels of at least this many tiles per side; 0: never")
       .group(kHeading);
   return options;
 }

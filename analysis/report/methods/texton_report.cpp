@@ -11,12 +11,13 @@ namespace lichen {
 namespace {
 
 Measure flatnessMeasure(const KernelComparison& kernels) {
-  return {"flatness",
-          "",
-          "how unlike the magnitudes of the texton's texels are; a tenth of the impacts it takes",
-          kernels.texton.flatness,
-          kFlatnessTarget,
-          {}};
+  return {
+      "flatness",
+      "",
+      "how much the magnitudes of the texton's texels differ; ten times as many impacts are enough",
+      kernels.texton.flatness,
+      kFlatnessTarget,
+      {}};
 }
 
 Measure modelErrorMeasure(const KernelComparison& kernels) {
@@ -90,8 +91,8 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
     for (Measure& measure : comparison.measures)
       if (measure.name == kGaussianSpectrumDistanceName && measure.value) {
         measure.target.reset();
-        measure.remark = "no target: the map was enlarged to the size of the largest, and has "
-                         "nothing to compare in the finest waves";
+        measure.remark = "no target: the map was enlarged to the size of the largest, so it "
+                         "has no finest detail to compare";
       }
   comparison.measures.push_back(modelErrorMeasure(kernels.value()));
   comparison.measures.push_back(flatnessMeasure(kernels.value()));
@@ -109,7 +110,7 @@ Result<JsonTree> TextonReport::image(const Bundle& bundle, const Noise& noise, c
     return shown;
   shown.value()["title"] = "Texton";
   shown.value()["text"] =
-      "The image that is added up at random places with random signs, enlarged; "
+      "The image that the noise adds up at random points with random signs, enlarged; "
       "grey is zero.";
   return shown;
 }

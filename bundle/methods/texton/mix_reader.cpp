@@ -21,7 +21,7 @@ std::array<double, 2> readPlace(ObjectReader& reader, const char* key,
   if (place && place->size() == 2)
     return {(*place)[0], (*place)[1]};
   if (place)
-    reader.error("count", key, std::to_string(place->size()) + " values; 2 are accepted");
+    reader.error("count", key, std::to_string(place->size()) + " values; expected 2");
   return preset;
 }
 
@@ -30,7 +30,7 @@ void readDirection(ObjectReader& reader, MixWeight& mix) {
   mix.end = readPlace(reader, "end", mix.end);
   if (std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixWay)
     reader.error("mix-direction", "end",
-                 "nearer than 0.000001 to start; a place further away is accepted");
+                 "closer than 0.000001 to start; expected a place further away");
 }
 
 /// Reads a glTF textureInfo.
@@ -65,7 +65,7 @@ MixWeight readMixWeight(ObjectReader& material, std::size_t textures, FindingLis
     const auto source = mixSourceFrom(*name);
     if (!source)
       reader.error("mix-source", "source",
-                   quoted(*name) + "; constant, direction, texture or vertexColor is accepted");
+                   quoted(*name) + "; expected constant, direction, texture or vertexColor");
     mix.source = source.value_or(mix.source);
   }
   switch (mix.source) {

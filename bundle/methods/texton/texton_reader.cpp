@@ -20,12 +20,12 @@ std::optional<std::array<int, 2>> readPair(ObjectReader& reader, const char* key
   if (!values)
     return std::nullopt;
   if (values->size() != 2) {
-    reader.error("count", key, std::to_string(values->size()) + " values; 2 are accepted");
+    reader.error("count", key, std::to_string(values->size()) + " values; expected 2");
     return std::nullopt;
   }
   for (const double value : *values)
     if (value != std::floor(value)) {
-      reader.error("type", key, json(value).dump() + "; an integer is accepted");
+      reader.error("type", key, json(value).dump() + "; expected an integer");
       return std::nullopt;
     }
   return std::array{int((*values)[0]), int((*values)[1])};
@@ -35,7 +35,7 @@ int readOrder(ObjectReader& reader) {
   constexpr std::uint64_t kCubic = 3;
   const auto order = reader.integer("order", kCubic);
   if (order == 2u)
-    reader.error("range", "order", "2; 0, 1 or 3 is accepted");
+    reader.error("range", "order", "2; expected 0, 1 or 3");
   return int(order.value_or(1));
 }
 
@@ -46,19 +46,18 @@ void checkShape(ObjectReader& reader, const TextonShape& shape) {
   const std::string coefficients = sides(shape.coefficientsX, shape.coefficientsY);
   if (shape.coefficientsX > shape.texelsPerTileX || shape.coefficientsY > shape.texelsPerTileY)
     return reader.error("texton-coefficients", "coefficients",
-                        coefficients + "; at most those of the exemplar, " +
-                            sides(shape.texelsPerTileX, shape.texelsPerTileY) +
-                            " texels, are accepted");
+                        coefficients + "; expected at most those of the exemplar, " +
+                            sides(shape.texelsPerTileX, shape.texelsPerTileY) + " texels");
   if (shape.mipLevels > shape.mostMipLevels())
     return reader.error("texton-mip-levels", "mipLevels",
-                        std::to_string(shape.mipLevels) + "; 1 to " +
-                            std::to_string(shape.mostMipLevels()) + " is accepted for " +
-                            coefficients + " coefficients");
+                        std::to_string(shape.mipLevels) + "; expected 1 to " +
+                            std::to_string(shape.mostMipLevels()) + " for " + coefficients +
+                            " coefficients");
   const std::uint32_t most = kMaxTableSide / shape.frameHeight();
   if (std::uint32_t(shape.steps) > most)
     reader.error("texton-steps", "steps",
-                 std::to_string(shape.steps) + "; 1 to " + std::to_string(most) +
-                     " is accepted for frames of " + std::to_string(shape.frameHeight()) + " rows");
+                 std::to_string(shape.steps) + "; expected 1 to " + std::to_string(most) +
+                     " for frames of " + std::to_string(shape.frameHeight()) + " rows");
 }
 
 /// Checks that an image has the size, mip levels and format of textons with this shape and n
@@ -71,16 +70,16 @@ bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, c
   const std::uint32_t width = shape.frameWidth();
   const std::uint32_t height = shape.frameHeight() * std::uint32_t(shape.steps);
   if (image.depth != 0 || image.width != width || image.height != height)
-    return error(shapeOf(image) + " texels; " + std::to_string(width) + " x " +
-                 std::to_string(height) + " are accepted for its noise's texton");
+    return error(shapeOf(image) + " texels; expected " + std::to_string(width) + " x " +
+                 std::to_string(height) + " for its noise's texton");
   if (image.mipLevels != std::uint32_t(shape.mipLevels))
-    return error(std::to_string(image.mipLevels) + " mip levels; the noise's " +
-                 std::to_string(shape.mipLevels) + " are accepted");
+    return error(std::to_string(image.mipLevels) + " mip levels; expected the noise's " +
+                 std::to_string(shape.mipLevels));
   if (texelBytes(image.format) == std::size_t(channelCount(image.format)))
-    return error("8-bit texels; a float format is accepted");
+    return error("8-bit texels; expected a float format");
   if (usedChannels(image.format) < n)
-    return error(std::to_string(usedChannels(image.format)) + " channels; at least those of the " +
-                 "map, " + std::to_string(n) + ", are accepted");
+    return error(std::to_string(usedChannels(image.format)) +
+                 " channels; expected at least those of the map, " + std::to_string(n));
   return true;
 }
 
@@ -90,8 +89,8 @@ std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const 
   const auto values = reader.numbers(key, range);
   if (values && n != 0 && values->size() != n)
     reader.error(code, key,
-                 std::to_string(values->size()) + " values; " + std::to_string(n) +
-                     ", one a channel, are accepted");
+                 std::to_string(values->size()) + " values; expected " + std::to_string(n) +
+                     ", one per channel");
   return values.value_or(std::vector<double>());
 }
 
@@ -101,7 +100,7 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
   constexpr const char* kCode = "map-later-steps";
   constexpr const char* kKey = "laterSteps";
   if (!reader.has(kKey) && shape.steps > 1)
-    reader.error(kCode, kKey, "absent; the steps after the first are accepted");
+    reader.error(kCode, kKey, "absent; expected the steps after the first");
   if (!reader.has(kKey))
     return;
   const json* list = reader.array(kKey, kMaxTextonSteps);
@@ -110,8 +109,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
   const std::size_t later = std::size_t(shape.steps) - 1;
   if (list->size() != later)
     return reader.error(kCode, kKey,
-                        std::to_string(list->size()) + " elements; " + std::to_string(later) +
-                            ", one for each step after the first, are accepted");
+                        std::to_string(list->size()) + " elements; expected " +
+                            std::to_string(later) + ", one for each step after the first");
   for (std::size_t k = 0; k < later; ++k) {
     ObjectReader step((*list)[k], reader.pointerTo(kKey) + "/" + std::to_string(k), findings);
     const std::size_t n = map.channels.size();
@@ -122,8 +121,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
     const std::size_t losses = texton.laterSteps.back().mipLoss.size();
     if (losses != 0 && losses != texton.mipLoss.size())
       step.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; give " + std::to_string(texton.mipLoss.size()) +
-                     ", as many as in the first step");
+                 std::to_string(losses) + " values; expected " +
+                     std::to_string(texton.mipLoss.size()) + ", as many as in the first step");
   }
 }
 
@@ -170,9 +169,9 @@ MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const 
                          losses <= n * kMaxTextonLosses;
   if (losses != 0 && n != 0 && !lossesFit)
     reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; as many for each of " + std::to_string(n) +
-                     " channels, " + std::to_string(shape.mipLevels) + " to " +
-                     std::to_string(kMaxTextonLosses) + " each, are accepted");
+                 std::to_string(losses) + " values; expected as many for each of " +
+                     std::to_string(n) + " channels, " + std::to_string(shape.mipLevels) + " to " +
+                     std::to_string(kMaxTextonLosses) + " each");
   const auto fits = [n](const std::vector<double>& covariance) {
     return n != 0 && covariance.size() == n * n;
   };

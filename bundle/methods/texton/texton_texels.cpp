@@ -171,7 +171,7 @@ bool checkBorders(const Texton& texton) {
         if (texel[c] != 0.0f) {
           texton.reader.error("texton-border", "texton",
                               text(double(texel[c])) + " " + placeOf(x, y, 0) +
-                                  ", outside of the coefficients; 0 is accepted there");
+                                  ", outside the coefficients; expected 0 there");
           return false;
         }
     }
@@ -191,8 +191,8 @@ bool checkMips(const Texton& texton, std::size_t step, std::size_t channel) {
         const std::size_t row = step * mip.height + i / mip.width;
         texton.reader.error("texton-mips", "texton",
                             text(double(mip.values[i])) + " " + placeOf(i % mip.width, row, level) +
-                                "; the average of those of the level above, " +
-                                text(double(average.values[i])) + ", is accepted");
+                                "; expected the average of those of the level above, " +
+                                text(double(average.values[i])));
         return false;
       }
     average = std::move(mip);
@@ -213,8 +213,7 @@ void checkScale(const Texton& texton) {
     if (std::abs(texton.data.scale[c] - wanted) > kTextRounding * wanted)
       return texton.reader.error("texton-scale", "scale",
                                  text(texton.data.scale[c]) + " at " + std::to_string(c) +
-                                     "; six times the deviation, " + text(wanted) +
-                                     ", is accepted");
+                                     "; expected six times the deviation, " + text(wanted));
   }
 }
 
@@ -232,10 +231,10 @@ void checkCovariance(const Texton& texton, std::size_t step,
       const double stated = covariance[c * n + d];
       if (std::abs(factor * moment.value - stated) >
           factor * moment.error + kTextRounding * std::abs(stated))
-        return texton.reader.error("texton-covariance", "covariance",
-                                   text(stated) + " of channels " + std::to_string(d) + " and " +
-                                       std::to_string(c) + "; that of the texton's noise, " +
-                                       text(factor * moment.value) + ", is accepted");
+        return texton.reader.error(
+            "texton-covariance", "covariance",
+            text(stated) + " of channels " + std::to_string(d) + " and " + std::to_string(c) +
+                "; expected that of the texton's noise, " + text(factor * moment.value));
     }
 }
 
@@ -275,7 +274,7 @@ bool checkLosses(const Texton& texton, std::size_t step, std::size_t channel,
       texton.reader.error("texton-mip-loss", "mipLoss",
                           text(stated[level]) + " at " +
                               std::to_string(channel * stated.size() + level) +
-                              "; that of the texton's noise, " + text(loss) + ", is accepted");
+                              "; expected that of the texton's noise, " + text(loss));
       return false;
     }
   }

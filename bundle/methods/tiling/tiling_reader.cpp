@@ -50,16 +50,15 @@ void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaus
   const std::size_t dimensions = usedChannels(gaussian->format);
   if (map.encoding == ValueEncoding::slope || dimensions < 2)
     return reader.error("map-table-basis", "tableBasis",
-                        "of slopes or of one dimension; their tables are joint");
+                        "present for slopes or for one dimension, whose tables are joint");
   if (basis->size() != n * dimensions)
     return reader.error("map-table-basis", "tableBasis",
-                        std::to_string(basis->size()) + " values; " +
-                            std::to_string(n * dimensions) +
-                            ", for each channel one a dimension, are accepted");
+                        std::to_string(basis->size()) + " values; expected " +
+                            std::to_string(n * dimensions) + ", one per channel and dimension");
   if (offset->size() != n)
     return reader.error("map-table-basis", "tableOffset",
-                        std::to_string(offset->size()) + " values; " + std::to_string(n) +
-                            ", one a channel, are accepted");
+                        std::to_string(offset->size()) + " values; expected " + std::to_string(n) +
+                            ", one per channel");
   tiling.tableBasis = *basis;
   tiling.tableOffset = *offset;
 }
@@ -69,35 +68,34 @@ void checkGaussian(ObjectReader& reader, const NoiseMap& map, const TilingMap& t
   const auto fullChain = std::uint32_t(std::bit_width(std::max(image.width, image.height)));
   const std::size_t dimensions = usedChannels(image.format);
   if (image.depth != 0)
-    return reader.error("map-gaussian", "gaussian", shapeOf(image) + "; a 2-D image is accepted");
+    return reader.error("map-gaussian", "gaussian", shapeOf(image) + "; expected a 2-D image");
   if (image.format == TexelFormat::rgba8Srgb)
-    return reader.error("map-gaussian", "gaussian",
-                        "an sRGB format; only linear ones are accepted");
+    return reader.error("map-gaussian", "gaussian", "an sRGB format; expected a linear one");
   if (image.mipLevels != fullChain)
     return reader.error("map-gaussian", "gaussian",
-                        std::to_string(image.mipLevels) + " mip levels; the full chain of " +
-                            std::to_string(fullChain) + " is accepted");
+                        std::to_string(image.mipLevels) +
+                            " mip levels; expected the full chain of " + std::to_string(fullChain));
   if (!map.channels.empty() && dimensions > map.channels.size())
     return reader.error("map-gaussian", "gaussian",
-                        std::to_string(dimensions) + " channels; at most those of the map, " +
-                            std::to_string(map.channels.size()) + ", are accepted");
+                        std::to_string(dimensions) +
+                            " channels; expected at most those of the map, " +
+                            std::to_string(map.channels.size()));
   if (!tiling.inverseTable && !map.channels.empty() && dimensions != map.channels.size())
     return reader.error("map-gaussian", "gaussian",
                         std::to_string(dimensions) +
-                            " channels; without an inverse table those "
-                            "of the map, " +
-                            std::to_string(map.channels.size()) + ", are accepted");
+                            " channels without an inverse table; expected those of the map, " +
+                            std::to_string(map.channels.size()));
   if (tiling.mipLoss.size() != fullChain && !tiling.mipLoss.empty())
     reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(tiling.mipLoss.size()) + " values; one a mip level, " +
-                     std::to_string(fullChain) + ", are accepted");
+                 std::to_string(tiling.mipLoss.size()) + " values; expected one per mip level, " +
+                     std::to_string(fullChain));
 }
 
 void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMap& tiling,
                        const Table& table, const Table* gaussian) {
   if (table.mipLevels != 1)
     return reader.error("map-inverse-table", "inverseTable",
-                        std::to_string(table.mipLevels) + " mip levels; 1 is accepted");
+                        std::to_string(table.mipLevels) + " mip levels; expected 1");
   const bool isSlope = map.encoding == ValueEncoding::slope;
   const bool isSeparable = tableKindOf(tiling) == TableKind::separable;
   const std::size_t needed = isSeparable
@@ -105,17 +103,17 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
                                  : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
   if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
-                        std::to_string(channelCount(table.format)) + " channels; at least " +
-                            std::to_string(needed) + " are accepted");
+                        std::to_string(channelCount(table.format)) +
+                            " channels; expected at least " + std::to_string(needed));
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
   if (isUnorm && isSeparable)
     return reader.error("map-inverse-table", "inverseTable",
-                        "8-bit texels; a float format is accepted with a tableBasis");
+                        "8-bit texels with a tableBasis; expected a float format");
   if (isUnorm && !isColor)
     return reader.error("map-inverse-table", "inverseTable",
-                        "8-bit texels; a float format is accepted for the encoding " +
-                            std::string(nameOf(map.encoding)));
+                        "8-bit texels for the encoding " + std::string(nameOf(map.encoding)) +
+                            "; expected a float format");
   if (gaussian == nullptr || tiling.levels.empty())
     return;
   const auto slabs = std::uint32_t(tiling.levels.size());
@@ -127,10 +125,10 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
   const Shape& shape = shapes[isSeparable ? 0 : usedChannels(gaussian->format) - 1];
   if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
     reader.error("map-inverse-table", "inverseTable",
-                 shapeOf(table) + " texels; " + std::to_string(shape.width) + " x " +
+                 shapeOf(table) + " texels; expected " + std::to_string(shape.width) + " x " +
                      std::to_string(shape.height) +
                      (shape.depth > 0 ? " x " + std::to_string(shape.depth) : "") +
-                     " are accepted for its Gaussian image and levels");
+                     " for its Gaussian image and levels");
 }
 
 /// levels[k] = 1 - (1 - k / (L - 1))^2.
@@ -141,14 +139,14 @@ void readLevels(ObjectReader& reader, TilingMap& tiling) {
   const std::size_t count = levels->size();
   if (count < 2 || count > kMaxTableLevels)
     return reader.error("map-levels", "levels",
-                        std::to_string(count) + " values; 2 to " + std::to_string(kMaxTableLevels) +
-                            " are accepted");
+                        std::to_string(count) + " values; expected 2 to " +
+                            std::to_string(kMaxTableLevels));
   for (std::size_t k = 0; k < count; ++k) {
     const double kept = 1.0 - double(k) / double(count - 1);
     if (std::abs((*levels)[k] - (1.0 - kept * kept)) > kLevelTolerance)
       return reader.error("map-levels", "levels",
-                          json((*levels)[k]).dump() + " at " + std::to_string(k) + "; " +
-                              json(1.0 - kept * kept).dump() + " is accepted");
+                          json((*levels)[k]).dump() + " at " + std::to_string(k) + "; expected " +
+                              json(1.0 - kept * kept).dump());
   }
   tiling.levels = std::move(*levels);
 }

@@ -16,7 +16,7 @@
  *
  * Functions that can fail return a LichenResult, and outputs are untouched where that is not
  * LICHEN_SUCCESS. Those with a `diagnostic` then write one line into it, unless it is NULL, that
- * says what is wrong and what would be accepted; those without fail for a NULL argument, an index
+ * says what is wrong and what was expected; those without fail for a NULL argument, an index
  * out of range or a struct without its type and size, all LICHEN_ERROR_USAGE, or a `next` that is
  * not NULL, LICHEN_ERROR_VERSION. Nothing throws, prints or aborts.
  *
@@ -378,7 +378,7 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
  * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
 #define LICHEN_UNIFORM_BYTES 1280
 
-/* Which members of LichenUniformInfo replace the material's own values; no other bit is accepted.
+/* Which members of LichenUniformInfo replace the material's own values; no other bit is valid.
  */
 typedef enum LichenOverride {
   LICHEN_OVERRIDE_SCALE = 1,

@@ -110,7 +110,7 @@ typedef struct LichenVulkanInfo {
   uint32_t size;
   const void* next;
   uint32_t headerVersion; /* LICHEN_HEADER_VERSION */
-  uint32_t flags;         /* LichenVulkanFlags; no other bit is accepted */
+  uint32_t flags;         /* LichenVulkanFlags; no other bit is valid */
   VkPhysicalDevice physicalDevice;
   VkDevice device;
   /* Either the functions, or the loader's vkGetInstanceProcAddr and the device's instance. */

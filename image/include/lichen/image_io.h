@@ -35,7 +35,7 @@ struct ImageFile {
 };
 
 /// Called once with the size that an image's header claims, before memory is taken for its pixels;
-/// an error refuses the image. Empty: every size is accepted.
+/// an error refuses the image. Empty: every size is valid.
 using SizeCheck = std::function<Result<void>(int width, int height)>;
 
 /// Decodes a PNG (1 to 16 bit; grey, palette, RGB, alpha), a JPEG (grey, YCbCr, CMYK, YCCK) or a
