@@ -337,34 +337,33 @@ bool isNegligible(const MatrixXd& lack) {
   return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
 }
 
-JoinedImage withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
-                                 std::span<const SettledMap> settled, Gaussianized alone,
-                                 const InverseTable& table, bool periodic, ProgressPart progress) {
+Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
+                                  std::span<const SettledMap> settled, Gaussianized alone,
+                                  const InverseTable& table, bool periodic, ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
   const bool onLine = space.dimensions() == 1;
   const int passes = onLine ? kMostPassesOnLine : 1;
   const transport::TieOrder ties = onLine ? tieOrderOf(map, space) : transport::TieOrder({});
   const MatrixXf start = standardized(alone.matched, alone.dimensions);
-  JoinedImage best{std::move(alone)};
-  MatrixXd lack = covariances.lackOf(best.gaussian);
+  Gaussianized best = std::move(alone);
+  MatrixXd lack = covariances.lackOf(best);
   MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
   double gain = 1.0;
   for (int pass = 0; pass < passes && !isNegligible(lack); ++pass) {
     progress.reach(double(pass) / passes);
-    slope += gain * covariances.slopeFor(lack, best.gaussian);
+    slope += gain * covariances.slopeFor(lack, best);
     const MatrixXf moved = covariances.moved(start, slope);
-    std::vector<Point> points = onLine ? std::vector<Point>() : pointsOf(moved);
     transport::TransportOptions exchanges = kExchanges;
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
     Gaussianized next =
-        onLine ? gaussianizeInOrder(best.gaussian,
-                                    ties.by({moved.data(), std::size_t(moved.size())}), periodic)
-               : gaussianizeNear(best.gaussian, points, periodic, exchanges);
+        onLine
+            ? gaussianizeInOrder(best, ties.by({moved.data(), std::size_t(moved.size())}), periodic)
+            : gaussianizeNear(best, pointsOf(moved), periodic, exchanges);
     const MatrixXd left = covariances.lackOf(next);
     if (left.norm() >= lack.norm())
       break;
     const double reduction = 1.0 - left.cwiseProduct(lack).sum() / lack.squaredNorm();
-    best = {std::move(next), std::move(points)};
+    best = std::move(next);
     lack = left;
     if (reduction < kLeastReduction)
       break;

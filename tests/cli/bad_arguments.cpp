@@ -91,7 +91,7 @@ TEST_CASE("bake refuses option values that it does not know, with those that it 
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
                    {"--periodic maybe: auto, yes or no is accepted; see 'lichen bake --help'"});
   checkBakeRefuses({"--transport", "slow"}, kUsage,
-                   {"--transport slow: fast, default or exact is accepted"});
+                   {"--transport slow: fast or default is accepted"});
   checkBakeRefuses({"--preview", "teapot"}, kUsage,
                    {"--preview teapot: sphere, plane or none is accepted"});
   for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
