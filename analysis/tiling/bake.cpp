@@ -16,8 +16,7 @@
 #include <lichen/tiling.h>
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace lichen {
@@ -117,8 +116,8 @@ struct MapWork {
 /// cores. Twenty times as much if surrogates decide, which is rare.
 constexpr double kKindWork = 0.02;
 
-MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effort,
-                  bool choosesShare) {
+/// The work of a map. With `others` before it, it correlates with them and reuses their share.
+MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kSlabs = 0.4 * 65536.0;
   // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
@@ -127,33 +126,26 @@ MapWork workAlone(const PlannedMap& planned, bool periodic, TransportEffort effo
   constexpr double kWhitening = 0.02;
   const double pixels = double(planned.map.width) * double(planned.map.height);
   const double matchings = (periodic ? 1.0 : 2.0) * pixels;
-  const double rest = kMips * pixels;
+  const double joining =
+      others && effort != TransportEffort::fast ? 1.0 + kJoiningWork : 1.0; // of joint tables
+  MapWork work{0.0, kMips * pixels};
   switch (planned.kind) {
   case MapKind::constant:
-    return {0.0, rest};
-  case MapKind::gaussianOnly:
-    return {kWhitening * pixels, rest};
-  case MapKind::separable:
-    return {kSort * planned.space.dimensions() * matchings, rest};
-  case MapKind::sorted:
-    return {kSort * matchings, rest};
-  case MapKind::transported:
     break;
+  case MapKind::gaussianOnly:
+    work.fit = kWhitening * pixels;
+    break;
+  case MapKind::separable:
+    work.fit = kSort * planned.space.dimensions() * matchings;
+    break;
+  case MapKind::sorted:
+    work.fit = joining * kSort * matchings;
+    break;
+  case MapKind::transported:
+    const FitWork fit = fitWork(planned.map, periodic, effort);
+    work.fit = joining * fit.fit + (others ? 0.0 : fit.trial);
+    work.rest += kSlabs;
   }
-  const FitWork fit = fitWork(planned.map, periodic, effort);
-  return {(choosesShare ? fit.trial : 0.0) + fit.fit, kSlabs + rest};
-}
-
-/// The work of a map. With `others` before it, it correlates with them and reuses their share.
-MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
-  MapWork work = workAlone(planned, periodic, effort, !others);
-  const bool isJoint = planned.kind == MapKind::sorted || planned.kind == MapKind::transported;
-  if (!others || !isJoint || effort == TransportEffort::fast)
-    return work;
-  const double standard = workAlone(planned, periodic, TransportEffort::standard, false).fit;
-  // An exact transport comes after one of the default effort.
-  const bool comesTwice = effort == TransportEffort::exact && planned.kind == MapKind::transported;
-  work.fit += (kJoiningWork + (comesTwice ? 1.0 : 0.0)) * standard;
   return work;
 }
 
@@ -231,25 +223,20 @@ void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTabl
 /// in `fitting`, so that Gaussian images are similar where the maps are. If `settled` is not null,
 /// the map is appended to it for later maps.
 MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<SettledMap>* settled,
-                ProgressPart progress, TilingBake& bake) {
+                ProgressPart progress) {
   fitting.progress = progress;
   MapFit fit = fitMap(planned.map, planned.space, fitting);
-  const bool isSorted = planned.space.dimensions() == 1;
-  if (!isSorted)
+  if (planned.space.dimensions() > 1)
     fitting.share = fit.share;
   if (settled != nullptr)
     settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
-  std::optional<double> costOfUnmoved = fit.costOfUnmoved;
-  for (const TransportBound& bound : fit.gaussian.bounds)
-    bake.transportBounds.push_back(
-        {planned.map.target, bound, isSorted, std::exchange(costOfUnmoved, std::nullopt)});
   return fit;
 }
 
 /// Makes the map's tables, of the planned kind. Only a map with a joint table correlates with the
 /// `settled` maps and joins them; `settled` is nullptr if no map follows.
 MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
-                   std::vector<SettledMap>* settled, ProgressPart progress, TilingBake& bake) {
+                   std::vector<SettledMap>* settled, ProgressPart progress) {
   const MapExemplar& map = planned.map;
   const MapWork work =
       workOf(planned, fitting.periodic, fitting.transport, !fitting.settled.empty());
@@ -265,14 +252,12 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
     return {image, bits};
   }
   if (planned.kind == MapKind::separable) {
-    transport::TransportOptions options = transport::optionsFor(fitting.transport);
-    options.progress = first;
-    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision, options);
+    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision, first);
     // Code values may vary along axes where the light does not.
     if (fit.dimensions() > 1)
       return separableTables(map, fit, bits, rest);
   }
-  return jointTables(map, fitJoint(planned, fitting, settled, first, bake), bits, rest);
+  return jointTables(map, fitJoint(planned, fitting, settled, first), bits, rest);
 }
 
 /// Plans each map. `progress` covers only this step.
@@ -326,8 +311,8 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
       fitting.settled = settled;
       const ProgressPart part = bakes.part(done / whole, after / whole);
       std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
-      appendMap(map.map, map.space.moments,
-                tablesOf(map, options.bits, fitting, joined, part, bake), name, bake);
+      appendMap(map.map, map.space.moments, tablesOf(map, options.bits, fitting, joined, part),
+                name, bake);
       part.reach(1.0);
       done = after;
     }

@@ -123,6 +123,11 @@ std::vector<Index> samePlaces(const MapExemplar& other, const MapExemplar& map, 
   return pixels;
 }
 
+/// The columns of a matrix, as meanProduct() takes them.
+auto columnsOf(const MatrixXf& matrix) {
+  return [&](Index begin, Index n) { return MatrixXd(matrix.middleCols(begin, n).cast<double>()); };
+}
+
 /// B of a map: the change of the decoded values per step of z, averaged over the Gaussian (Stein's
 /// lemma).
 MatrixXd decoderOf(const MapExemplar& map, const exemplar::ColorSpace& space,
@@ -130,10 +135,7 @@ MatrixXd decoderOf(const MapExemplar& map, const exemplar::ColorSpace& space,
   const auto values = [&](Index begin, Index n) {
     return valuesOf(map, space, samePlaces(map, map, begin, n));
   };
-  const auto gaussian = [&](Index begin, Index n) {
-    return MatrixXd(matched.middleCols(begin, n).cast<double>());
-  };
-  return meanProduct(matched.cols(), values, gaussian) / space.deviation();
+  return meanProduct(matched.cols(), values, columnsOf(matched)) / space.deviation();
 }
 
 /// Settled maps with stacked coordinates, sampled at the pixels of another map.
@@ -149,46 +151,33 @@ public:
     });
   }
 
-  [[nodiscard]] Index coordinates() const { return coordinates_; }
   /// B of all maps, as diagonal blocks.
   [[nodiscard]] const MatrixXd& decoders() const { return decoders_; }
 
   /// One field of all maps at `n` pixels.
   [[nodiscard]] MatrixXd fieldAt(MatrixXf SettledMap::*field, Index begin, Index n) const {
-    MatrixXd stacked(coordinates_, n);
-    eachMap([&](const SettledMap& other, Index row, Index rows) {
-      stacked.middleRows(row, rows) =
-          (other.*field)(Eigen::all, samePlaces(*other.map, map_, begin, n))
-              .template cast<double>();
+    return stacked(n, [&](const SettledMap& other) {
+      return MatrixXd((other.*field)(Eigen::all, samePlaces(*other.map, map_, begin, n))
+                          .template cast<double>());
     });
-    return stacked;
   }
 
   [[nodiscard]] MatrixXd valuesAt(Index begin, Index n) const {
-    MatrixXd stacked(coordinates_, n);
-    eachMap([&](const SettledMap& other, Index row, Index rows) {
-      stacked.middleRows(row, rows) =
-          valuesOf(*other.map, other.space, samePlaces(*other.map, map_, begin, n)) /
-          other.space.deviation();
+    return stacked(n, [&](const SettledMap& other) {
+      return MatrixXd(valuesOf(*other.map, other.space, samePlaces(*other.map, map_, begin, n)) /
+                      other.space.deviation());
     });
-    return stacked;
   }
 
   [[nodiscard]] MatrixXd blendsAt(Index begin, Index n) const {
-    MatrixXd stacked(coordinates_, n);
-    eachMap([&](const SettledMap& other, Index row, Index rows) {
-      stacked.middleRows(row, rows) = other.blends.gaussian.middleCols(begin, n).cast<double>();
-    });
-    return stacked;
+    return stacked(
+        n, [&](const SettledMap& other) { return columnsOf(other.blends.gaussian)(begin, n); });
   }
 
   [[nodiscard]] MatrixXd decodedBlendsAt(Index begin, Index n) const {
-    MatrixXd stacked(coordinates_, n);
-    eachMap([&](const SettledMap& other, Index row, Index rows) {
-      stacked.middleRows(row, rows) =
-          other.blends.values.middleCols(begin, n).cast<double>() / other.space.deviation();
+    return stacked(n, [&](const SettledMap& other) {
+      return MatrixXd(columnsOf(other.blends.values)(begin, n) / other.space.deviation());
     });
-    return stacked;
   }
 
 private:
@@ -198,6 +187,15 @@ private:
       visit(other, row, Index(other.space.dimensions()));
       row += other.space.dimensions();
     }
+  }
+
+  /// `n` columns of all maps, one row per coordinate.
+  [[nodiscard]] MatrixXd stacked(Index n, const auto& columnsOfMap) const {
+    MatrixXd all(coordinates_, n);
+    eachMap([&](const SettledMap& other, Index row, Index rows) {
+      all.middleRows(row, rows) = columnsOfMap(other);
+    });
+    return all;
   }
 
   const MapExemplar& map_;
@@ -232,14 +230,12 @@ public:
     const MatrixXf image = standardized(gaussian.image, gaussian.dimensions);
     const MatrixXd decoder =
         decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions));
-    const auto own = [&](Index begin, Index n) {
-      return MatrixXd(image.middleCols(begin, n).cast<double>());
-    };
     const auto others = [&](Index begin, Index n) {
       return settled_.fieldAt(&SettledMap::image, begin, n);
     };
     return wanted_ - nonlinearPart(decodedBlends(gaussian, table_), decoder) -
-           settled_.decoders() * meanProduct(image.cols(), others, own) * decoder.transpose();
+           settled_.decoders() * meanProduct(image.cols(), others, columnsOf(image)) *
+               decoder.transpose();
   }
 
   /// P x D: how much of each settled coordinate to add to z so that the linear part grows by
@@ -285,13 +281,11 @@ private:
       return MatrixXd(blends.values.middleCols(begin, n).cast<double>() / deviation_);
     };
     const auto others = [&](Index begin, Index n) { return settled_.blendsAt(begin, n); };
-    const auto own = [&](Index begin, Index n) {
-      return MatrixXd(blends.gaussian.middleCols(begin, n).cast<double>());
-    };
     const auto one = [](Index, Index n) { return MatrixXd(MatrixXd::Ones(1, n)); };
     return meanProduct(count, decodedOthers, decodedOwn) -
            meanProduct(count, decodedOthers, one) * meanProduct(count, one, decodedOwn) -
-           settled_.decoders() * meanProduct(count, others, own) * decoder.transpose();
+           settled_.decoders() * meanProduct(count, others, columnsOf(blends.gaussian)) *
+               decoder.transpose();
   }
 
   const MapExemplar& map_;
@@ -337,34 +331,33 @@ bool isNegligible(const MatrixXd& lack) {
   return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
 }
 
-JoinedImage withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
-                                 std::span<const SettledMap> settled, Gaussianized alone,
-                                 const InverseTable& table, bool periodic, ProgressPart progress) {
+Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
+                                  std::span<const SettledMap> settled, Gaussianized alone,
+                                  const InverseTable& table, bool periodic, ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
   const bool onLine = space.dimensions() == 1;
   const int passes = onLine ? kMostPassesOnLine : 1;
   const transport::TieOrder ties = onLine ? tieOrderOf(map, space) : transport::TieOrder({});
   const MatrixXf start = standardized(alone.matched, alone.dimensions);
-  JoinedImage best{std::move(alone)};
-  MatrixXd lack = covariances.lackOf(best.gaussian);
+  Gaussianized best = std::move(alone);
+  MatrixXd lack = covariances.lackOf(best);
   MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
   double gain = 1.0;
   for (int pass = 0; pass < passes && !isNegligible(lack); ++pass) {
     progress.reach(double(pass) / passes);
-    slope += gain * covariances.slopeFor(lack, best.gaussian);
+    slope += gain * covariances.slopeFor(lack, best);
     const MatrixXf moved = covariances.moved(start, slope);
-    std::vector<Point> points = onLine ? std::vector<Point>() : pointsOf(moved);
     transport::TransportOptions exchanges = kExchanges;
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
     Gaussianized next =
-        onLine ? gaussianizeInOrder(best.gaussian,
-                                    ties.by({moved.data(), std::size_t(moved.size())}), periodic)
-               : gaussianizeNear(best.gaussian, points, periodic, exchanges);
+        onLine
+            ? gaussianizeInOrder(best, ties.by({moved.data(), std::size_t(moved.size())}), periodic)
+            : gaussianizeNear(best, pointsOf(moved), periodic, exchanges);
     const MatrixXd left = covariances.lackOf(next);
     if (left.norm() >= lack.norm())
       break;
     const double reduction = 1.0 - left.cwiseProduct(lack).sum() / lack.squaredNorm();
-    best = {std::move(next), std::move(points)};
+    best = std::move(next);
     lack = left;
     if (reduction < kLeastReduction)
       break;

@@ -28,13 +28,6 @@ struct SettledMap {
   DecodedBlends blends;    ///< decoded values minus their mean, on the axes of `space`
 };
 
-/// A Gaussian image and the points that it was matched from. `points` is empty if the image did not
-/// change, or if only ties were exchanged in one dimension.
-struct JoinedImage {
-  Gaussianized gaussian;
-  std::vector<Point> points{};
-};
-
 /// Returns whether the root mean square of the missing correlations is too small to measure.
 [[nodiscard]] bool isNegligible(const Eigen::MatrixXd& lack);
 
@@ -45,10 +38,10 @@ struct JoinedImage {
 /// mean square, so `table` decodes the result as well. Maps of other sizes are read at the same
 /// relative position. O(N log N) time, about 50 bytes per pixel. Throws Interrupted and
 /// std::bad_alloc.
-[[nodiscard]] JoinedImage withCrossCovariances(const MapExemplar& map,
-                                               const exemplar::ColorSpace& space,
-                                               std::span<const SettledMap> settled,
-                                               Gaussianized alone, const InverseTable& table,
-                                               bool periodic, ProgressPart progress);
+[[nodiscard]] Gaussianized withCrossCovariances(const MapExemplar& map,
+                                                const exemplar::ColorSpace& space,
+                                                std::span<const SettledMap> settled,
+                                                Gaussianized alone, const InverseTable& table,
+                                                bool periodic, ProgressPart progress);
 
 } // namespace lichen::tiling

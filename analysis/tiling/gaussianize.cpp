@@ -3,7 +3,6 @@
 #include "gaussianize.h"
 
 #include "gaussian/cross_fade.h"
-#include "transport/lower_bound.h"
 #include "transport/rank_matching.h"
 
 #include <algorithm>
@@ -16,22 +15,24 @@ using transport::TransportOptions;
 
 namespace {
 
-/// Part of the progress before a certificate: half a second of several.
-constexpr double kAssignmentOfProgress = 0.1;
+/// The target of each source.
+std::vector<Point> permuted(const std::vector<Point>& targets,
+                            const std::vector<std::uint32_t>& assignment) {
+  std::vector<Point> matched(assignment.size());
+  std::transform(assignment.begin(), assignment.end(), matched.begin(),
+                 [&](std::uint32_t target) { return targets[target]; });
+  return matched;
+}
 
 /// Reorders the targets to match the sources, which are already close to them.
 std::vector<Point> rematched(const std::vector<Point>& sources, const std::vector<Point>& targets,
                              int dimensions, const TransportOptions& options) {
   if (dimensions == 1)
     return transport::matchedByRank(sources, targets);
-  std::vector<Point> matched(sources.size());
   std::vector<std::uint32_t> asTheyAre(targets.size());
   std::iota(asTheyAre.begin(), asTheyAre.end(), 0u);
-  const std::vector<std::uint32_t> assignment =
-      transport::improveAssignment(sources, targets, std::move(asTheyAre), options);
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    matched[i] = targets[assignment[i]];
-  return matched;
+  return permuted(targets,
+                  transport::improveAssignment(sources, targets, std::move(asTheyAre), options));
 }
 
 /// `near` with other points matched to its pixels and an image made from them.
@@ -49,39 +50,22 @@ Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, boo
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
                          bool periodic, gaussian::Precision precision,
-                         const TransportOptions& options,
-                         const std::optional<CertificateSteps>& certificate) {
-  Gaussianized result;
-  result.width = map.width;
-  result.height = map.height;
-  result.dimensions = dimensions;
+                         const TransportOptions& options) {
+  Gaussianized result{map.width, map.height, dimensions, {}, {}};
   const std::vector<Point> stratified =
       gaussian::stratifiedGaussian(points.size(), dimensions, precision);
-  const auto matchTo = [&](const std::vector<Point>& sources, double CertificateSteps::*step,
-                           double begin, double end) {
+  const auto matchTo = [&](const std::vector<Point>& sources, double begin, double end) {
     TransportOptions part = options;
-    const bool certified = certificate && dimensions > 1;
-    const double middle = certified ? begin + kAssignmentOfProgress * (end - begin) : end;
-    part.progress = options.progress.part(begin, middle);
-    std::vector<std::uint32_t> assignment = transport::assign(sources, stratified, part);
-    if (certified)
-      result.bounds.push_back(transport::improveByAuction(sources, stratified, assignment,
-                                                          (*certificate).*step,
-                                                          options.progress.part(middle, end)));
-    else if (certificate) // points in one dimension are sorted
-      result.bounds.push_back(transport::boundOfOptimum(sources, stratified, assignment));
-    std::vector<Point> matched(sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      matched[i] = stratified[assignment[i]];
-    return matched;
+    part.progress = options.progress.part(begin, end);
+    return permuted(stratified, transport::assign(sources, stratified, part));
   };
   if (periodic) {
-    result.image = result.matched = matchTo(points, &CertificateSteps::points, 0.0, 1.0);
+    result.image = result.matched = matchTo(points, 0.0, 1.0);
     return result;
   }
-  result.matched = matchTo(points, &CertificateSteps::points, 0.0, 0.5);
-  result.image = matchTo(gaussian::crossFadeBorders(result.matched, map.width, map.height),
-                         &CertificateSteps::faded, 0.5, 1.0);
+  result.matched = matchTo(points, 0.0, 0.5);
+  result.image =
+      matchTo(gaussian::crossFadeBorders(result.matched, map.width, map.height), 0.5, 1.0);
   return result;
 }
 

@@ -9,7 +9,6 @@
 #include <lichen/tiling.h>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace lichen::tiling {
@@ -25,24 +24,13 @@ struct Gaussianized {
   /// The Gaussian point matched to each pixel of the exemplar, before borders are blended: the
   /// pairs that the inverse table is fitted to.
   std::vector<Point> matched;
-  /// One per transport, if certified: how close it is to the optimum.
-  std::vector<TransportBound> bounds{};
-};
-
-/// Tolerances of transport::improveByAuction(), one for each transport.
-struct CertificateSteps {
-  double points = 0.0; ///< for the exemplar's points
-  double faded = 0.0;  ///< for the image with cross-faded borders
 };
 
 /// Matches the exemplar's points to the stratified Gaussian set. If `periodic` is false, the
-/// borders are then cross-faded and the image is matched to the set again. With `certificate`,
-/// auctions improve and bound both transports; one-dimensional transports are already optimal, and
-/// their bound is their cost.
+/// borders are then cross-faded and the image is matched to the set again.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
                                        int dimensions, bool periodic, gaussian::Precision precision,
-                                       const transport::TransportOptions& options,
-                                       const std::optional<CertificateSteps>& certificate = {});
+                                       const transport::TransportOptions& options);
 
 /// Gaussianizes points close to those that `near` was made from, in the same order, by exchanges
 /// that start from the matching of `near`.

@@ -193,10 +193,9 @@ InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point>
   }
 
   // Gaussian to Gaussian is nearly the identity: a start that the next line improves.
-  TransportOptions alike = transport::optionsFor(TransportEffort::fast);
-  alike.progress = {};
   const std::vector<std::uint32_t> cellOf = transport::improveAssignment(
-      chosenPoints, middles, transport::assign(chosenGaussian, middles, alike), options);
+      chosenPoints, middles, transport::assign(chosenGaussian, middles, transport::kFastTransport),
+      options);
 
   table.values.resize(middles.size() * std::size_t(channels));
   for (std::size_t m = 0; m < middles.size(); ++m)

@@ -4,12 +4,10 @@
 
 #include "exemplar/value_encoding.h"
 #include "spectrum_error.h"
-#include "transport/lower_bound.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace lichen::tiling {
@@ -40,17 +38,6 @@ constexpr double kTrialOfRest = 0.8;
 
 /// Part of a default fit's progress before it is correlated with settled maps.
 constexpr double kAloneOfProgress = 1.0 / (1.0 + kJoiningWork);
-
-/// Part of the progress for the default effort that precedes an exact transport.
-constexpr double kStandardOfExact = 0.1;
-
-/// Step of the certificate of an exact transport. The bound ends up about half a step below the
-/// optimum; the target is to be within 3e-4 of it.
-constexpr double kCertificateStep = 1e-4;
-
-/// The same for points that were moved: with the step above a set of 64 x 64 ends at 3.04e-4, with
-/// this one at 2.71e-4.
-constexpr double kMovedCertificateStep = 5e-5;
 
 /// Mean squared difference of adjacent pixels over twice the variance, all channels together:
 /// 1 minus their correlation.
@@ -105,32 +92,25 @@ MapExemplar middleOf(const MapExemplar& map) {
   return part;
 }
 
-/// Fits Gaussian image and table to `sources`, one per pixel; certified if the transport is exact.
-MapFit fitFrom(const MapExemplar& map, std::vector<Point> points, const std::vector<Point>& sources,
-               int dimensions, const CertificateSteps& certificate, const MapFitOptions& options) {
-  transport::TransportOptions transport = transport::optionsFor(options.transport);
-  MapFit fit;
-  fit.points = std::move(points);
+/// Fits Gaussian image and table with a share of the surroundings in every point.
+MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float share,
+               const MapFitOptions& options) {
+  const std::vector<Point> points = exemplar::transportPoints(map, space, share);
+  transport::TransportOptions transport = options.transport == TransportEffort::fast
+                                              ? transport::kFastTransport
+                                              : transport::TransportOptions{};
   transport.progress = options.progress.part(0.0, 0.7);
-  const bool exact = options.transport == TransportEffort::exact;
-  fit.gaussian = gaussianize(map, sources, dimensions, options.periodic, options.precision,
-                             transport, exact ? std::optional(certificate) : std::nullopt);
+  MapFit fit{
+      share,
+      gaussianize(map, points, space.dimensions(), options.periodic, options.precision, transport),
+      {}};
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
                  [&](float value) { return exemplar::decoded(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
-      fitInverseTable(fit.gaussian, fit.points, values, int(map.channels.size()), transport,
+      fitInverseTable(fit.gaussian, points, values, int(map.channels.size()), transport,
                       map.encoding == ValueEncoding::slope ? CellValue::mean : CellValue::onePixel);
-  return fit;
-}
-
-MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float share,
-               const MapFitOptions& options) {
-  const std::vector<Point> points = exemplar::transportPoints(map, space, share);
-  MapFit fit = fitFrom(map, points, points, space.dimensions(),
-                       {kCertificateStep, kCertificateStep}, options);
-  fit.share = share;
   return fit;
 }
 
@@ -181,77 +161,17 @@ MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
     return fitWith(map, space, std::min(exemplar::kUsualShare, options.largestShare), options);
   if (options.transport == TransportEffort::fast)
     return fitWith(map, space, expectedShare(map, space, options.largestShare), options);
-  const bool onMiddle = isTriedOnMiddle(map);
-  const bool exact = options.transport == TransportEffort::exact;
-  if (!onMiddle && !exact)
+  if (!isTriedOnMiddle(map))
     return bestTrial(map, space, options);
   const FitWork work = fitWork(map, options.periodic, options.transport);
   const double tried = work.trial / (work.trial + work.fit);
   MapFitOptions trial = options;
   trial.progress = options.progress.part(0.0, tried);
-  trial.periodic = options.periodic && !onMiddle;
-  if (exact)
-    trial.transport = TransportEffort::standard;
+  trial.periodic = false;
+  const float share = bestTrial(middleOf(map), space, trial).share;
   MapFitOptions whole = options;
   whole.progress = options.progress.part(tried, 1.0);
-  whole.share = bestTrial(onMiddle ? middleOf(map) : map, space, trial).share;
-  return fitWith(map, space, *whole.share, whole);
-}
-
-/// The cost of the given matching, minus what every matching costs.
-double matchingCost(const std::vector<Point>& points, const std::vector<Point>& matched) {
-  std::vector<std::uint32_t> itself(points.size());
-  std::iota(itself.begin(), itself.end(), 0u);
-  return transport::boundOfOptimum(points, matched, itself).centredCost;
-}
-
-/// The exact fit of points that a correction has moved, `joined`. They are scaled to the variance
-/// of the map's values. Matching the original values, `points`, costs `costOfUnmoved`; the
-/// certificate's step is a share of that.
-MapFit fitMoved(const MapExemplar& map, const exemplar::ColorSpace& space,
-                std::vector<Point> points, double costOfUnmoved, JoinedImage joined,
-                const MapFitOptions& options) {
-  const auto scale = float(space.deviation() / std::sqrt(double(space.dimensions())));
-  for (Point& point : joined.points)
-    point = {scale * point.x, scale * point.y, scale * point.z};
-  const double cost = matchingCost(joined.points, joined.gaussian.matched);
-  const double step =
-      kMovedCertificateStep * std::clamp(costOfUnmoved / cost, 1.0, 1.0 / kMovedCertificateStep);
-  MapFit fit = fitFrom(map, std::move(points), joined.points, space.dimensions(),
-                       {step, kCertificateStep}, options);
-  fit.costOfUnmoved = costOfUnmoved;
-  return fit;
-}
-
-/// Fits the map so that it correlates with earlier ones. An exact transport comes last and is
-/// certified for the moved points. In one dimension only ties are exchanged, which keeps the
-/// transport exact.
-MapFit fitJoined(const MapExemplar& map, const exemplar::ColorSpace& space,
-                 const MapFitOptions& options) {
-  const bool exact = options.transport == TransportEffort::exact && space.dimensions() > 1;
-  const double whole = exact ? kStandardOfExact : 1.0;
-  MapFitOptions alone = options;
-  alone.progress = options.progress.part(0.0, whole * kAloneOfProgress);
-  if (exact)
-    alone.transport = TransportEffort::standard;
-  MapFit fit = fitAlone(map, space, alone);
-  const double cost = exact ? matchingCost(fit.points, fit.gaussian.matched) : 0.0;
-  std::vector<TransportBound> bounds = fit.gaussian.bounds;
-  JoinedImage joined = withCrossCovariances(map, space, options.settled, std::move(fit.gaussian),
-                                            fit.table, options.periodic,
-                                            options.progress.part(whole * kAloneOfProgress, whole));
-  if (!exact) {
-    fit.gaussian = std::move(joined.gaussian);
-    fit.gaussian.bounds = std::move(bounds);
-    return fit;
-  }
-  MapFitOptions last = options;
-  last.progress = options.progress.part(whole, 1.0);
-  MapFit certified = joined.points.empty() ? fitWith(map, space, fit.share, last)
-                                           : fitMoved(map, space, std::move(fit.points), cost,
-                                                      std::move(joined), last);
-  certified.share = fit.share;
-  return certified;
+  return fitWith(map, space, share, whole);
 }
 
 } // namespace
@@ -259,29 +179,29 @@ MapFit fitJoined(const MapExemplar& map, const exemplar::ColorSpace& space,
 FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
-  // From the rounds of optionsFor() and docs/decisions/008-multiscale-transport.md.
+  // From the rounds of kFastTransport and docs/decisions/008-multiscale-transport.md.
   constexpr double kFast = 0.5;
-  // A photograph's certificate takes 4 s, its default transport 0.38 s.
-  constexpr double kExact = 12.0;
-  const double matching = effort == TransportEffort::fast    ? kFast
-                          : effort == TransportEffort::exact ? kExact
-                                                             : 1.0;
+  const bool isFast = effort == TransportEffort::fast;
   const double pixels = double(map.width) * double(map.height);
   FitWork work;
-  work.fit = kTable + matching * (periodic ? 1.0 : 2.0) * pixels;
-  if (isTriedOnMiddle(map) && effort != TransportEffort::fast)
+  work.fit = kTable + (isFast ? kFast : 1.0) * (periodic ? 1.0 : 2.0) * pixels;
+  if (isTriedOnMiddle(map) && !isFast)
     work.trial = kTable + 2.0 * std::min(map.width, kLargestTrialSide) *
                               std::min(map.height, kLargestTrialSide);
-  else if (effort == TransportEffort::exact)
-    work.trial = fitWork(map, periodic, TransportEffort::standard).fit;
   return work;
 }
 
 MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
               const MapFitOptions& options) {
-  if (options.settled.empty() || options.transport == TransportEffort::fast)
+  if (options.settled.empty())
     return fitAlone(map, space, options);
-  return fitJoined(map, space, options);
+  MapFitOptions alone = options;
+  alone.progress = options.progress.part(0.0, kAloneOfProgress);
+  MapFit fit = fitAlone(map, space, alone);
+  fit.gaussian =
+      withCrossCovariances(map, space, options.settled, std::move(fit.gaussian), fit.table,
+                           options.periodic, options.progress.part(kAloneOfProgress, 1.0));
+  return fit;
 }
 
 } // namespace lichen::tiling

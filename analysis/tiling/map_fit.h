@@ -11,7 +11,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace lichen::tiling {
 
@@ -27,11 +26,8 @@ inline constexpr double kJoiningWork = 0.25;
 
 struct MapFit {
   float share = exemplar::kUsualShare; ///< of the surroundings, as transportPoints() takes it
-  std::vector<Point> points;           ///< the transport points of the map's own values
   Gaussianized gaussian;
   InverseTable table;
-  /// As in MapTransportBound, for the first of the Gaussian image's bounds.
-  std::optional<double> costOfUnmoved;
 };
 
 struct MapFitOptions {
@@ -40,7 +36,7 @@ struct MapFitOptions {
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen if absent, in [-0.25, largestShare]
   float largestShare = kLargestShare;
-  /// Earlier maps that this one must correlate with; a fast transport ignores them.
+  /// Earlier maps that this one must correlate with.
   std::span<const SettledMap> settled{};
   ProgressPart progress{};
 };

@@ -51,8 +51,8 @@ std::vector<float> valuesAlong(const MapExemplar& map, const exemplar::ColorSpac
 } // namespace
 
 SeparableFit fitSeparable(const MapExemplar& map, bool periodic, gaussian::Precision precision,
-                          const transport::TransportOptions& options) {
-  options.progress.reach(0.0);
+                          ProgressPart progress) {
+  progress.reach(0.0);
   const MapExemplar light = decodedMap(map);
   const exemplar::ColorSpace space = exemplar::principalSpaceOf(light);
   if (space.dimensions() < 2)
@@ -63,17 +63,16 @@ SeparableFit fitSeparable(const MapExemplar& map, bool periodic, gaussian::Preci
   for (std::size_t axis = 0; axis < std::size_t(space.dimensions()); ++axis) {
     // The steps common to all axes take a third.
     const auto ended = [&](double parts) {
-      options.progress.reach((1.0 + (2.0 * double(axis) + parts) / double(space.dimensions())) /
-                             3.0);
+      progress.reach((1.0 + (2.0 * double(axis) + parts) / double(space.dimensions())) / 3.0);
     };
     ended(0.0);
     std::transform(points.begin(), points.end(), along.begin(), [axis](const Point& p) {
       return Point{coordinate(p, axis), 0.0f, 0.0f};
     });
-    fit.axes.push_back(gaussianize(light, along, 1, periodic, precision, options));
+    fit.axes.push_back(gaussianize(light, along, 1, periodic, precision, {}));
     ended(1.0);
-    fit.tables.push_back(fitInverseTable(
-        fit.axes.back(), along, valuesAlong(light, space, Eigen::Index(axis)), 1, options));
+    fit.tables.push_back(fitInverseTable(fit.axes.back(), along,
+                                         valuesAlong(light, space, Eigen::Index(axis)), 1, {}));
   }
   return fit;
 }

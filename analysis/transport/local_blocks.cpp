@@ -30,6 +30,9 @@ constexpr std::size_t kSwapBlockSize = 64;
 constexpr std::size_t kRegionSize = 1024;
 constexpr int kRoundsInRegion = 4;
 
+/// Pairs per block that is solved exactly.
+constexpr std::size_t kExactBlockSize = 48;
+
 using Frame = std::array<Point, 3>;
 
 Frame randomFrame(std::uint64_t seed) {
@@ -282,9 +285,9 @@ void swapInsideRegions(const PointPair& points, std::span<std::uint32_t> assignm
   improveBlocks<SwapWork>(points, assignment, kRegionSize, seed);
 }
 
-void solveInsideBlocks(const PointPair& points, std::span<std::uint32_t> assignment, int blockSize,
+void solveInsideBlocks(const PointPair& points, std::span<std::uint32_t> assignment,
                        std::uint64_t seed) {
-  improveBlocks<ExactWork>(points, assignment, std::size_t(blockSize), seed);
+  improveBlocks<ExactWork>(points, assignment, kExactBlockSize, seed);
 }
 
 } // namespace lichen::transport

@@ -7,16 +7,19 @@
 #include <cstddef>
 #include <exemplar/color_space.h>
 #include <gaussian/gaussian_distribution.h>
+#include <lower_bound.h>
 #include <transport/assignment.h>
-#include <transport/lower_bound.h>
 
 namespace lichen::bench {
 namespace {
 
 using namespace transport;
 
-/// The step of the certificate, passed as `exact`.
+/// The price step of the bound, which ends up about half a step below the optimum.
 constexpr double kStep = 1e-4;
+/// In the auction's matching all but a few pairs are within a step; these rounds exchange the rest.
+/// More rounds gain less than 0.001 %.
+constexpr TransportOptions kMending{.swapRounds = 4, .exactRounds = 8};
 
 /// Mean squared difference of neighbours relative to the variance, summed over channels, with
 /// wraparound.
@@ -41,8 +44,8 @@ double speckle(const std::vector<Point>& gaussian, const std::vector<std::uint32
 } // namespace
 
 std::vector<Row> transportRows() {
-  std::vector<double> excesses, speckles, exactExcesses;
-  double worstExcess = 0.0, worstSpeckle = 0.0, worstExact = 0.0;
+  std::vector<double> excesses, speckles;
+  double worstExcess = 0.0, worstSpeckle = 0.0;
   std::string worst, speckled;
   for (const Exemplar& exemplar : exemplars256()) {
     const MapExemplar map = baseColorMap(exemplar.image);
@@ -51,13 +54,10 @@ std::vector<Row> transportRows() {
     const std::vector<Point> target =
         gaussian::stratifiedGaussian(source.size(), space.dimensions(), gaussian::Precision::bits8);
     const std::vector<std::uint32_t> assignment = assign(source, target, {});
-    std::vector<std::uint32_t> nearlyExact = assignment;
-    const TransportBound bound = improveByAuction(source, target, nearlyExact, kStep);
-    exactExcesses.push_back(100.0 * bound.excess());
-    worstExact = std::max(worstExact, exactExcesses.back());
-    const double more = transportCost(source, target, assignment) - bound.cost;
-    const double excess =
-        100.0 * (bound.cost + more - bound.lowerBound) / (bound.centredCost + more);
+    const test::TransportBound bound = test::boundTransportCost(source, target, assignment, kStep);
+    const std::vector<std::uint32_t> nearlyExact =
+        improveAssignment(source, target, bound.auctioned, kMending);
+    const double excess = 100.0 * bound.excess();
     const double ratio = speckle(target, assignment, map.width, map.height) /
                          speckle(target, nearlyExact, map.width, map.height);
     excesses.push_back(excess);
@@ -77,9 +77,7 @@ std::vector<Row> transportRows() {
       {"the same, worst", worstExcess, 0.8, "%", worst},
       {"speckle against a nearly exact solution, median", median(speckles), 1.025, "",
        "mean squared gradient over variance; " + note},
-      {"the same, worst", worstSpeckle, 1.025, "", speckled},
-      {"`exact`, over its certified bound, median", median(exactExcesses), 0.03, "%", note},
-      {"the same, worst", worstExact, 0.03, "%", ""}};
+      {"the same, worst", worstSpeckle, 1.025, "", speckled}};
 }
 
 } // namespace lichen::bench

@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <map>
 
 using namespace lichen;
@@ -391,38 +390,4 @@ TEST_CASE("the errors for a folder without a map and for two files of one map na
   const std::string grey = workplace.write("orm.png", flat({0.5f}));
   checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
   CHECK(!std::filesystem::exists(out));
-}
-
-TEST_CASE("an exact bake of a set reports which maps were moved before the matching") {
-  const Workplace workplace;
-  constexpr int kSide = 32;
-  const SrgbImage color = smooth(kSide);
-  SrgbImage normal(kSide, kSide, 3), rough(kSide, kSide, 1);
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
-      const float* pixel = color.pixel(x, y);
-      // Slopes that depend on the distance of the colour from mid-grey, a relation that blending
-      // does not preserve.
-      for (int c = 0; c < 2; ++c)
-        normal.pixel(x, y)[c] = 0.4f + 0.4f * std::abs(pixel[c] - 0.5f) + 0.1f * pixel[2];
-      normal.pixel(x, y)[2] = code(240);
-      *rough.pixel(x, y) = pixel[2];
-    }
-  const json report =
-      baked(workplace,
-            {workplace.write("a_color.png", color), workplace.write("a_normal.png", normal),
-             workplace.write("a_roughness.png", rough)},
-            {"--transport", "exact", "--periodic", "yes"});
-  const json& transport = report.at("transport");
-  REQUIRE(transport.size() == 3);
-  for (const json& map : transport) {
-    const auto name = map.at("map").get<std::string>();
-    INFO(name);
-    CHECK(map.at("moved") == (name == "normal"));
-    CHECK(map.at("byConstruction") == (name == "occlusionRoughnessMetallic"));
-    CHECK((map.at("excess") == 0.0) == (name == "occlusionRoughnessMetallic"));
-  }
-  CHECK(hasNote(report, "the values of baseColor are matched within "));
-  CHECK(hasNote(report, "the values of normal, moved first to fit the other maps, are matched "));
-  CHECK(hasNote(report, "one dimension and are sorted"));
 }

@@ -197,14 +197,6 @@ TEST_CASE("a fit whose first share is good enough has told of nearly all its pro
   CHECK(reached > 0.75 * told.back());
 }
 
-TEST_CASE("the share for an exact transport is that for the usual one", "[large]") {
-  const MapExemplar map = test::threeMaterials(64, 64, 7, 3);
-  MapFitOptions options;
-  const float usual = fitMap(map, exemplar::colorSpaceOf(map), options).share;
-  options.transport = TransportEffort::exact;
-  CHECK(fitMap(map, exemplar::colorSpaceOf(map), options).share == usual);
-}
-
 TEST_CASE("a fit has its exemplar's detail where the usual share of the surroundings has not",
           "[large]") {
   // Grain within patches of one colour each; transport alone spreads the grain over the Gaussian.

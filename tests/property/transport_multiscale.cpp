@@ -6,10 +6,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <lower_bound.h>
 #include <numeric>
 #include <transport/assignment.h>
 #include <transport/leaf_auction.h>
-#include <transport/lower_bound.h>
 #include <transport/nearest_points.h>
 #include <transport/partition_tree.h>
 

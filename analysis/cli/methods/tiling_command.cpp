@@ -34,51 +34,6 @@ Json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
-/// Returns the worst bound of each map; a map with blended borders has two.
-std::vector<MapTransportBound> worstBounds(std::span<const MapTransportBound> bounds) {
-  std::vector<MapTransportBound> worst;
-  for (const MapTransportBound& bound : bounds)
-    if (worst.empty() || worst.back().map != bound.map)
-      worst.push_back(bound);
-    else if (bound.excess() > worst.back().excess())
-      worst.back() = bound;
-  return worst;
-}
-
-/// Returns whether the map's values were moved before the matching.
-bool isMoved(MapTarget map, std::span<const MapTransportBound> bounds) {
-  return std::any_of(bounds.begin(), bounds.end(), [map](const MapTransportBound& bound) {
-    return bound.map == map && bound.costOfUnmoved;
-  });
-}
-
-Json asJson(std::span<const MapTransportBound> bounds) {
-  Json json = Json::array();
-  for (const MapTransportBound& bound : worstBounds(bounds))
-    json.push_back({{"map", nameOf(bound.map)},
-                    {"excess", bound.excess()},
-                    {"moved", isMoved(bound.map, bounds)},
-                    {"byConstruction", bound.isSorted}});
-  return json;
-}
-
-/// Returns one line per map with a certified transport, showing its worst bound.
-std::vector<std::string> certificateNotes(std::span<const MapTransportBound> bounds) {
-  std::vector<std::string> notes;
-  for (const MapTransportBound& bound : worstBounds(bounds))
-    notes.push_back(
-        bound.isSorted
-            ? fmt::format(
-                  "the values of {} have one dimension and are sorted, which is the optimum",
-                  nameOf(bound.map))
-            : fmt::format(
-                  "the values of {}{} are matched within {:.3f} % of the optimum, certified",
-                  nameOf(bound.map),
-                  isMoved(bound.map, bounds) ? ", moved first to fit the other maps," : "",
-                  100.0 * bound.excess()));
-  return notes;
-}
-
 class Bake final : public BakeOptions {
 public:
   TilingOptions options;
@@ -107,14 +62,12 @@ public:
     TilingBake& bake = baked.value();
     MethodBake result;
     result.bordersWereBlended = !bake.exemplarWasPeriodic;
-    result.notes = certificateNotes(bake.transportBounds);
     const auto& first = bake.noise.maps.front().as<TilingMap>();
     constexpr int kMostDimensions = 3; // a fourth channel is unused
     result.json["dimensions"] =
         std::min(kMostDimensions, channelCount(bake.tables[first.gaussian].format));
     result.json["periodic"] = bake.exemplarWasPeriodic;
     result.json["table"] = nameOf(tableKindOf(first));
-    result.json["transport"] = asJson(bake.transportBounds);
     result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
@@ -214,8 +167,7 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb)
   auto options = std::make_unique<Bake>();
   TilingOptions& tiling = options->options;
   const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
-                                         {"default", TransportEffort::standard},
-                                         {"exact", TransportEffort::exact}};
+                                         {"default", TransportEffort::standard}};
   addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
            "Quality of the colour matching (optimal transport)")
       .group(kHeading);

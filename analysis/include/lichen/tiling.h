@@ -6,9 +6,7 @@
 #include <lichen/exemplar.h>
 #include <lichen/progress.h>
 #include <lichen/result.h>
-#include <lichen/transport.h>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +27,13 @@ enum class LookupTable {
              ///< get a joint one
 };
 
+/// How close to the optimum the optimal transport gets: its largest cost above the optimum,
+/// measured on the exemplars of docs/decisions/008-multiscale-transport.md.
+enum class TransportEffort {
+  fast,     ///< 0.4 %; for previews
+  standard, ///< 0.1 %; for production
+};
+
 struct TilingOptions {
   Periodic periodic = Periodic::detect;
   int bits = 8; ///< 8 or 16 per channel of the tables
@@ -38,33 +43,11 @@ struct TilingOptions {
   Progress progress; ///< empty: no reports
 };
 
-/// How close the optimal transport of one map is to the optimum.
-struct MapTransportBound {
-  MapTarget map{};
-  TransportBound bound;
-  /// The values have one dimension. Sorting gives the optimal matching, so nothing is left to
-  /// prove.
-  bool isSorted = false;
-  /// Set if the values were moved before matching, to correlate with those of other maps
-  /// (docs/decisions/014-correlations-between-maps.md): the cost of matching the original values,
-  /// in the units of `bound`. Moved values are nearly Gaussian, so a share of their own cost says
-  /// nothing.
-  std::optional<double> costOfUnmoved;
-
-  /// The most that a better matching could save, as a share of the cost of matching the values.
-  [[nodiscard]] double excess() const {
-    return costOfUnmoved ? (bound.cost - bound.lowerBound) / *costOfUnmoved : bound.excess();
-  }
-};
-
 /// The result of a bake. The maps of `noise` number its tables from 0.
 struct TilingBake {
   Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// With TransportEffort::exact, how close each transport is to the optimum: one for each map that
-  /// varies and has a joint table, and a second one if its borders are blended.
-  std::vector<MapTransportBound> transportBounds;
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace lichen::transport {
+namespace lichen::test {
 namespace {
 
 /// The most sites in a leaf: as many as can be scanned in the time of one step down the tree.
@@ -27,15 +27,16 @@ std::array<float, 3> coordinates(const Point& p) { return {p.x, p.y, p.z}; }
 
 } // namespace
 
-/// The kWanted cheapest sites so far, cheapest first.
-template <std::size_t kWanted>
+/// The cheapest sites so far, cheapest first.
 struct PriceTree::Search {
   Vector at;
-  std::array<double, kWanted> cost;
-  std::array<std::uint32_t, kWanted> place{};
+  std::array<double, Shortlist::kCapacity> cost;
+  std::array<std::uint32_t, Shortlist::kCapacity> place{};
 
-  explicit Search(const Point& x) : at{double(x.x), double(x.y), double(x.z)} {
-    cost.fill(std::numeric_limits<double>::infinity());
+  /// Finds no site above `limit`.
+  Search(const Point& x, double limit) : at{double(x.x), double(x.y), double(x.z)} {
+    // The next value above the limit, so that sites exactly at the limit still count.
+    cost.fill(std::nextafter(limit, std::numeric_limits<double>::infinity()));
   }
 
   /// A lower bound on the cost of all sites under the node. The minimum of (y - x)^2 + slope y over
@@ -54,7 +55,7 @@ struct PriceTree::Search {
     const double itsCost = site.costFor(at);
     if (!(itsCost < cost.back()))
       return;
-    std::size_t rank = kWanted - 1;
+    std::size_t rank = cost.size() - 1;
     for (; rank > 0 && itsCost < cost[rank - 1]; --rank) {
       cost[rank] = cost[rank - 1];
       place[rank] = place[rank - 1];
@@ -141,8 +142,7 @@ void PriceTree::fitPrices(Node& node, std::size_t firstPlace, std::size_t lastPl
   node.lowestRise = 0.0;
 }
 
-template <std::size_t kWanted>
-void PriceTree::visit(Search<kWanted>& search, std::size_t node) const {
+void PriceTree::visit(Search& search, std::size_t node) const {
   if (node >= leafCount_) {
     const std::size_t leaf = node - leafCount_;
     for (std::size_t place = leafBegin(leaf); place < leafBegin(leaf + 1); ++place)
@@ -159,19 +159,11 @@ void PriceTree::visit(Search<kWanted>& search, std::size_t node) const {
 }
 
 Shortlist PriceTree::cheapest(const Point& x, double limit) const {
-  Search<Shortlist::kCapacity> search(x);
-  // The next value above the limit, so that sites exactly at the limit still count.
-  search.cost.fill(std::nextafter(limit, std::numeric_limits<double>::infinity()));
+  Search search(x, limit);
   visit(search, 1);
   if (sites_.size() <= Shortlist::kCapacity)
     return {search.place, sites_.size(), std::numeric_limits<double>::infinity()};
   return {search.place, Shortlist::kCapacity, search.cost.back()};
-}
-
-double PriceTree::leastCost(const Point& x) const {
-  Search<1> search(x);
-  visit(search, 1);
-  return search.cost[0];
 }
 
 double PriceTree::cost(const Point& x, std::uint32_t place) const {
@@ -198,4 +190,4 @@ void PriceTree::setPrice(std::uint32_t place, double price) {
   }
 }
 
-} // namespace lichen::transport
+} // namespace lichen::test

@@ -2,16 +2,15 @@
 // The cheapest site for a buyer: a k-d tree over points that each carry a price.
 #pragma once
 
-#include "point.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <transport/point.h>
 #include <vector>
 
-namespace lichen::transport {
+namespace lichen::test {
 
 /// The cheapest sites for one buyer, cheapest first, and a cost below which no other site is. The
 /// list stays valid while prices only rise. With fewer than kCapacity sites it holds all of them.
@@ -34,8 +33,6 @@ public:
   /// it is a cost that at least Shortlist::kCapacity sites, or all sites, are known not to exceed.
   [[nodiscard]] Shortlist cheapest(const Point& x,
                                    double limit = std::numeric_limits<double>::infinity()) const;
-  [[nodiscard]] double leastCost(const Point& x) const;
-
   [[nodiscard]] double cost(const Point& x, std::uint32_t place) const;
   [[nodiscard]] double price(std::uint32_t place) const { return sites_[place].price; }
   /// O(log N).
@@ -66,7 +63,6 @@ private:
     double residual;   ///< from the first prices
     double lowestRise; ///< least rise above the first prices
   };
-  template <std::size_t kWanted>
   struct Search;
 
   [[nodiscard]] std::size_t leafBegin(std::size_t leaf) const {
@@ -75,8 +71,7 @@ private:
   void order(std::span<const Point> points, std::size_t node, std::size_t firstLeaf,
              std::size_t lastLeaf);
   void fitPrices(Node& node, std::size_t firstPlace, std::size_t lastPlace) const;
-  template <std::size_t kWanted>
-  void visit(Search<kWanted>& search, std::size_t node) const;
+  void visit(Search& search, std::size_t node) const;
 
   std::size_t leafCount_ = 1;
   std::vector<std::uint32_t> order_; ///< the site at each position in the tree
@@ -85,4 +80,4 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace lichen::transport
+} // namespace lichen::test

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace lichen::transport {
+namespace lichen::test {
 namespace {
 
 /// The share of buyers left without a site. The last buyers move from site to site for as long as
@@ -20,13 +20,9 @@ namespace {
 /// from its price, the bound would lose 0.02 of a step, against the half step that it loses anyway.
 constexpr double kLeftOver = 0.002;
 
-/// Average bids per buyer: photographs take 10 to 30.
-constexpr double kUsualBids = 20.0;
-/// Bids per buyer at which the auction stops: ten times the usual. Any prices give a bound.
+/// Average bids per buyer at which the auction stops; photographs take 10 to 30. Any prices give a
+/// bound.
 constexpr std::size_t kMostBids = 200;
-
-/// Some tenths of a second. The caller can stop the auction only between reports.
-constexpr std::size_t kBidsBetweenReports = 1u << 16u;
 
 struct Choice {
   std::uint32_t place = 0;
@@ -54,8 +50,7 @@ Choice choose(const Point& buyer, const PriceTree& sites, const Shortlist& list)
 } // namespace
 
 std::vector<std::optional<std::uint32_t>> runAuction(std::span<const Point> buyers,
-                                                     PriceTree& sites, double increment,
-                                                     const ProgressPart& progress) {
+                                                     PriceTree& sites, double increment) {
   std::vector<std::optional<std::uint32_t>> siteOf(buyers.size());
   if (buyers.size() < 2)
     return siteOf;
@@ -67,8 +62,6 @@ std::vector<std::optional<std::uint32_t>> runAuction(std::span<const Point> buye
   std::iota(waiting.begin(), waiting.end(), 0u);
   const auto leftOver = std::size_t(kLeftOver * double(buyers.size()));
   for (std::size_t bid = 0; waiting.size() > leftOver && bid < kMostBids * buyers.size(); ++bid) {
-    if (bid % kBidsBetweenReports == 0)
-      progress.reach(std::min(1.0, double(bid) / (kUsualBids * double(buyers.size()))));
     const std::uint32_t buyer = waiting.front();
     waiting.pop_front();
     Choice choice = choose(buyers[buyer], sites, lists[buyer]);
@@ -88,4 +81,4 @@ std::vector<std::optional<std::uint32_t>> runAuction(std::span<const Point> buye
   return siteOf;
 }
 
-} // namespace lichen::transport
+} // namespace lichen::test
