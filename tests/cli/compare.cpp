@@ -200,7 +200,7 @@ TEST_CASE("--noise compares another noise of the bundle") {
   CHECK(compared(grey, both, {"--noise", "grey"}).value("color_distance") <
         compared(grey, both).value("color_distance"));
   checkRefusal({"compare", grey, both, "--noise", "rust"}, int(ErrorKind::usage),
-               {"--noise rust: ", "moss, grey"});
+               {"--noise rust: ", "expected moss or grey"});
   checkRefusal({"compare", grey, moss, "--noise", "grey"}, int(ErrorKind::usage),
                {"--noise grey: ", "is an image"});
 }
