@@ -326,7 +326,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addFrameOptions(verb, arguments->grain);
   addValue(verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
            "keep",
-           "keep the factors that multiply the noise, such as baseColorFactor, or set them to 1");
+           "Factors that multiply the noise, such as baseColorFactor: keep them or set them to 1");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
   addMixOptions(verb, arguments->mix);

@@ -127,7 +127,7 @@ TEST_CASE("the name of a noise follows its bundle after a colon") {
   CHECK(nameOfNoise("b:th.glb:two") == "two");
   checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
                 "-o", workplace.path("x.glb")},
-               int(ErrorKind::usage), {"three", "one, two"});
+               int(ErrorKind::usage), {"three", "expected one or two"});
   checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:"), "--material", "0", "-o",
                 workplace.path("x.glb")},
                int(ErrorKind::usage), {"b:th.glb::", "empty"});

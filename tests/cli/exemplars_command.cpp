@@ -29,6 +29,16 @@ TEST_CASE("lichen-exemplars writes the exemplars that are named") {
                             workplace.path("out/terrain_mask.png") + "\n");
 }
 
+TEST_CASE("lichen-exemplars escapes control characters in paths") {
+  const Workplace workplace;
+  const Ended written = runExemplars({workplace.path("m\x1b[31m"), "rust", "--size", "64"});
+  CHECK(written.code == 0);
+  CHECK(written.output == workplace.path("m\\x1b[31m") + "/rust.png\n");
+  const Ended refused = runExemplars({workplace.path("out"), "m\x1b[31m"});
+  CHECK(refused.code == int(ErrorKind::usage));
+  CHECK_THAT(refused.errors, Catch::StartsWith("lichen-exemplars: m\\x1b[31m: no such exemplar"));
+}
+
 TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid ones") {
   const Workplace workplace;
   const std::string out = workplace.path("out");

@@ -275,8 +275,8 @@ TEST_CASE("synth shows a mix at one weight or along a ramp") {
     more.insert(more.begin(), base.begin(), base.end());
     checkRefusal(more, kUsage, words);
   };
-  refuses({"--mix", "1.5"}, {"--mix 1.5: a weight from 0 to 1"});
-  refuses({"--mix", "0,1,0"}, {"--mix 0,1,0: a weight from 0 to 1, or two"});
+  refuses({"--mix", "1.5"}, {"--mix 1.5: expected a weight from 0 to 1"});
+  refuses({"--mix", "0,1,0"}, {"--mix 0,1,0: expected a weight from 0 to 1, or two"});
   refuses({"--mix", "0,1", "--tileable"}, {"mix 0,1 of a tileable image; expected one weight"});
   const Workplace other;
   const std::string plain = bake(other, other.write("stone.png", smooth(16)), "stone.glb");
@@ -351,7 +351,7 @@ TEST_CASE("apply sets the weight of a mix from every source") {
   refuses({"--mix-texture", workplace.path("absent.png")}, kBadInput, {"absent.png"});
   for (const char* text : {"no image", "", "\x76\x2f\x31\x01 an EXR"})
     refuses({"--mix-texture", workplace.write("no.png", std::string(text))}, kBadInput,
-            {"no.png: no PNG or JPEG", "index of a texture"});
+            {"no.png: not a PNG or JPEG", "index of a texture"});
   refuses({"--mix-texture", workplace.write("no.png", std::string("\x89PNG, but"))}, kBadInput,
           {"no.png"});
   const std::string plain = bake(workplace, workplace.write("stone.png", smooth(16)), "stone.glb");

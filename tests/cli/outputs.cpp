@@ -289,7 +289,7 @@ TEST_CASE("control characters in names are escaped on the terminal, other charac
   checkShown(runLichen({"check", workplace.path(hostile)}).errors, shown + ": cannot be read");
   checkShown(
       runLichen({"synth", bundle, "-o", workplace.path("p.png"), "--noise", "absent"}).errors,
-      "has " + shown);
+      "expected " + shown);
 
   checkShown(runLichen({"check", workplace.path("latin f\xfc.glb")}).errors, "latin f\\xfc.glb: ");
 
