@@ -85,11 +85,14 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   return gltf;
 }
 
-Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
+Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri,
+                                                 std::optional<std::size_t> length) const {
   if (isDataUri(uri))
     return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
-  return path ? readFileStart(path.value(), length) : path.error();
+  if (!path)
+    return path.error();
+  return length ? readFileStart(path.value(), *length) : readFile(path.value());
 }
 
 Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
@@ -101,13 +104,6 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   if (!path)
     return Error{ErrorKind::badInput, "URI " + quoted(uri) + " leads out of the file's folder"};
   return *path;
-}
-
-Result<std::vector<std::byte>> GltfFile::readWholeUri(const std::string& uri) const {
-  if (isDataUri(uri))
-    return readDataUri(uri);
-  const Result<std::filesystem::path> path = pathOf(uri);
-  return path ? readFile(path.value()) : path.error();
 }
 
 std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {

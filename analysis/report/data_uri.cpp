@@ -5,20 +5,24 @@
 #include <lichen/base64.h>
 #include <lichen/image_io.h>
 
+#include <nlohmann/json.hpp>
+
 namespace lichen {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 template <class AnyImage>
-Result<JsonTree> encoded(const AnyImage& image) {
+Result<Json> encoded(const AnyImage& image) {
   const Result<std::vector<std::byte>> png = encodePng(image, 8);
   if (!png)
     return png.error();
-  return JsonTree{{"png", "data:image/png;base64," + encodeBase64(png.value())}};
+  return Json{{"png", "data:image/png;base64," + encodeBase64(png.value())}};
 }
 
 } // namespace
 
-Result<JsonTree> pictureJson(const SrgbImage& image) { return encoded(image); }
-Result<JsonTree> pictureJson(const LinearImage& data) { return encoded(data); }
+Result<Json> pictureJson(const SrgbImage& image) { return encoded(image); }
+Result<Json> pictureJson(const LinearImage& data) { return encoded(data); }
 
 } // namespace lichen
