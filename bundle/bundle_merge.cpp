@@ -94,6 +94,9 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   bundle.noises.push_back(std::move(noise));
   bundle.materials.emplace_back(use);
   bundle.materialNames.push_back(uniqueName(materialName, materialNames_));
+  if (bundle.materialNames.back() != materialName)
+    merged_.notes.push_back(input.file + ": material '" + materialName + "' is named '" +
+                            bundle.materialNames.back() + "', since another has that name");
 }
 
 Result<void> Merger::add(const NamedBundle& input) {

@@ -17,69 +17,54 @@ Bundle inspect(std::span<const std::byte> file, const std::filesystem::path& fol
   return gltf ? readExtension(*gltf, findings) : Bundle{};
 }
 
-/// `name` is a path or a string.
-Error notEnoughMemory(const auto& name) noexcept {
-  return memoryError(
-      [&] { return std::filesystem::path(name).string() + ": not enough memory to read it"; });
+/// The message for when even a finding does not fit into memory. `name` is a path or a string.
+auto unread(const auto& name) {
+  return
+      [&name] { return std::filesystem::path(name).string() + ": not enough memory to read it"; };
 }
 
 Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path& folder,
                     const std::string& name) {
   FindingList findings;
   Bundle bundle = inspect(file, folder, findings);
-  if (findings.errorCount() == 0)
-    return bundle;
-  const auto first =
-      std::find_if(findings.all().begin(), findings.all().end(), [](const Finding& finding) {
-        return finding.severity == Finding::Severity::error;
-      });
-  if (first->code == "memory")
-    return notEnoughMemory(name);
-  return Error{ErrorKind::badInput, name + ": " + first->pointer +
-                                        (first->pointer.empty() ? "" : ": ") + first->message};
+  if (const Finding* fault = findings.firstError())
+    return asError(*fault, name);
+  return bundle;
 }
 
 } // namespace
 
+Error asError(const Finding& finding, const std::string& title) {
+  return {finding.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
+          title + ": " + finding.pointer + (finding.pointer.empty() ? "" : ": ") + finding.message};
+}
+
 Result<Bundle> readBundle(const std::filesystem::path& path) {
-  try {
+  return withinMemory(unread(path), [&]() -> Result<Bundle> {
     const Result<std::vector<std::byte>> file = readFile(path);
-    if (!file)
-      return file.error();
-    return read(file.value(), folderOf(path), path.string());
-  } catch (const std::bad_alloc&) {
-    return notEnoughMemory(path);
-  }
+    return file ? read(file.value(), folderOf(path), path.string()) : file.error();
+  });
 }
 
 Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name) {
-  try {
-    return read(file, {}, name);
-  } catch (const std::bad_alloc&) {
-    return notEnoughMemory(name);
-  }
+  return withinMemory(unread(name), [&] { return read(file, {}, name); });
 }
 
 Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
-  try {
+  return withinMemory(unread(path), [&]() -> Result<std::vector<Finding>> {
     const Result<std::vector<std::byte>> file = readFile(path);
     if (!file)
       return file.error();
     FindingList findings;
     std::optional<GltfFile> gltf = GltfFile::open(file.value(), folderOf(path), findings);
-    if (gltf)
-      static_cast<void>(readExtension(*gltf, findings));
-    else if (const Finding& fault = findings.all().front(); fault.code != "memory")
-      return Error{ErrorKind::badInput, path.string() + ": " + fault.pointer +
-                                            (fault.pointer.empty() ? "" : ": ") + fault.message};
-    // A part that did not fit in memory may be valid.
-    if (std::any_of(findings.all().begin(), findings.all().end(),
-                    [](const Finding& finding) { return finding.code == "memory"; }))
-      return notEnoughMemory(path);
+    if (!gltf)
+      return asError(*findings.firstError(), path.string());
+    static_cast<void>(readExtension(*gltf, findings));
+    for (const Finding& finding : findings.all())
+      if (finding.code == "memory") // a part that did not fit may be valid
+        return asError(finding, path.string());
     return findings.all();
-  } catch (const std::bad_alloc&) {
-    return notEnoughMemory(path);
-  }
+  });
 }
 
 std::vector<Finding> checkBundle(std::span<const std::byte> file) {

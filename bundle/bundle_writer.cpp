@@ -15,6 +15,8 @@
 namespace lichen {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 Error refusal(const std::string& what) { return Error{ErrorKind::usage, "bundle: " + what}; }
 
 /// Checks that the parts of `file` are consistent. The bundle's content is checked after encoding.
@@ -43,10 +45,10 @@ Result<void> checkParts(const BundleFile& file) {
   return {};
 }
 
-/// Width over height of the first noise's exemplar. 1 if the bundle has none or is invalid; the
-/// check of the finished file reports that fault.
+/// Width over height of the first noise's exemplar. 1 if the noise is invalid; the check of the
+/// finished file reports that fault.
 double exemplarAspect(const Bundle& bundle) {
-  if (bundle.noises.empty() || bundle.noises.front().maps.empty())
+  if (bundle.noises.front().maps.empty())
     return 1.0;
   const Noise& noise = bundle.noises.front();
   bool hasTables = true;
@@ -58,10 +60,10 @@ double exemplarAspect(const Bundle& bundle) {
   return double(std::max(width, 1u)) / double(std::max(height, 1u));
 }
 
-/// The whole document without its buffer.
-JsonTree describe(const BundleFile& file, GltfBuilder& builder) {
+/// The whole document except for its buffer.
+Json describe(const BundleFile& file, GltfBuilder& builder) {
   const Bundle& bundle = file.bundle;
-  JsonTree root;
+  Json root;
   root["asset"] = {{"version", "2.0"}};
   if (!file.generator.empty())
     root["asset"]["generator"] = file.generator;
@@ -81,9 +83,9 @@ JsonTree describe(const BundleFile& file, GltfBuilder& builder) {
   return root;
 }
 
-/// A document without its buffer, and the buffer's bytes.
+/// A document and the bytes of its buffer.
 struct Encoded {
-  JsonTree root;
+  Json root;
   std::vector<std::byte> binary;
 };
 
@@ -91,15 +93,14 @@ Result<Encoded> encode(const BundleFile& file) {
   if (Result<void> parts = checkParts(file); !parts)
     return parts.error();
   GltfBuilder builder;
-  JsonTree root = describe(file, builder);
+  Json root = describe(file, builder);
+  root["buffers"].push_back({{"byteLength", builder.binary.size()}});
   return Encoded{std::move(root), std::move(builder.binary)};
 }
 
 /// Frames the document as a GLB, and checks that readBundle() accepts it.
 Result<std::vector<std::byte>> framed(const Encoded& encoded) {
-  JsonTree root = encoded.root;
-  root["buffers"].push_back({{"byteLength", encoded.binary.size()}});
-  const std::string text = root.compact();
+  const std::string text = encoded.root.dump();
   constexpr std::size_t kFraming = 64; // headers and padding
   if (text.size() + encoded.binary.size() > std::numeric_limits<std::uint32_t>::max() - kFraming)
     return refusal(std::to_string(encoded.binary.size()) +
@@ -126,10 +127,8 @@ auto guarded(const Operation& operation) -> decltype(operation()) {
 }
 
 Result<void> writeGltf(const std::filesystem::path& path, Encoded encoded) {
-  const std::vector<std::byte>& binary = encoded.binary;
-  encoded.root["buffers"].push_back(
-      {{"byteLength", binary.size()}, {"uri", binaryUri(path, binary)}});
-  return writeGltfPair(path, encoded.root.indented() + "\n", binary);
+  encoded.root["buffers"][0]["uri"] = binaryUri(path, encoded.binary);
+  return writeGltfPair(path, encoded.root.dump(2) + "\n", encoded.binary);
 }
 
 } // namespace
@@ -143,10 +142,9 @@ Result<std::vector<std::byte>> encodeGlb(const BundleFile& file) {
 
 Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file) {
   return guarded([&]() -> Result<void> {
-    const std::filesystem::path extension = path.extension();
-    if (extension != ".glb" && extension != ".gltf")
-      return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                         "; expected .glb or .gltf"};
+    const Result<bool> isGlb = isGlbPath(path);
+    if (!isGlb)
+      return isGlb.error();
     Result<Encoded> encoded = encode(file);
     if (!encoded)
       return encoded.error();
@@ -154,7 +152,7 @@ Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& fi
       const Result<std::vector<std::byte>> glb = framed(encoded.value()); // also checks a .gltf
       if (!glb)
         return glb.error();
-      if (extension == ".glb")
+      if (isGlb.value())
         return replaceFile(path, glb.value());
     } // frees the GLB, which is as large as the bundle, before writing the .gltf
     return writeGltf(path, std::move(encoded).value());

@@ -28,14 +28,6 @@ bool listsExtension(const json& root, const char* key) {
          std::find(list->begin(), list->end(), std::string(kExtensionName)) != list->end();
 }
 
-/// A member of a value that may be null or no object; null if absent.
-const json* memberOf(const json* value, std::string_view key) {
-  if (value == nullptr || !value->is_object())
-    return nullptr;
-  const auto member = value->find(std::string(key));
-  return member == value->end() ? nullptr : &*member;
-}
-
 /// The extension's object inside a glTF object, or null.
 const json* extensionOf(const json& object) {
   return memberOf(memberOf(&object, "extensions"), kExtensionName);
@@ -91,10 +83,10 @@ int statedRevision(const json& noise) {
 /// Whether a noise has an unsupported method or a later revision. readNoise() reads all others and
 /// reports their faults.
 bool isUnknown(const json& noise) {
-  const json* name = memberOf(&noise, "method");
-  if (name == nullptr || !name->is_string())
+  const std::string* name = stringMember(noise, "method");
+  if (name == nullptr)
     return false;
-  const std::optional<Method> method = methodFrom(name->get_ref<const std::string&>());
+  const std::optional<Method> method = methodFrom(*name);
   return !method || statedRevision(noise) > revisionOf(*method);
 }
 
@@ -105,8 +97,8 @@ IgnoredNoise ignoreNoise(const json& noise, std::size_t place, const std::string
   ignored.place = place;
   ignored.method = noise["method"].get<std::string>();
   ignored.revision = statedRevision(noise);
-  if (const json* name = memberOf(&noise, "name"); name != nullptr && name->is_string())
-    ignored.name = name->get<std::string>();
+  if (const std::string* name = stringMember(noise, "name"))
+    ignored.name = *name;
   const bool isMethodKnown = methodFrom(ignored.method).has_value();
   findings.warn(isMethodKnown ? "noise-revision" : "noise-method",
                 pointer + (isMethodKnown ? "/revision" : "/method"),
@@ -140,17 +132,6 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
   }
   reader.warnOfUnknown();
   return noise;
-}
-
-std::array<double, 2> readOffset(ObjectReader& reader) {
-  if (!reader.has("offset"))
-    return {0.0, 0.0};
-  const auto offset = reader.numbers("offset", kOffsetRange);
-  if (offset && offset->size() == 2)
-    return {(*offset)[0], (*offset)[1]};
-  if (offset)
-    reader.error("count", "offset", std::to_string(offset->size()) + " values; expected 2");
-  return {0.0, 0.0};
 }
 
 /// The index of a file's noise in Bundle::noises or Bundle::ignoredNoises.
@@ -234,19 +215,15 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     use.mapping = readMapping(reader, method);
   if (reader.has("space"))
     use.space = readSpace(reader, use.mapping);
-  if (reader.has("texCoord"))
-    use.texCoord = int(reader.integer("texCoord", kMaxTexCoord).value_or(0));
-  if (reader.has("seed"))
-    use.seed = std::uint32_t(
-        reader.integer("seed", std::numeric_limits<std::uint32_t>::max()).value_or(1));
+  use.texCoord = reader.integerOr("texCoord", kMaxTexCoord, use.texCoord);
+  use.seed = reader.integerOr("seed", std::numeric_limits<std::uint32_t>::max(), use.seed);
   use.scale = reader.numberOr("scale", kScaleRange, use.scale);
-  use.offset = readOffset(reader);
+  use.offset = reader.pairOr("offset", kOffsetRange, use.offset);
   use.rotation = reader.numberOr("rotation", kRotationRange, use.rotation);
   use.blendSharpness = reader.numberOr("blendSharpness", kBlendSharpnessRange, use.blendSharpness);
   use.planeSharpness = reader.numberOr("planeSharpness", kPlaneSharpnessRange, use.planeSharpness);
   use.contrast = reader.numberOr("contrast", kContrastRange, use.contrast);
-  if (reader.has("tileRotation"))
-    use.tileRotation = std::uint32_t(reader.integer("tileRotation", kMostTileRotation).value_or(0));
+  use.tileRotation = reader.integerOr("tileRotation", kMostTileRotation, use.tileRotation);
   use.impacts = reader.numberOr("impacts", kImpactsRange, use.impacts);
   if (reader.has("pointProcess")) {
     const std::string name = reader.text("pointProcess").value_or("stratified");
@@ -281,10 +258,8 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
   for (std::size_t i = 0; i < list->size(); ++i) {
     const json& material = (*list)[i];
     const std::string pointer = elementPointer("/materials", i);
-    std::string name;
+    const std::string* name = stringMember(material, "name");
     std::optional<MaterialNoise> use;
-    if (material.is_object() && material.contains("name") && material["name"].is_string())
-      name = material["name"].get<std::string>();
     const json* extension = extensionOf(material);
     IgnoredNoise* ignored =
         extension != nullptr ? ignoredNoiseOf(*extension, places, bundle) : nullptr;
@@ -297,7 +272,7 @@ void readMaterials(const json& root, const NoisePlaces& places, Bundle& bundle,
         findings.warn("material-unlit", pointer + "/extensions/KHR_materials_unlit",
                       "an unlit material shows the preview, not the noise");
     }
-    bundle.materialNames.push_back(std::move(name));
+    bundle.materialNames.push_back(name != nullptr ? *name : "");
     bundle.materials.push_back(use);
   }
 }
@@ -321,11 +296,10 @@ std::vector<bool> readableTables(const json* noises, std::size_t count) {
   readable.assign(count, false);
   for (const json& noise : *noises) {
     const json* maps = memberOf(&noise, "maps");
-    const json* method = memberOf(&noise, "method");
-    if (isUnknown(noise) || maps == nullptr || !maps->is_array() || method == nullptr ||
-        !method->is_string())
+    const std::string* method = stringMember(noise, "method");
+    if (isUnknown(noise) || maps == nullptr || !maps->is_array() || method == nullptr)
       continue;
-    const MethodFormat& format = formatOf(*methodFrom(method->get_ref<const std::string&>()));
+    const MethodFormat& format = formatOf(*methodFrom(*method));
     for (const json& map : *maps)
       for (const std::string_view key : format.tableMembers())
         if (const json* table = memberOf(&map, key);

@@ -7,8 +7,10 @@
 namespace lichen {
 namespace {
 
-JsonTree describeMap(const NoiseMap& map, const MethodFormat& format) {
-  JsonTree json = {{"target", nameOf(map.target)}, {"channels", JsonTree::array()}};
+using Json = nlohmann::ordered_json;
+
+Json describeMap(const NoiseMap& map, const MethodFormat& format) {
+  Json json = {{"target", nameOf(map.target)}, {"channels", Json::array()}};
   for (const MapChannel channel : map.channels)
     json["channels"].push_back(nameOf(channel));
   json["encoding"] = nameOf(map.encoding);
@@ -18,8 +20,8 @@ JsonTree describeMap(const NoiseMap& map, const MethodFormat& format) {
   return json;
 }
 
-JsonTree describeMix(const MixWeight& mix) {
-  JsonTree json = {{"source", nameOf(mix.source)}};
+Json describeMix(const MixWeight& mix) {
+  Json json = {{"source", nameOf(mix.source)}};
   switch (mix.source) {
   case MixSource::constant:
     json["weight"] = mix.weight;
@@ -44,21 +46,21 @@ JsonTree describeMix(const MixWeight& mix) {
 
 } // namespace
 
-JsonTree describeNoise(const Noise& noise) {
+Json describeNoise(const Noise& noise) {
   const MethodFormat& format = formatOf(noise);
-  JsonTree json = {{"name", noise.name},
-                   {"method", format.name()},
-                   {"revision", format.revision()},
-                   {"tileSize", noise.tileSizeMetres}};
+  Json json = {{"name", noise.name},
+               {"method", format.name()},
+               {"revision", format.revision()},
+               {"tileSize", noise.tileSizeMetres}};
   format.writeNoise(noise, json);
-  json["maps"] = JsonTree::array();
+  json["maps"] = Json::array();
   for (const NoiseMap& map : noise.maps)
     json["maps"].push_back(describeMap(map, format));
   return json;
 }
 
-JsonTree describeTable(const Table& table, std::size_t bufferView) {
-  JsonTree json = JsonTree::object();
+Json describeTable(const Table& table, std::size_t bufferView) {
+  Json json = Json::object();
   if (!table.name.empty())
     json["name"] = table.name;
   json["bufferView"] = bufferView;
@@ -66,8 +68,8 @@ JsonTree describeTable(const Table& table, std::size_t bufferView) {
   return json;
 }
 
-JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder) {
-  JsonTree json = {{"tables", JsonTree::array()}, {"noises", JsonTree::array()}};
+Json describeBundle(const Bundle& bundle, GltfBuilder& builder) {
+  Json json = {{"tables", Json::array()}, {"noises", Json::array()}};
   for (const Table& table : bundle.tables)
     json["tables"].push_back(
         describeTable(table, builder.addView(encodeKtx2(table), kTableAlignment)));
@@ -76,35 +78,26 @@ JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder) {
   return json;
 }
 
-JsonTree describeMaterialNoise(const MaterialNoise& use) {
+Json describeMaterialNoise(const MaterialNoise& use) {
   const MaterialNoise defaults;
-  JsonTree json = {{"noise", use.noise}};
-  if (use.mapping != defaults.mapping)
-    json["mapping"] = nameOf(use.mapping);
-  if (use.space != defaults.space)
-    json["space"] = nameOf(use.space);
-  if (use.texCoord != defaults.texCoord)
-    json["texCoord"] = use.texCoord;
-  if (use.scale != defaults.scale)
-    json["scale"] = use.scale;
-  if (use.offset != defaults.offset)
-    json["offset"] = use.offset;
-  if (use.rotation != defaults.rotation)
-    json["rotation"] = use.rotation;
-  if (use.seed != defaults.seed)
-    json["seed"] = use.seed;
-  if (use.blendSharpness != defaults.blendSharpness)
-    json["blendSharpness"] = use.blendSharpness;
-  if (use.planeSharpness != defaults.planeSharpness)
-    json["planeSharpness"] = use.planeSharpness;
-  if (use.contrast != defaults.contrast)
-    json["contrast"] = use.contrast;
-  if (use.tileRotation != defaults.tileRotation)
-    json["tileRotation"] = use.tileRotation;
-  if (use.impacts != defaults.impacts)
-    json["impacts"] = use.impacts;
-  if (use.pointProcess != defaults.pointProcess)
-    json["pointProcess"] = nameOf(use.pointProcess);
+  Json json = {{"noise", use.noise}};
+  const auto add = [&](const char* key, const auto& value, const auto& preset) {
+    if (value != preset)
+      json[key] = value;
+  };
+  add("mapping", nameOf(use.mapping), nameOf(defaults.mapping));
+  add("space", nameOf(use.space), nameOf(defaults.space));
+  add("texCoord", use.texCoord, defaults.texCoord);
+  add("scale", use.scale, defaults.scale);
+  add("offset", use.offset, defaults.offset);
+  add("rotation", use.rotation, defaults.rotation);
+  add("seed", use.seed, defaults.seed);
+  add("blendSharpness", use.blendSharpness, defaults.blendSharpness);
+  add("planeSharpness", use.planeSharpness, defaults.planeSharpness);
+  add("contrast", use.contrast, defaults.contrast);
+  add("tileRotation", use.tileRotation, defaults.tileRotation);
+  add("impacts", use.impacts, defaults.impacts);
+  add("pointProcess", nameOf(use.pointProcess), nameOf(defaults.pointProcess));
   if (use.mix != defaults.mix)
     json["mix"] = describeMix(use.mix);
   return json;

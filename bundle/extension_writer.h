@@ -9,17 +9,17 @@
 namespace lichen {
 
 /// Returns the JSON object of a noise.
-[[nodiscard]] JsonTree describeNoise(const Noise& noise);
+[[nodiscard]] nlohmann::ordered_json describeNoise(const Noise& noise);
 /// Returns the JSON object of a table whose KTX2 file is the content of `bufferView`.
-[[nodiscard]] JsonTree describeTable(const Table& table, std::size_t bufferView);
+[[nodiscard]] nlohmann::ordered_json describeTable(const Table& table, std::size_t bufferView);
 
 /// Alignment of a table's bytes in the buffer. It preserves the texel alignment of the KTX2 file;
 /// RGBA32F texels take 16 bytes.
 inline constexpr std::size_t kTableAlignment = 16;
 
 /// The extension's root object. Appends each table's KTX2 bytes to `builder`.
-[[nodiscard]] JsonTree describeBundle(const Bundle& bundle, GltfBuilder& builder);
+[[nodiscard]] nlohmann::ordered_json describeBundle(const Bundle& bundle, GltfBuilder& builder);
 /// The extension's object of a material. Members with their default value are omitted.
-[[nodiscard]] JsonTree describeMaterialNoise(const MaterialNoise& use);
+[[nodiscard]] nlohmann::ordered_json describeMaterialNoise(const MaterialNoise& use);
 
 } // namespace lichen

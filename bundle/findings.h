@@ -24,6 +24,13 @@ public:
       add(known);
   }
   [[nodiscard]] std::size_t errorCount() const { return errors_; }
+  /// The first error, or null.
+  [[nodiscard]] const Finding* firstError() const {
+    const auto first = std::find_if(findings_.begin(), findings_.end(), [](const Finding& each) {
+      return each.severity == Finding::Severity::error;
+    });
+    return first == findings_.end() ? nullptr : &*first;
+  }
   [[nodiscard]] const std::vector<Finding>& all() const { return findings_; }
 
 private:
@@ -40,6 +47,9 @@ private:
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
 };
+
+/// "TITLE: POINTER: MESSAGE"; resources if the code is "memory", otherwise badInput.
+[[nodiscard]] Error asError(const Finding& finding, const std::string& title);
 
 /// Text from a file, in quotes, on one line, in ASCII, truncated to about 60 characters.
 [[nodiscard]] std::string quoted(const std::string& text);

@@ -6,26 +6,28 @@
 
 namespace lichen {
 
+using Json = nlohmann::ordered_json;
+
 std::size_t GltfBuilder::addView(std::span<const std::byte> bytes, std::size_t alignment,
                                  ViewTarget target) {
   binary.resize((binary.size() + alignment - 1) / alignment * alignment);
-  JsonTree view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};
+  Json view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};
   if (target != ViewTarget::none)
     view["target"] = int(target);
   binary.insert(binary.end(), bytes.begin(), bytes.end());
   bufferViews.push_back(std::move(view));
-  return bufferViews.size() - 1;
+  return firstView + bufferViews.size() - 1;
 }
 
 template <std::size_t kComponents>
-std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, kComponents>>& values,
+std::size_t GltfBuilder::addVertices(std::span<const std::array<float, kComponents>> values,
                                      bool withBounds) {
   constexpr int kFloat = 5126;
-  JsonTree accessor = {{"bufferView", addView(std::as_bytes(std::span(values)), sizeof(float),
-                                              ViewTarget::vertices)},
-                       {"componentType", kFloat},
-                       {"count", values.size()},
-                       {"type", "VEC" + std::to_string(kComponents)}};
+  Json accessor = {
+      {"bufferView", addView(std::as_bytes(values), sizeof(float), ViewTarget::vertices)},
+      {"componentType", kFloat},
+      {"count", values.size()},
+      {"type", "VEC" + std::to_string(kComponents)}};
   if (withBounds) {
     auto least = values.front();
     auto most = values.front();
@@ -38,12 +40,12 @@ std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, kCompon
     accessor["max"] = most;
   }
   accessors.push_back(std::move(accessor));
-  return accessors.size() - 1;
+  return firstAccessor + accessors.size() - 1;
 }
 
-template std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, 2>>&, bool);
-template std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, 3>>&, bool);
-template std::size_t GltfBuilder::addVertices(const std::vector<std::array<float, 4>>&, bool);
+template std::size_t GltfBuilder::addVertices(std::span<const std::array<float, 2>>, bool);
+template std::size_t GltfBuilder::addVertices(std::span<const std::array<float, 3>>, bool);
+template std::size_t GltfBuilder::addVertices(std::span<const std::array<float, 4>>, bool);
 
 std::size_t GltfBuilder::addIndices(const std::vector<std::uint16_t>& indices) {
   constexpr int kUnsignedShort = 5123;
@@ -53,7 +55,7 @@ std::size_t GltfBuilder::addIndices(const std::vector<std::uint16_t>& indices) {
                        {"componentType", kUnsignedShort},
                        {"count", indices.size()},
                        {"type", "SCALAR"}});
-  return accessors.size() - 1;
+  return firstAccessor + accessors.size() - 1;
 }
 
 } // namespace lichen

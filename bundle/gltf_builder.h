@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The binary data of a glTF file under construction: one buffer, its views and accessors.
+// Binary data to be added to a glTF document: one buffer, its views and accessors.
 #pragma once
 
-#include <lichen/json_tree.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstddef>
@@ -14,17 +14,19 @@ namespace lichen {
 enum class ViewTarget { none = 0, vertices = 34962, indices = 34963 };
 
 struct GltfBuilder {
-  JsonTree bufferViews = JsonTree::array();
-  JsonTree accessors = JsonTree::array();
+  std::size_t firstView = 0;     ///< number of views that the document has without these
+  std::size_t firstAccessor = 0; ///< likewise
+  nlohmann::ordered_json bufferViews = nlohmann::ordered_json::array();
+  nlohmann::ordered_json accessors = nlohmann::ordered_json::array();
   std::vector<std::byte> binary;
 
-  /// Appends bytes at a multiple of `alignment`. Returns the index of their view.
+  /// Appends bytes at a multiple of `alignment`. Returns the index of their view in the document.
   std::size_t addView(std::span<const std::byte> bytes, std::size_t alignment,
                       ViewTarget target = ViewTarget::none);
   /// Adds a tightly packed accessor with its own view. Vertices have float components, indices
-  /// 16-bit ones. Returns the accessor's index.
+  /// 16-bit ones. Returns the accessor's index in the document.
   template <std::size_t kComponents>
-  std::size_t addVertices(const std::vector<std::array<float, kComponents>>& values,
+  std::size_t addVertices(std::span<const std::array<float, kComponents>> values,
                           bool withBounds = false);
   std::size_t addIndices(const std::vector<std::uint16_t>& indices);
 };

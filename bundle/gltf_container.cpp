@@ -2,6 +2,7 @@
 // The container of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting
 // depth is checked before use.
 #include "json_builder.h"
+#include "object_reader.h"
 
 #include <lichen/gltf_container.h>
 
@@ -31,7 +32,7 @@ constexpr std::size_t kMaxJsonBytes = std::size_t(64) << 20;
 /// bytes of text per value.
 constexpr std::size_t kMaxJsonValues = std::size_t(4) << 20;
 /// glTF itself nests 8 levels deep; extensions and extras nest slightly deeper.
-constexpr int kMaxJsonDepth = 64;
+constexpr std::size_t kMaxJsonDepth = 64;
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
   std::uint32_t value = 0;
@@ -43,28 +44,6 @@ void appendWord(std::vector<std::byte>& bytes, std::size_t value) {
   const auto narrow = std::uint32_t(value);
   const auto view = std::as_bytes(std::span(&narrow, 1));
   bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-bool nestsTooDeep(std::span<const std::byte> text) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = char(text[i]);
-    if (inString) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        inString = false;
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMaxJsonDepth)
-        return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
 }
 
 /// Thrown to stop reading a container.
@@ -127,10 +106,11 @@ void parseJson(std::span<const std::byte> text, json& document) {
   if (text.size() > kMaxJsonBytes)
     fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; expected at most " +
                           std::to_string(kMaxJsonBytes));
-  if (nestsTooDeep(text))
-    fail("json-depth",
-         "JSON nested too deeply; expected at most " + std::to_string(kMaxJsonDepth) + " levels");
-  if (const std::optional<JsonFault> fault = buildJson(text, kMaxJsonValues, document)) {
+  if (const std::optional<JsonFault> fault =
+          buildJson(text, kMaxJsonValues, kMaxJsonDepth, document)) {
+    if (fault->kind == JsonFault::Kind::depth)
+      fail("json-depth",
+           "JSON nested too deeply; expected at most " + std::to_string(kMaxJsonDepth) + " levels");
     if (fault->kind == JsonFault::Kind::count)
       fail("json-count",
            "too many JSON values; expected at most " + std::to_string(kMaxJsonValues));
@@ -140,10 +120,9 @@ void parseJson(std::span<const std::byte> text, json& document) {
   }
   if (!document.is_object())
     fail("json-syntax", "the JSON document is not an object");
-  const auto asset = document.find("asset");
-  if (asset == document.end() || !asset->is_object() || !asset->contains("version") ||
-      !(*asset)["version"].is_string() ||
-      (*asset)["version"].get_ref<const std::string&>().rfind("2.", 0) != 0)
+  const json* asset = memberOf(&document, "asset");
+  const std::string* version = asset == nullptr ? nullptr : stringMember(*asset, "version");
+  if (version == nullptr || !version->starts_with("2."))
     fail("asset-version", "absent or not 2.x; expected \"2.0\"", "/asset/version");
 }
 

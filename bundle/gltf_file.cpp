@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Reads the buffers of a glTF asset; see gltf_file.h. Input is hostile: every offset and length is
 // checked before use.
-// Sources: glTF 2.0 specification, section 3.6; RFC 4648 (base64).
+// Source: glTF 2.0 specification, section 3.6.
 #include "gltf_file.h"
 
+#include <lichen/base64.h>
 #include <lichen/files.h>
 
 namespace lichen {
@@ -19,49 +20,17 @@ constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 /// [glTF 2.0, section 5.11.4]
 constexpr std::uint64_t kMaxStride = 252;
 
-/// Value of a base64 digit, or -1.
-int base64Digit(char c) {
-  if (c >= 'A' && c <= 'Z')
-    return c - 'A';
-  if (c >= 'a' && c <= 'z')
-    return c - 'a' + 26;
-  if (c >= '0' && c <= '9')
-    return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-bool decodeBase64(std::string_view text, std::vector<std::byte>& bytes) {
-  for (int padding = 0; padding < 2 && !text.empty() && text.back() == '='; ++padding)
-    text.remove_suffix(1);
-  if (text.size() % 4 == 1)
-    return false;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  std::uint32_t bits = 0;
-  int bitCount = 0;
-  for (const char c : text) {
-    const int digit = base64Digit(c);
-    if (digit < 0)
-      return false;
-    bits = bits << 6u | std::uint32_t(digit);
-    bitCount += 6;
-    if (bitCount >= 8) {
-      bitCount -= 8;
-      bytes.push_back(std::byte(bits >> unsigned(bitCount) & 0xffu));
-    }
-  }
-  return true;
-}
-
 bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
 
 Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
   constexpr std::string_view kMarker = ";base64,";
   const std::size_t marker = uri.find(kMarker);
-  std::vector<std::byte> bytes;
-  if (marker == std::string::npos ||
-      !decodeBase64(std::string_view(uri).substr(marker + kMarker.size()), bytes))
+  std::optional<std::vector<std::byte>> bytes;
+  if (marker != std::string::npos)
+    bytes = decodeBase64(std::string_view(uri).substr(marker + kMarker.size()));
+  if (!bytes)
     return Error{ErrorKind::badInput, "data URI with invalid base64"};
-  return bytes;
+  return std::move(*bytes);
 }
 
 /// A non-negative integer member, `fallback` if absent, or nothing for another type.
@@ -116,11 +85,14 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   return gltf;
 }
 
-Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
+Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri,
+                                                 std::optional<std::size_t> length) const {
   if (isDataUri(uri))
     return readDataUri(uri);
   const Result<std::filesystem::path> path = pathOf(uri);
-  return path ? readFileStart(path.value(), length) : path.error();
+  if (!path)
+    return path.error();
+  return length ? readFileStart(path.value(), *length) : readFile(path.value());
 }
 
 Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
@@ -132,13 +104,6 @@ Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
   if (!path)
     return Error{ErrorKind::badInput, "URI " + quoted(uri) + " points outside the file's folder"};
   return *path;
-}
-
-Result<std::vector<std::byte>> GltfFile::readWholeUri(const std::string& uri) const {
-  if (isDataUri(uri))
-    return readDataUri(uri);
-  const Result<std::filesystem::path> path = pathOf(uri);
-  return path ? readFile(path.value()) : path.error();
 }
 
 std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {

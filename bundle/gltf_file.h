@@ -20,7 +20,6 @@ public:
 
   [[nodiscard]] const nlohmann::json& document() const { return container_.document; }
   [[nodiscard]] const GltfContainer& container() const { return container_; }
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   /// The bytes of a table's buffer view, within the buffer. Records faults at each call, but a
   /// fault of the buffer only once per list.
@@ -37,8 +36,10 @@ public:
                                                                       FindingList& findings);
   /// Resolves a relative URI to a file inside the folder. Errors: badInput.
   [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
-  /// Reads all bytes of a URI: a file inside the folder, or a data URI.
-  [[nodiscard]] Result<std::vector<std::byte>> readWholeUri(const std::string& uri) const;
+  /// Reads a URI, a file inside the folder or a data URI. If `length` is given, reads only the
+  /// first bytes of a file, and a shorter file is an error.
+  [[nodiscard]] Result<std::vector<std::byte>>
+  readUri(const std::string& uri, std::optional<std::size_t> length = {}) const;
   /// Total bytes of the buffers loaded so far.
   [[nodiscard]] std::size_t loadedBytes() const;
 
@@ -52,10 +53,6 @@ private:
 
   /// Fills `target`, or returns the fault.
   [[nodiscard]] std::optional<Finding> loadBuffer(std::size_t index, Buffer& target);
-  /// Reads the first `length` bytes of a URI. A shorter file is an error; a shorter data URI is
-  /// not.
-  [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,
-                                                       std::size_t length) const;
 
   std::filesystem::path folder_;
   GltfContainer container_;

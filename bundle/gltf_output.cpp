@@ -2,6 +2,8 @@
 // Writes a .gltf and its binary; see gltf_output.h.
 #include "gltf_output.h"
 
+#include "object_reader.h"
+
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 
@@ -67,17 +69,25 @@ std::vector<std::filesystem::path> binariesOf(std::span<const std::byte> gltf,
   const auto* container = std::get_if<GltfContainer>(&opened);
   if (container == nullptr)
     return binaries;
-  const auto buffers = container->document.find("buffers");
-  if (buffers == container->document.end() || !buffers->is_array())
+  const nlohmann::json* buffers = memberOf(&container->document, "buffers");
+  if (buffers == nullptr || !buffers->is_array())
     return binaries;
   for (const nlohmann::json& buffer : *buffers)
-    if (buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string())
-      if (const auto hash = hashIn(buffer["uri"].get_ref<const std::string&>(), path))
+    if (const std::string* uri = stringMember(buffer, "uri"))
+      if (const auto hash = hashIn(*uri, path))
         binaries.push_back(binaryBeside(path, *hash));
   return binaries;
 }
 
 } // namespace
+
+Result<bool> isGlbPath(const std::filesystem::path& path) {
+  const std::filesystem::path extension = path.extension();
+  if (extension != ".glb" && extension != ".gltf")
+    return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
+                                       "; .glb or .gltf is accepted"};
+  return extension == ".glb";
+}
 
 std::string binaryUri(const std::filesystem::path& path, std::span<const std::byte> binary) {
   return uriOf(binaryBeside(path, hashOf(binary)).filename().string());

@@ -10,6 +10,9 @@
 
 namespace lichen {
 
+/// Whether a path is that of a .glb, and not of a .gltf. Errors: usage for another extension.
+[[nodiscard]] Result<bool> isGlbPath(const std::filesystem::path& path);
+
 /// The relative URI of the binary of `path`: STEM.HASH.bin, where HASH depends on the content. An
 /// old .gltf therefore keeps its own binary until the new .gltf is complete.
 [[nodiscard]] std::string binaryUri(const std::filesystem::path& path,

@@ -3,6 +3,7 @@
 #include "extension_reader.h"
 #include "extension_writer.h"
 #include "gltf_scene_state.h"
+#include "json_builder.h"
 
 #include <lichen/bundle_merge.h>
 #include <lichen/files.h>
@@ -14,6 +15,7 @@ namespace lichen {
 namespace {
 
 using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Records violations of glTF in a document's structure. Later code relies on these checks.
 class SkeletonCheck {
@@ -24,6 +26,8 @@ public:
     for (const char* array :
          {"accessors", "bufferViews", "buffers", "images", "samplers", "textures"})
       objects(root_, array, "");
+    member(root_, "extensions", json::value_t::object, "");
+    member(root_, "extensionsUsed", json::value_t::array, "");
     const json* materials = objects(root_, "materials", "");
     for (std::size_t m = 0; materials != nullptr && m < materials->size(); ++m)
       material((*materials)[m], "/materials/" + std::to_string(m));
@@ -49,19 +53,25 @@ private:
     return nullptr;
   }
 
+  /// An optional member of one type; null if absent or invalid.
+  const json* member(const json& parent, const char* key, json::value_t type,
+                     const std::string& pointer) {
+    const json* value = memberOf(&parent, key);
+    if (value == nullptr || value->type() == type)
+      return value;
+    findings_.error("type", pointer + "/" + key, "not an " + std::string(json(type).type_name()));
+    return nullptr;
+  }
+
   /// Checks the textures that the noise replaces, and the factors that multiply them.
   void material(const json& value, const std::string& pointer) {
+    member(value, "extensions", json::value_t::object, pointer);
     for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
       texture(value, key, pointer);
-    const auto core = value.find("pbrMetallicRoughness");
-    if (core == value.end())
-      return;
-    const std::string place = pointer + "/pbrMetallicRoughness";
-    if (!core->is_object())
-      findings_.error("type", place, "not an object");
-    else
-      for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"})
-        texture(*core, key, place);
+    const json* core = member(value, "pbrMetallicRoughness", json::value_t::object, pointer);
+    for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"})
+      if (core != nullptr)
+        texture(*core, key, pointer + "/pbrMetallicRoughness");
   }
 
   void texture(const json& parent, const char* key, const std::string& pointer) {
@@ -107,20 +117,10 @@ private:
   FindingList& findings_;
 };
 
-/// The first error with its message for the user, or nothing.
-std::optional<Error> firstError(const FindingList& findings, const std::filesystem::path& path) {
-  for (const Finding& finding : findings.all())
-    if (finding.severity == Finding::Severity::error)
-      return Error{finding.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
-                   path.string() + ": " + finding.pointer + (finding.pointer.empty() ? "" : ": ") +
-                       finding.message};
-  return std::nullopt;
-}
-
 /// The element's name; empty if it has none.
 std::string nameOf(const json& element) {
-  const auto name = element.find("name");
-  return name != element.end() && name->is_string() ? name->get<std::string>() : std::string();
+  const std::string* name = stringMember(element, "name");
+  return name != nullptr ? *name : "";
 }
 
 NameCounts countNames(const json& document, const char* array) {
@@ -141,15 +141,6 @@ std::string titleOf(const char* kind, const json& elements, std::size_t index,
   return name.empty() ? title : title + " '" + name + "'";
 }
 
-/// The accessor of a new view of floats.
-JsonTree describeVertices(std::size_t view, std::size_t count, std::size_t components) {
-  constexpr int kFloat = 5126;
-  return {{"bufferView", view},
-          {"componentType", kFloat},
-          {"count", count},
-          {"type", "VEC" + std::to_string(components)}};
-}
-
 } // namespace
 
 std::size_t GltfScene::State::countOf(const char* array) const {
@@ -159,14 +150,6 @@ std::size_t GltfScene::State::countOf(const char* array) const {
 
 const json& GltfScene::State::primitive(PrimitivePlace place) const {
   return document()["meshes"][place.mesh]["primitives"][place.primitive];
-}
-
-std::size_t GltfScene::State::addView(std::span<const std::byte> view, std::size_t alignment,
-                                      bool isVertices) {
-  added.resize((added.size() + alignment - 1) / alignment * alignment);
-  addedViews.push_back({added.size(), view.size(), isVertices});
-  added.insert(added.end(), view.begin(), view.end());
-  return countOf("bufferViews") + addedViews.size() - 1;
 }
 
 GltfScene::GltfScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -184,15 +167,18 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
     state->bytes = std::move(bytes).value();
     FindingList findings;
     state->file = GltfFile::open(state->bytes, folderOf(path), findings);
-    if (state->file)
+    if (state->file) {
       SkeletonCheck(state->document(), findings).run();
+      if (const auto fault = buildOrderedJson(state->file->container().text, state->edited))
+        findings.error("json-name", "",
+                       "JSON object with two members " + quoted(fault->name) + "; one is accepted");
+    }
     if (findings.errorCount() == 0)
       state->bundle = readExtension(*state->file, findings);
-    if (std::optional<Error> error = firstError(findings, path))
-      return std::move(*error);
-    const auto used = state->document().find("extensionsUsed");
-    state->listsExtension = used != state->document().end() && used->is_array() &&
-                            std::find(used->begin(), used->end(), kExtensionName) != used->end();
+    if (const Finding* fault = findings.firstError())
+      return asError(*fault, path.string());
+    state->added.firstView = state->countOf("bufferViews");
+    state->added.firstAccessor = state->countOf("accessors");
     state->readNoises();
     state->sortPrimitives();
     state->materialNames = countNames(state->document(), "materials");
@@ -211,8 +197,7 @@ void GltfScene::State::readNoises() {
     return;
   const json& extension = document()[place];
   for (const json& noise : extension["noises"])
-    if (noise.contains("name") && noise["name"].is_string())
-      noiseNames.insert(noise["name"].get<std::string>());
+    noiseNames.insert(nameOf(noise));
   if (bundle.ignoredNoises.empty())
     return;
   ignoredTables = extension["tables"].size();
@@ -253,61 +238,44 @@ const std::vector<PrimitivePlace>& GltfScene::primitivesOf(std::size_t material)
 
 std::optional<std::size_t> GltfScene::attribute(PrimitivePlace place,
                                                 const std::string& name) const {
-  const auto set = state_->setAttributes.find({place.mesh, place.primitive, name});
-  if (set != state_->setAttributes.end())
-    return set->second;
-  const json& attributes = state_->primitive(place)["attributes"];
+  const Json& attributes = state_->attributes(place);
   const auto found = attributes.find(name);
   return found == attributes.end() ? std::nullopt : std::optional(found->get<std::size_t>());
 }
 
 std::size_t GltfScene::addVertices(std::span<const std::array<float, 3>> values) {
-  const std::size_t view = state_->addView(std::as_bytes(values), sizeof(float), true);
-  state_->changes.member("accessors").append(describeVertices(view, values.size(), 3));
-  return state_->countOf("accessors") + state_->addedAccessors++;
+  return state_->added.addVertices(values);
 }
 
 std::size_t GltfScene::addVertices(std::span<const std::array<float, 4>> values) {
-  const std::size_t view = state_->addView(std::as_bytes(values), sizeof(float), true);
-  state_->changes.member("accessors").append(describeVertices(view, values.size(), 4));
-  return state_->countOf("accessors") + state_->addedAccessors++;
+  return state_->added.addVertices(values);
 }
 
 void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std::size_t accessor) {
-  state_->setAttributes[{place.mesh, place.primitive, name}] = accessor;
-  state_->changes.member("meshes")
-      .element(place.mesh)
-      .member("primitives")
-      .element(place.primitive)
-      .member("attributes")
-      .member(name)
-      .set(accessor);
+  state_->attributes(place)[name] = accessor;
 }
 
 void GltfScene::setFactor(std::size_t material, std::string_view parent, std::string_view key,
                           const std::vector<double>& value) {
-  JsonChange& whole = state_->changes.member("materials").element(material);
-  JsonChange& change = (parent.empty() ? whole : whole.member(parent)).member(key);
-  if (value.size() == 1)
-    change.set(value.front());
-  else
-    change.set(value);
+  Json& whole = state_->edited["materials"][material];
+  Json& factor = (parent.empty() ? whole : whole[std::string(parent)])[std::string(key)];
+  factor = value.size() == 1 ? Json(value.front()) : Json(value);
 }
 
 std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {
-  const std::size_t view = state_->addView(file, sizeof(std::uint32_t), false);
-  const std::size_t image = state_->countOf("images") + state_->addedTextures;
-  const std::size_t sampler = state_->countOf("samplers") + state_->addedTextures;
   constexpr int kClampToEdge = 33071;
-  state_->changes.member("images").append({{"mimeType", mediaType}, {"bufferView", view}});
-  state_->changes.member("samplers").append({{"wrapS", kClampToEdge}, {"wrapT", kClampToEdge}});
-  state_->changes.member("textures").append({{"sampler", sampler}, {"source", image}});
-  ++state_->addedTextures;
-  return textureCount() - 1;
+  Json& root = state_->edited;
+  root["images"].push_back({{"mimeType", mediaType},
+                            {"bufferView", state_->added.addView(file, sizeof(std::uint32_t))}});
+  root["samplers"].push_back({{"wrapS", kClampToEdge}, {"wrapT", kClampToEdge}});
+  root["textures"].push_back(
+      {{"sampler", root["samplers"].size() - 1}, {"source", root["images"].size() - 1}});
+  return root["textures"].size() - 1;
 }
 
 std::size_t GltfScene::textureCount() const {
-  return state_->countOf("textures") + state_->addedTextures;
+  const auto textures = state_->edited.find("textures");
+  return textures == state_->edited.end() ? 0 : textures->size();
 }
 
 Result<AppliedNoise> GltfScene::applyNoise(const Bundle& bundle, std::size_t noise,
@@ -317,27 +285,26 @@ Result<AppliedNoise> GltfScene::applyNoise(const Bundle& bundle, std::size_t noi
     Bundle& own = state_->bundle;
     const std::size_t tablesBefore = own.tables.size(), noisesBefore = own.noises.size();
     const std::size_t place = placeNoise(own, bundle, noise, state_->noiseNames);
-    JsonChange& root = state_->changes.member("extensions").member(kExtensionName);
+    const std::string extension(kExtensionName);
+    Json& root = state_->edited["extensions"][extension];
     for (std::size_t t = tablesBefore; t < own.tables.size(); ++t)
-      root.member("tables").append(describeTable(
-          own.tables[t], state_->addView(encodeKtx2(own.tables[t]), kTableAlignment, false)));
+      root["tables"].push_back(describeTable(
+          own.tables[t], state_->added.addView(encodeKtx2(own.tables[t]), kTableAlignment)));
     if (own.noises.size() > noisesBefore) {
       Noise added = own.noises[place];
       for (NoiseMap& map : added.maps)
         visitTables(map, [&](std::size_t& table) { table += state_->ignoredTables; });
-      root.member("noises").append(describeNoise(added));
+      root["noises"].push_back(describeNoise(added));
       state_->noiseNames.insert(added.name);
     }
-    if (!std::exchange(state_->listsExtension, true))
-      state_->changes.member("extensionsUsed").append(kExtensionName);
+    Json& used = state_->edited["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), kExtensionName) == used.end())
+      used.push_back(kExtensionName);
     MaterialNoise described = use;
     described.noise = state_->ignoredNoises + place;
     for (const std::size_t material : materials)
-      state_->changes.member("materials")
-          .element(material)
-          .member("extensions")
-          .member(kExtensionName)
-          .set(describeMaterialNoise(described));
+      state_->edited["materials"][material]["extensions"][extension] =
+          describeMaterialNoise(described);
     return AppliedNoise{own.noises[place].name, own.noises.size() > noisesBefore,
                         own.tables.size() - tablesBefore};
   };

@@ -2,8 +2,8 @@
 // The contents of a GltfScene and the pending changes.
 #pragma once
 
+#include "gltf_builder.h"
 #include "gltf_file.h"
-#include "json_changes.h"
 
 #include <lichen/gltf_scene.h>
 
@@ -11,14 +11,6 @@
 #include <set>
 
 namespace lichen {
-
-/// A view of added bytes. The offset of `added` in the final buffer is known only when the asset is
-/// written.
-struct AddedView {
-  std::size_t offset = 0;
-  std::size_t length = 0;
-  bool isVertices = false;
-};
 
 /// Number of elements of an array per name; elements without a name count under the empty one.
 using NameCounts = std::map<std::string, std::size_t>;
@@ -42,25 +34,21 @@ struct GltfScene::State {
   SoundAccessors soundAccessors; ///< accessors without errors, as checkVertices() found
   std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< indexed by material
   NameCounts materialNames, meshNames;
-  bool listsExtension = false; ///< whether extensionsUsed lists the extension
 
-  JsonChange changes;
-  std::vector<std::byte> added;
-  std::vector<AddedView> addedViews;
-  std::size_t addedAccessors = 0;
-  std::size_t addedTextures = 0;    ///< number of added textures and images
+  nlohmann::ordered_json edited; ///< the document with all changes except `added`
+  GltfBuilder added; ///< views have offsets in its own buffer until the asset is written
   std::set<std::size_t> imagesLeft; ///< images that stay external even in a .glb
-  /// Accessors set by setAttribute(), by mesh, primitive and attribute name.
-  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::size_t> setAttributes;
 
   [[nodiscard]] const nlohmann::json& document() const { return file->document(); }
   /// Number of elements of an array of the root; 0 if absent.
   [[nodiscard]] std::size_t countOf(const char* array) const;
   [[nodiscard]] const nlohmann::json& primitive(PrimitivePlace place) const;
+  /// The attributes of a primitive, with changes.
+  [[nodiscard]] nlohmann::ordered_json& attributes(PrimitivePlace place) {
+    return edited["meshes"][place.mesh]["primitives"][place.primitive]["attributes"];
+  }
   void readNoises();
   void sortPrimitives(); ///< fills primitivesOf
-  /// Appends bytes at a multiple of `alignment`. Returns the index of their view.
-  std::size_t addView(std::span<const std::byte> view, std::size_t alignment, bool isVertices);
 };
 
 } // namespace lichen

@@ -1,74 +1,97 @@
 // SPDX-License-Identifier: MIT
-// JSON text -> nlohmann::json; see json_builder.h.
+// JSON text -> nlohmann::json or ordered_json; see json_builder.h.
 #include "json_builder.h"
 
+#include <algorithm>
+#include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace lichen {
 namespace {
 
-using nlohmann::json;
-
 /// Receives the parser's events. It adds each value empty and fills it in place, so that no
 /// temporary ever holds a nested value.
-class Builder : public json::json_sax_t {
+template <class Json>
+class Builder : public nlohmann::json_sax<Json> {
 public:
-  Builder(json& root, std::size_t mostValues) : root_(root), valuesLeft_(mostValues) {}
+  Builder(Json& root, std::size_t mostValues, std::size_t mostDepth)
+      : root_(root), valuesLeft_(mostValues), mostDepth_(mostDepth) {}
 
   [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  bool number_integer(json::number_integer_t value) override { return add(value); }
-  bool number_unsigned(json::number_unsigned_t value) override { return add(value); }
-  bool number_float(json::number_float_t value, const std::string&) override { return add(value); }
+  bool number_integer(typename Json::number_integer_t value) override { return add(value); }
+  bool number_unsigned(typename Json::number_unsigned_t value) override { return add(value); }
+  bool number_float(typename Json::number_float_t value, const std::string&) override {
+    return add(value);
+  }
   bool string(std::string& value) override { return add(std::move(value)); }
-  bool binary(json::binary_t& value) override { return add(std::move(value)); }
-  bool start_object(std::size_t) override { return open(json::value_t::object); }
-  bool start_array(std::size_t) override { return open(json::value_t::array); }
-  bool end_object() override { return close(); }
+  bool binary(typename Json::binary_t& value) override { return add(std::move(value)); }
+  bool start_object(std::size_t) override { return open(Json::value_t::object); }
+  bool start_array(std::size_t) override { return open(Json::value_t::array); }
+  bool end_object() override { return checkNames() && close(); }
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     key_ = std::move(name);
     return true;
   }
-  bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override {
-    const bool isRange = dynamic_cast<const json::out_of_range*>(&error) != nullptr;
-    fault_ = JsonFault{isRange ? JsonFault::Kind::range : JsonFault::Kind::syntax, byte};
-    return false;
+  bool parse_error(std::size_t byte, const std::string&,
+                   const nlohmann::json::exception& error) override {
+    const bool isRange = dynamic_cast<const typename Json::out_of_range*>(&error) != nullptr;
+    return stop(isRange ? JsonFault::Kind::range : JsonFault::Kind::syntax, byte, {});
   }
 
 private:
-  json& place(json value) {
+  static constexpr bool kIsOrdered = std::is_same_v<Json, nlohmann::ordered_json>;
+
+  Json& place(Json value) {
     if (open_.empty())
       return root_ = std::move(value);
-    json& parent = *open_.back();
+    Json& parent = *open_.back();
     if (parent.is_array()) {
       parent.push_back(std::move(value));
       return parent.back();
     }
-    json& member = parent[key_];
-    dismantle(member); // an earlier member of the same name
-    return member = std::move(value);
+    if constexpr (kIsOrdered) { // operator[] would compare the name with all earlier ones
+      auto& members = parent.template get_ref<typename Json::object_t&>();
+      return members.emplace_back(key_, std::move(value)).second;
+    } else {
+      Json& member = parent[key_];
+      dismantle(member); // an earlier member of the same name
+      return member = std::move(value);
+    }
   }
-  /// Counts one more value; stops the parse at the limit.
-  bool count() {
-    if (valuesLeft_ == 0)
-      fault_ = JsonFault{JsonFault::Kind::count};
-    else
-      --valuesLeft_;
-    return !fault_;
+  /// Stops the parse if two members of the last open object have the same name.
+  bool checkNames() {
+    if constexpr (kIsOrdered) {
+      std::vector<std::string_view> names;
+      for (const auto& member : open_.back()->template get_ref<typename Json::object_t&>())
+        names.push_back(member.first);
+      std::sort(names.begin(), names.end());
+      if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+        return stop(JsonFault::Kind::name, 0, std::string(*twice));
+    }
+    return true;
   }
-  bool add(json value) {
-    if (!count())
-      return false;
+  /// Stops the parse.
+  bool stop(JsonFault::Kind kind, std::size_t byte, std::string name) {
+    fault_ = JsonFault{kind, byte, std::move(name)};
+    return false;
+  }
+  bool add(Json value) {
+    if (valuesLeft_-- == 0)
+      return stop(JsonFault::Kind::count, 0, {});
     place(std::move(value));
     return true;
   }
-  bool open(json::value_t type) {
-    if (!count())
-      return false;
+  bool open(typename Json::value_t type) {
+    if (valuesLeft_-- == 0)
+      return stop(JsonFault::Kind::count, 0, {});
+    if (open_.size() == mostDepth_)
+      return stop(JsonFault::Kind::depth, 0, {});
     open_.push_back(&place(type));
     return true;
   }
@@ -77,29 +100,41 @@ private:
     return true;
   }
 
-  json& root_;
-  std::size_t valuesLeft_;
+  Json& root_;
+  std::size_t valuesLeft_, mostDepth_;
   /// The arrays and objects that contain the next value. None moves before it is closed.
-  std::vector<json*> open_;
+  std::vector<Json*> open_;
   std::string key_;
   std::optional<JsonFault> fault_;
 };
 
-} // namespace
-
-std::optional<JsonFault> buildJson(std::span<const std::byte> text, std::size_t mostValues,
-                                   nlohmann::json& document) {
-  Builder builder(document, mostValues);
+template <class Json>
+std::optional<JsonFault> build(std::span<const std::byte> text, std::size_t mostValues,
+                               std::size_t mostDepth, Json& document) {
+  Builder<Json> builder(document, mostValues, mostDepth);
   const auto* begin = reinterpret_cast<const char*>(text.data());
-  json::sax_parse(begin, begin + text.size(), &builder);
+  Json::sax_parse(begin, begin + text.size(), &builder);
   return builder.fault();
 }
 
+} // namespace
+
+std::optional<JsonFault> buildJson(std::span<const std::byte> text, std::size_t mostValues,
+                                   std::size_t mostDepth, nlohmann::json& document) {
+  return build(text, mostValues, mostDepth, document);
+}
+
+std::optional<JsonFault> buildOrderedJson(std::span<const std::byte> text,
+                                          nlohmann::ordered_json& document) {
+  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+  return build(text, kNoLimit, kNoLimit, document);
+}
+
 void dismantle(nlohmann::json& value) noexcept {
-  if (auto* array = value.get_ptr<json::array_t*>()) {
+  if (auto* array = value.get_ptr<nlohmann::json::array_t*>()) {
     for (; !array->empty(); array->pop_back())
       dismantle(array->back());
-  } else if (auto* object = value.get_ptr<json::object_t*>()) {
+  } else if (auto* object = value.get_ptr<nlohmann::json::object_t*>()) {
     for (; !object->empty(); object->erase(object->begin()))
       dismantle(object->begin()->second);
   }

@@ -14,6 +14,18 @@ std::string shortest(double value) { return json(value).dump(); }
 
 } // namespace
 
+const json* memberOf(const json* value, std::string_view key) {
+  if (value == nullptr || !value->is_object())
+    return nullptr;
+  const auto member = value->find(std::string(key));
+  return member == value->end() ? nullptr : &*member;
+}
+
+const std::string* stringMember(const json& value, std::string_view key) {
+  const json* member = memberOf(&value, key);
+  return member == nullptr ? nullptr : member->get_ptr<const std::string*>();
+}
+
 ObjectReader::ObjectReader(const json& value, std::string pointer, FindingList& findings)
     : value_(value), pointer_(std::move(pointer)), findings_(findings) {
   if (!value_.is_object())
@@ -92,6 +104,20 @@ std::optional<std::vector<double>> ObjectReader::numbers(const char* key, Number
   if (values.size() != list->size())
     return std::nullopt;
   return values;
+}
+
+std::optional<std::array<double, 2>> ObjectReader::pair(const char* key, NumberRange range) {
+  const auto values = numbers(key, range);
+  if (values && values->size() == 2)
+    return std::array{values->front(), values->back()};
+  if (values)
+    error("count", key, std::to_string(values->size()) + " values; 2 are accepted");
+  return std::nullopt;
+}
+
+std::array<double, 2> ObjectReader::pairOr(const char* key, NumberRange range,
+                                           const std::array<double, 2>& fallback) {
+  return has(key) ? pair(key, range).value_or(fallback) : fallback;
 }
 
 std::optional<std::uint64_t> ObjectReader::integer(const char* key, std::uint64_t most,

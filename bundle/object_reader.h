@@ -9,6 +9,11 @@
 
 namespace lichen {
 
+/// A member of a value that may be null or no object; null if absent.
+[[nodiscard]] const nlohmann::json* memberOf(const nlohmann::json* value, std::string_view key);
+/// A member that is a string; null if it is not, and as memberOf().
+[[nodiscard]] const std::string* stringMember(const nlohmann::json& value, std::string_view key);
+
 class ObjectReader {
 public:
   /// Borrows all three. Records a value that is not an object; its members then count as absent,
@@ -31,10 +36,20 @@ public:
   [[nodiscard]] std::optional<double> number(const char* key, NumberRange range);
   [[nodiscard]] double numberOr(const char* key, NumberRange range, double fallback);
   [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key, NumberRange range);
-  /// An integer in [least, most]. Records `rangeCode` for one outside.
+  /// Two numbers. Records "count" for another size.
+  [[nodiscard]] std::optional<std::array<double, 2>> pair(const char* key, NumberRange range);
+  [[nodiscard]] std::array<double, 2> pairOr(const char* key, NumberRange range,
+                                             const std::array<double, 2>& fallback);
+  /// An integer in [least, most] (integerOr: optional). Records `rangeCode` for one outside.
   [[nodiscard]] std::optional<std::uint64_t> integer(const char* key, std::uint64_t most,
                                                      const char* rangeCode = "range",
                                                      std::uint64_t least = 0);
+  template <class Integer>
+  [[nodiscard]] Integer integerOr(const char* key, std::uint64_t most, Integer fallback,
+                                  std::uint64_t least = 0) {
+    const auto value = has(key) ? integer(key, most, "range", least) : std::nullopt;
+    return value ? Integer(*value) : fallback;
+  }
   [[nodiscard]] std::optional<std::string> text(const char* key);
   /// An array of 1 to `most` elements. Otherwise records a fault ("count" for another size) and
   /// returns null.

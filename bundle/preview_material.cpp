@@ -10,6 +10,8 @@
 namespace lichen {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 
 bool hasChannel(const Noise& noise, MapChannel channel) {
@@ -19,7 +21,7 @@ bool hasChannel(const Noise& noise, MapChannel channel) {
 }
 
 /// Adds an image and a texture with the shared, repeating sampler. Returns the texture's index.
-std::size_t addTexture(JsonTree& root, GltfBuilder& builder, const std::string& name,
+std::size_t addTexture(Json& root, GltfBuilder& builder, const std::string& name,
                        const std::vector<std::byte>& png) {
   constexpr int kLinear = 9729;
   constexpr int kLinearMipmapLinear = 9987;
@@ -34,13 +36,12 @@ std::size_t addTexture(JsonTree& root, GltfBuilder& builder, const std::string& 
 
 /// A reference to a texture that spans `tilesPerImage` exemplars. With the extension's tile =
 /// offset + R uv / scale, the image coordinate is tile / tilesPerImage.
-JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& use,
-                     int tilesPerImage) {
-  JsonTree info = {{"index", texture}};
+Json textureInfo(Json& root, std::size_t texture, const MaterialNoise& use, int tilesPerImage) {
+  Json info = {{"index", texture}};
   if (use.texCoord != 0)
     info["texCoord"] = use.texCoord;
   const double tiles = tilesPerImage;
-  JsonTree transform = JsonTree::object();
+  Json transform = Json::object();
   if (use.offset != std::array<double, 2>{0.0, 0.0})
     transform["offset"] = {use.offset[0] / tiles, use.offset[1] / tiles};
   if (use.rotation != 0.0)
@@ -49,7 +50,8 @@ JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& u
     transform["scale"] = {scale, scale};
   if (!transform.empty()) {
     info["extensions"][kTextureTransform] = std::move(transform);
-    if (JsonTree& used = root["extensionsUsed"]; !used.has(kTextureTransform))
+    if (Json& used = root["extensionsUsed"];
+        std::find(used.begin(), used.end(), kTextureTransform) == used.end())
       used.push_back(kTextureTransform);
   }
   return info;
@@ -57,11 +59,11 @@ JsonTree textureInfo(JsonTree& root, std::size_t texture, const MaterialNoise& u
 
 } // namespace
 
-void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, const Noise& noise,
+void addMaterial(Json& root, GltfBuilder& builder, const std::string& name, const Noise& noise,
                  const MaterialNoise& use, const PreviewImages& preview) {
   constexpr double kRoughnessWithoutMap = 0.8;
   constexpr const char* kPbr = "pbrMetallicRoughness";
-  JsonTree material = {{"name", name}};
+  Json material = {{"name", name}};
   const auto texture = [&](const char* slot, const std::vector<std::byte>& png) {
     return textureInfo(root, addTexture(root, builder, name + "." + slot, png), use,
                        preview.tilesPerImage);
@@ -73,7 +75,7 @@ void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, 
   material[kPbr]["roughnessFactor"] =
       hasChannel(noise, MapChannel::roughness) ? 1.0 : kRoughnessWithoutMap;
   if (!preview.occlusionRoughnessMetallic.empty()) {
-    const JsonTree info = texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
+    const Json info = texture("occlusionRoughnessMetallic", preview.occlusionRoughnessMetallic);
     if (hasChannel(noise, MapChannel::roughness) || hasChannel(noise, MapChannel::metallic))
       material[kPbr]["metallicRoughnessTexture"] = info;
     if (hasChannel(noise, MapChannel::occlusion))

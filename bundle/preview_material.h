@@ -9,7 +9,7 @@
 namespace lichen {
 
 /// Adds a material with the extension's object and the preview's textures to `root`.
-void addMaterial(JsonTree& root, GltfBuilder& builder, const std::string& name, const Noise& noise,
-                 const MaterialNoise& use, const PreviewImages& preview);
+void addMaterial(nlohmann::ordered_json& root, GltfBuilder& builder, const std::string& name,
+                 const Noise& noise, const MaterialNoise& use, const PreviewImages& preview);
 
 } // namespace lichen

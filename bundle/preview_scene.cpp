@@ -15,6 +15,8 @@
 namespace lichen {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 using Vec3 = std::array<float, 3>;
 
 struct Mesh {
@@ -40,10 +42,8 @@ constexpr double kCameraTargetHeight = 0.9; // a little below the ball's centre
 constexpr double kMarginAroundBalls = 1.25;
 
 std::array<double, 3> combine(double a, const std::array<double, 3>& x, double b,
-                              const std::array<double, 3>& y, double c,
-                              const std::array<double, 3>& z) {
-  return {a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1],
-          a * x[2] + b * y[2] + c * z[2]};
+                              const std::array<double, 3>& y) {
+  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
 }
 
 std::array<double, 3> normalized(const std::array<double, 3>& v) {
@@ -79,16 +79,16 @@ Mesh makeBall(const std::array<double, 3>& toCamera, double exemplarAspect) {
   const std::array<double, 3> up = {0.0, toCamera[2], -toCamera[1]}; // toCamera x right
   Mesh mesh;
   const auto addVertex = [&](double theta, double phi) {
-    const auto outward = combine(std::cos(phi), right, std::sin(phi), up, 0.0, up);
-    const auto position = combine(std::cos(theta), toCamera, std::sin(theta), outward, 0.0, up);
-    const auto alongTheta = combine(-std::sin(theta), toCamera, std::cos(theta), outward, 0.0, up);
-    const auto alongPhi = combine(-std::sin(phi), right, std::cos(phi), up, 0.0, up);
+    const auto outward = combine(std::cos(phi), right, std::sin(phi), up);
+    const auto position = combine(std::cos(theta), toCamera, std::sin(theta), outward);
+    const auto alongTheta = combine(-std::sin(theta), toCamera, std::cos(theta), outward);
+    const auto alongPhi = combine(-std::sin(phi), right, std::cos(phi), up);
     // The direction in which u grows, from the projection's derivative 2 cos(theta / 2) along theta
     // and its inverse's 1 / cos(theta / 2) along phi. The lower bound keeps it from vanishing at
     // the far point.
     const double squash = std::max(1e-3, std::pow(std::cos(theta / 2.0), 2.0));
-    const auto tangent = toFloat(
-        normalized(combine(std::cos(phi), alongTheta, -std::sin(phi) * squash, alongPhi, 0.0, up)));
+    const auto tangent =
+        toFloat(normalized(combine(std::cos(phi), alongTheta, -std::sin(phi) * squash, alongPhi)));
     const double radius = 2.0 * std::sin(theta / 2.0) * kExemplarsPerMetre;
     mesh.positions.push_back(toFloat(position));
     mesh.normals.push_back(toFloat(position));
@@ -135,16 +135,16 @@ Mesh makeGround(double exemplarAspect) {
 }
 
 /// Adds the accessors of a mesh; tangents only if a material needs them.
-JsonTree addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
-  JsonTree attributes = {{"POSITION", builder.addVertices(mesh.positions, true)},
-                         {"NORMAL", builder.addVertices(mesh.normals)},
-                         {"TEXCOORD_0", builder.addVertices(mesh.uvs)}};
+Json addAttributes(GltfBuilder& builder, const Mesh& mesh, bool withTangents) {
+  Json attributes = {{"POSITION", builder.addVertices<3>(mesh.positions, true)},
+                     {"NORMAL", builder.addVertices<3>(mesh.normals)},
+                     {"TEXCOORD_0", builder.addVertices<2>(mesh.uvs)}};
   if (withTangents)
-    attributes["TANGENT"] = builder.addVertices(mesh.tangents);
+    attributes["TANGENT"] = builder.addVertices<4>(mesh.tangents);
   return attributes;
 }
 
-void addPrimitive(JsonTree& mesh, JsonTree attributes, std::size_t indices, std::size_t material,
+void addPrimitive(Json& mesh, Json attributes, std::size_t indices, std::size_t material,
                   bool withTangents) {
   if (!withTangents)
     attributes.erase("TANGENT");
@@ -157,12 +157,11 @@ bool any(const std::vector<bool>& values) {
 }
 
 /// Adds the ground, divided into one sector per element of `needsTangents`.
-void addGround(JsonTree& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
+void addGround(Json& root, GltfBuilder& builder, const std::vector<bool>& needsTangents,
                double exemplarAspect) {
   const std::size_t materials = needsTangents.size();
-  const JsonTree attributes =
-      addAttributes(builder, makeGround(exemplarAspect), any(needsTangents));
-  JsonTree mesh = {{"name", "ground"}};
+  const Json attributes = addAttributes(builder, makeGround(exemplarAspect), any(needsTangents));
+  Json mesh = {{"name", "ground"}};
   for (std::size_t i = 0; i < materials; ++i) {
     const auto sector = [&](std::size_t part) {
       return int(std::size_t(kGroundSectors) * part / materials);
@@ -198,14 +197,14 @@ std::vector<BallPlace> ballPlaces(std::size_t balls) {
 }
 
 /// Adds one ball per material.
-void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>& eye,
+void addBalls(Json& root, GltfBuilder& builder, const std::array<double, 3>& eye,
               const std::vector<bool>& needsTangents, double exemplarAspect) {
   const Mesh ball = makeBall(normalized({0.0, eye[1] - 1.0, eye[2]}), exemplarAspect);
-  const JsonTree attributes = addAttributes(builder, ball, any(needsTangents));
+  const Json attributes = addAttributes(builder, ball, any(needsTangents));
   const std::size_t indices = builder.addIndices(ball.indices);
   const std::vector<BallPlace> places = ballPlaces(needsTangents.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    JsonTree mesh = {{"name", "ball " + std::to_string(i)}};
+    Json mesh = {{"name", "ball " + std::to_string(i)}};
     addPrimitive(mesh, attributes, indices, i, needsTangents[i]);
     root["nodes"].push_back({{"name", mesh["name"]},
                              {"translation", {places[i].x, 1.0, places[i].z}},
@@ -215,7 +214,7 @@ void addBalls(JsonTree& root, GltfBuilder& builder, const std::array<double, 3>&
 }
 
 /// Quaternion (x, y, z, w) of a rotation about +X by `pitch`, then about +Y by `yaw`.
-JsonTree rotation(double yaw, double pitch) {
+Json rotation(double yaw, double pitch) {
   const double sy = std::sin(yaw / 2.0), cy = std::cos(yaw / 2.0);
   const double sp = std::sin(pitch / 2.0), cp = std::cos(pitch / 2.0);
   return {cy * sp, sy * cp, -sy * sp, cy * cp};
@@ -234,7 +233,7 @@ double cameraDistance(const std::vector<BallPlace>& balls, double elevation) {
   return distance;
 }
 
-void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye, double elevation) {
+void addCameraAndSun(Json& root, const std::array<double, 3>& eye, double elevation) {
   root["nodes"].push_back({{"name", "camera"},
                            {"translation", eye},
                            {"rotation", rotation(0.0, -elevation)},
@@ -259,7 +258,7 @@ void addCameraAndSun(JsonTree& root, const std::array<double, 3>& eye, double el
 
 } // namespace
 
-void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
+void addPreviewScene(Json& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents, double exemplarAspect) {
   if (shape == PreviewShape::none)
     return;
@@ -269,16 +268,14 @@ void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
   const double distance = cameraDistance(balls, elevation);
   const std::array<double, 3> eye = {0.0, kCameraTargetHeight + distance * std::sin(elevation),
                                      distance * std::cos(elevation)};
-  root["nodes"] = JsonTree::array();
-  root["meshes"] = JsonTree::array();
-  if (withBalls)
-    addGround(root, builder, {needsTangents.front()}, exemplarAspect);
-  else
-    addGround(root, builder, needsTangents, exemplarAspect);
+  root["nodes"] = Json::array();
+  root["meshes"] = Json::array();
+  const std::vector<bool> first(1, needsTangents.front());
+  addGround(root, builder, withBalls ? first : needsTangents, exemplarAspect);
   if (withBalls)
     addBalls(root, builder, eye, needsTangents, exemplarAspect);
   addCameraAndSun(root, eye, elevation);
-  JsonTree nodeIndices = JsonTree::array();
+  Json nodeIndices = Json::array();
   for (std::size_t i = 0; i < root["nodes"].size(); ++i)
     nodeIndices.push_back(i);
   root["scene"] = 0;

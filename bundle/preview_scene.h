@@ -16,7 +16,7 @@ inline constexpr int kGroundSectors = 48;
 /// is true. `exemplarAspect`, width over height, preserves the exemplar's proportions, because an
 /// exemplar spans one unit of texture coordinates along both axes. All materials share the
 /// geometry, so it is the aspect of the first noise. Adds nothing for PreviewShape::none.
-void addPreviewScene(JsonTree& root, GltfBuilder& builder, PreviewShape shape,
+void addPreviewScene(nlohmann::ordered_json& root, GltfBuilder& builder, PreviewShape shape,
                      const std::vector<bool>& needsTangents, double exemplarAspect);
 
 } // namespace lichen

@@ -156,76 +156,72 @@ std::optional<std::string> compressionOf(const json& document, const json& primi
   return primitive.contains("indices") ? ofAccessor(primitive["indices"]) : std::nullopt;
 }
 
-/// The first fault as an error; its message starts with `title`.
-Error faultOf(const FindingList& findings, const std::string& title) {
-  const Finding& first = findings.all().front();
-  return Error{first.code == "memory" ? ErrorKind::resources : ErrorKind::badInput,
-               title + first.pointer + (first.pointer.empty() ? "" : ": ") + first.message};
+/// Returns what `read` reads from a primitive, or the first fault that it records.
+template <class Read>
+auto readFrom(const GltfScene& scene, PrimitivePlace place, const Read& read) {
+  using Value = decltype(read(std::declval<FindingList&>()));
+  return withinMemory([&] { return scene.path().string() + ": not enough memory to read a mesh"; },
+                      [&]() -> Result<Value> {
+                        FindingList findings;
+                        Value value = read(findings);
+                        if (const Finding* fault = findings.firstError())
+                          return asError(*fault, scene.path().string() + ": " +
+                                                     scene.primitiveTitle(place));
+                        return value;
+                      });
 }
 
 } // namespace
 
 Result<PrimitiveGeometry> GltfScene::geometry(PrimitivePlace place) {
-  const auto read = [&]() -> Result<PrimitiveGeometry> {
-    const json& primitive = state_->primitive(place);
-    const std::string title = state_->path.string() + ": " + primitiveTitle(place) + ": ";
+  const json& primitive = state_->primitive(place);
+  return readFrom(*this, place, [&](FindingList& findings) {
+    PrimitiveGeometry geometry;
     if (const auto fault = unreadable(primitive))
-      return Error{ErrorKind::badInput, title + *fault};
-    FindingList findings;
-    PrimitiveGeometry geometry = readGeometry(*state_->file, primitive, findings);
-    if (findings.errorCount() > 0)
-      return faultOf(findings, title);
-    geometry.triangles =
-        asTriangleList(std::move(geometry.triangles), primitive.value("mode", kTriangles));
+      findings.error("unreadable", "", *fault);
+    else
+      geometry = readGeometry(*state_->file, primitive, findings);
+    if (findings.errorCount() == 0)
+      geometry.triangles =
+          asTriangleList(std::move(geometry.triangles), primitive.value("mode", kTriangles));
     return geometry;
-  };
-  return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
-                      read);
+  });
 }
 
 Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place) {
-  using Compression = std::optional<std::string>;
-  const auto check = [&]() -> Result<Compression> {
-    const json& primitive = state_->primitive(place);
-    const std::string title = state_->path.string() + ": " + primitiveTitle(place) + ": ";
+  const json& primitive = state_->primitive(place);
+  return readFrom(*this, place, [&](FindingList& findings) {
+    std::optional<std::string> compression;
     if (const std::uint64_t mode = primitive.value("mode", kTriangles); mode > kTriangleFan)
-      return Error{ErrorKind::badInput, title + "mode " + std::to_string(mode) +
-                                            "; expected 0 to " + std::to_string(kTriangleFan)};
-    if (Compression extension = compressionOf(document(), primitive))
-      return extension;
-    if (!primitive["attributes"].contains("POSITION"))
-      return Compression(); // glTF allows this and draws nothing
-    FindingList findings;
-    VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
-    if (findings.errorCount() > 0)
-      return faultOf(findings, title);
-    return Compression();
-  };
-  return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
-                      check);
+      findings.error("mode", "",
+                     "mode " + std::to_string(mode) + "; expected 0 to " +
+                         std::to_string(kTriangleFan));
+    else if (compression = compressionOf(document(), primitive);
+             !compression && primitive["attributes"].contains("POSITION")) // or nothing is drawn
+      VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
+    return compression;
+  });
 }
 
 Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place,
                                                             const std::string& attribute) {
-  const auto read = [&]() -> Result<std::optional<Range2>> {
-    const json& primitive = state_->primitive(place);
+  const json& primitive = state_->primitive(place);
+  return readFrom(*this, place, [&](FindingList& findings) {
+    std::optional<Range2> range;
     if (compressionOf(document(), primitive))
-      return std::optional<Range2>();
-    FindingList findings;
+      return range;
     const auto values = readVectors<2>(
         *state_->file, primitive["attributes"][attribute].get<std::size_t>(), findings);
     if (!values)
-      return faultOf(findings, state_->path.string() + ": " + primitiveTitle(place) + ": ");
-    Range2 range{values->front(), values->front()}; // an accessor is never empty
+      return range;
+    range = Range2{values->front(), values->front()}; // an accessor is never empty
     for (const std::array<float, 2>& value : *values)
       for (std::size_t k = 0; k < 2; ++k) {
-        range.least[k] = std::min(range.least[k], value[k]);
-        range.most[k] = std::max(range.most[k], value[k]);
+        range->least[k] = std::min(range->least[k], value[k]);
+        range->most[k] = std::max(range->most[k], value[k]);
       }
-    return std::optional(range);
-  };
-  return withinMemory([&] { return state_->path.string() + ": not enough memory to read a mesh"; },
-                      read);
+    return range;
+  });
 }
 
 } // namespace lichen

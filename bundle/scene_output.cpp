@@ -2,6 +2,7 @@
 // An asset and its changes -> .glb or .gltf; see gltf_scene.h.
 #include "gltf_output.h"
 #include "gltf_scene_state.h"
+#include "object_reader.h"
 
 #include <lichen/files.h>
 
@@ -12,12 +13,7 @@ namespace lichen {
 namespace {
 
 using nlohmann::json;
-
-/// A member that is a string, or null.
-const std::string* stringMember(const json& object, const char* key) {
-  const auto member = object.find(key);
-  return member == object.end() ? nullptr : member->get_ptr<const std::string*>();
-}
+using Json = nlohmann::ordered_json;
 
 bool namesFile(const json& object) {
   const std::string* uri = stringMember(object, "uri");
@@ -43,13 +39,29 @@ Error fileError(const std::filesystem::path& path, const std::string& what,
   return {kind, path.string() + ": " + what};
 }
 
+/// How a JSON text is indented.
+struct Indentation {
+  int width = -1; ///< characters a level; -1 if the text has no lines
+  char character = ' ';
+};
+
+Indentation indentationOf(std::string_view text) {
+  constexpr std::size_t kWidest = 8; // limits the output of a small file
+  const std::size_t begin = text.find('{') + 1;
+  const std::string_view gap = text.substr(begin, text.find_first_not_of(" \t\r\n", begin) - begin);
+  const std::size_t line = gap.rfind('\n');
+  if (line == std::string_view::npos)
+    return {};
+  return {int(std::min(gap.size() - line - 1, kWidest)), gap.back() == '\t' ? '\t' : ' '};
+}
+
 } // namespace
 
-/// Assembles the output. Modifies the state's own changes, because an asset is written only once.
+/// Assembles the output. Modifies the state's own document, because an asset is written only once.
 class SceneWriter {
 public:
-  SceneWriter(GltfScene::State& state, const std::filesystem::path& path)
-      : state_(state), path_(path), isGlb_(path.extension() == ".glb") {}
+  SceneWriter(GltfScene::State& state, const std::filesystem::path& path, bool isGlb)
+      : state_(state), path_(path), isGlb_(isGlb) {}
 
   Result<void> run() {
     const bool wasGlb = state_.file->container().isGlb;
@@ -60,17 +72,11 @@ public:
       return taken;
     if (Result<void> stays = checkOtherFiles(); !stays)
       return stays;
-    describeViews();
+    describeAdditions();
     return isGlb_ ? writeGlb() : writeGltf();
   }
 
 private:
-  [[nodiscard]] const json& buffers() const {
-    static const json kNone = json::array();
-    const auto list = state_.document().find("buffers");
-    return list == state_.document().end() ? kNone : *list;
-  }
-
   /// Converts images in files and data URIs to buffer views.
   Result<void> takeImages() {
     for (std::size_t i = 0; i < state_.countOf("images"); ++i) {
@@ -78,7 +84,7 @@ private:
       if (stringMember(image, "uri") == nullptr || state_.imagesLeft.contains(i))
         continue;
       const Result<std::vector<std::byte>> bytes =
-          state_.file->readWholeUri(*stringMember(image, "uri"));
+          state_.file->readUri(*stringMember(image, "uri"));
       if (!bytes)
         return fileError(state_.path,
                          "/images/" + std::to_string(i) + "/uri: " + bytes.error().message,
@@ -89,11 +95,11 @@ private:
                                           "/uri: " + quoted(*stringMember(image, "uri")) +
                                           " is not a PNG, JPEG, WebP or KTX2; choose a .gltf as "
                                           "output");
-      JsonChange& change = state_.changes.member("images").element(i);
-      change.member("uri").remove();
-      change.member("bufferView").set(state_.addView(bytes.value(), sizeof(std::uint32_t), false));
+      Json& taken = state_.edited["images"][i];
+      taken.erase("uri");
+      taken["bufferView"] = state_.added.addView(bytes.value(), sizeof(std::uint32_t));
       if (stringMember(image, "mimeType") == nullptr)
-        change.member("mimeType").set(*mediaType);
+        taken["mimeType"] = *mediaType;
     }
     return {};
   }
@@ -102,21 +108,20 @@ private:
   /// buffer. A .gltf uses a new one, or the first one if the asset was a .glb.
   Result<void> chooseBuffer() {
     const auto& chunk = state_.file->container().binaryChunk;
-    const bool firstIsChunk = chunk && !buffers().empty() && !buffers()[0].contains("uri");
-    if (isGlb_ ? buffers().empty() : !firstIsChunk)
+    const bool hasBuffer = state_.countOf("buffers") > 0;
+    const bool firstIsChunk =
+        chunk && hasBuffer && !state_.document()["buffers"][0].contains("uri");
+    if (isGlb_ ? !hasBuffer : !firstIsChunk)
       return {};
     if (firstIsChunk) {
       before_ = *chunk;
     } else {
       FindingList findings;
       const auto bytes = state_.file->wholeBuffer(0, findings);
-      if (!bytes) {
-        const Finding& fault = findings.all().front();
-        return fileError(state_.path, fault.pointer + ": " + fault.message,
-                         fault.code == "memory" ? ErrorKind::resources : ErrorKind::badInput);
-      }
+      if (!bytes)
+        return asError(*findings.firstError(), state_.path.string());
       before_ = *bytes;
-      state_.changes.member("buffers").element(0).member("uri").remove();
+      state_.edited["buffers"][0].erase("uri");
     }
     takesFirst_ = true;
     return {};
@@ -155,71 +160,62 @@ private:
     return (before_.size() + kAlignment - 1) / kAlignment * kAlignment;
   }
 
-  void describeViews() {
-    constexpr int kArrayBuffer = 34962;
-    const std::size_t buffer = takesFirst_ || isGlb_ ? 0 : buffers().size();
-    for (const AddedView& added : state_.addedViews) {
-      JsonTree view = {{"buffer", buffer},
-                       {"byteOffset", firstAdded() + added.offset},
-                       {"byteLength", added.length}};
-      if (added.isVertices)
-        view["target"] = kArrayBuffer;
-      state_.changes.member("bufferViews").append(std::move(view));
+  void describeAdditions() {
+    for (Json& view : state_.added.bufferViews) {
+      view["buffer"] = takesFirst_ || isGlb_ ? 0 : state_.countOf("buffers");
+      view["byteOffset"] = firstAdded() + view["byteOffset"].get<std::size_t>();
+      state_.edited["bufferViews"].push_back(std::move(view));
     }
+    for (Json& accessor : state_.added.accessors)
+      state_.edited["accessors"].push_back(std::move(accessor));
   }
 
   /// Returns the bytes of the buffer, and updates its description in the document.
   std::vector<std::byte> finishBuffer() {
     std::vector<std::byte> binary(before_.begin(), before_.end());
-    if (!state_.added.empty()) {
+    const std::vector<std::byte>& added = state_.added.binary;
+    if (!added.empty()) {
       binary.resize(firstAdded());
-      binary.insert(binary.end(), state_.added.begin(), state_.added.end());
+      binary.insert(binary.end(), added.begin(), added.end());
     }
     if (binary.empty())
       return binary;
-    JsonTree description = {{"byteLength", binary.size()}};
-    if (!isGlb_)
-      description["uri"] = binaryUri(path_, binary);
-    JsonChange& change = state_.changes.member("buffers");
-    if (!takesFirst_) {
-      change.append(description);
-      return binary;
-    }
+    Json& buffers = state_.edited["buffers"];
+    if (!takesFirst_)
+      buffers.push_back(Json::object());
+    Json& buffer = takesFirst_ ? buffers[0] : buffers.back();
     // A buffer without additions keeps its length, which may be less than the chunk's.
-    if (!state_.added.empty())
-      change.element(0).member("byteLength").set(binary.size());
+    if (!added.empty())
+      buffer["byteLength"] = binary.size();
     if (!isGlb_)
-      change.element(0).member("uri").set(binaryUri(path_, binary));
+      buffer["uri"] = binaryUri(path_, binary);
     return binary;
   }
 
-  Result<std::string> changedText() {
-    const std::span<const std::byte> text = state_.file->container().text;
-    Result<std::string> changed = changedJson(
-        std::string_view(reinterpret_cast<const char*>(text.data()), text.size()), state_.changes);
-    if (!changed)
-      return fileError(state_.path, changed.error().message);
-    return changed;
+  /// The document's text, indented as the file's.
+  [[nodiscard]] std::string editedText() const {
+    const std::span<const std::byte> bytes = state_.file->container().text;
+    const std::string_view before(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto [width, character] = indentationOf(before);
+    return state_.edited.dump(width, character, false, Json::error_handler_t::replace) +
+           (before.ends_with('\n') ? "\n" : "");
   }
 
   Result<void> writeGlb() {
     const std::vector<std::byte> binary = finishBuffer();
-    const Result<std::string> text = changedText();
-    if (!text)
-      return text.error();
+    const std::string text = editedText();
     constexpr std::size_t kFraming = 64; // headers and padding
     const std::span<const std::byte> others = state_.file->container().otherChunks;
-    if (text.value().size() + binary.size() + others.size() >
+    if (text.size() + binary.size() + others.size() >
         std::numeric_limits<std::uint32_t>::max() - kFraming)
       return fileError(path_, std::to_string(binary.size()) +
                                   " bytes, and a .glb holds less than 4 GiB; choose a .gltf");
-    return replaceFile(path_, frameGlb(text.value(), binary, others));
+    return replaceFile(path_, frameGlb(text, binary, others));
   }
 
   Result<void> writeGltf() {
     const std::vector<std::byte> binary = finishBuffer();
-    const Result<std::string> text = changedText();
-    return text ? writeGltfPair(path_, text.value(), binary) : text.error();
+    return writeGltfPair(path_, editedText(), binary);
   }
 
   GltfScene::State& state_;
@@ -246,12 +242,12 @@ std::vector<std::size_t> GltfScene::absentImages() const {
 void GltfScene::leaveImage(std::size_t image) { state_->imagesLeft.insert(image); }
 
 Result<void> GltfScene::write(const std::filesystem::path& path) {
-  const std::filesystem::path extension = path.extension();
-  if (extension != ".glb" && extension != ".gltf")
-    return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                       "; expected .glb or .gltf"};
   return withinMemory([&] { return path.string() + ": not enough memory to write it"; },
-                      [&] { return SceneWriter(*state_, path).run(); });
+                      [&]() -> Result<void> {
+                        const Result<bool> isGlb = isGlbPath(path);
+                        return isGlb ? SceneWriter(*state_, path, isGlb.value()).run()
+                                     : isGlb.error();
+                      });
 }
 
 } // namespace lichen

@@ -123,8 +123,10 @@ std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalM
 
 nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& [map, risk] : risks)
-    json.push_back(joined({{"map", nameOf(map)}}, jsonOf(risk)));
+  for (const auto& [map, risk] : risks) {
+    json.push_back({{"map", nameOf(map)}});
+    json.back().update(jsonOf(risk));
+  }
   return json;
 }
 

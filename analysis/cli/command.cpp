@@ -27,11 +27,6 @@ Result<void> checkOutput(const std::filesystem::path& output,
   return {};
 }
 
-nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more) {
-  object.update(nlohmann::ordered_json::parse(more.compact()));
-  return object;
-}
-
 std::string shortList(std::vector<std::string> items) {
   constexpr std::size_t kMostNamed = 4;
   const std::size_t others = items.size() - std::min(items.size(), kMostNamed);

@@ -2,7 +2,6 @@
 // The parts that all verbs share: how they are declared, how they run and how they end.
 #pragma once
 
-#include <lichen/json_tree.h>
 #include <lichen/result.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -54,8 +53,6 @@ inline constexpr const char* kDroppedByOthers =
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
                                        const std::array<std::string, 2>& extensions);
 
-/// Returns `object` with the members of `more` appended, for a report with --json.
-[[nodiscard]] nlohmann::ordered_json joined(nlohmann::ordered_json object, const JsonTree& more);
 /// Returns "a, b, c, d and 23 others": the first four items, to keep a message short.
 [[nodiscard]] std::string shortList(std::vector<std::string> items);
 /// Returns indented JSON. Replaces bytes that are not UTF-8, which file names may contain.

@@ -200,12 +200,13 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
     for (const Measure& measure : measures)
       nameWidth = std::max(nameWidth, measure.name.size());
     for (const Measure& measure : measures) {
-      list.push_back(joined({{"map", nameOf(map)}}, jsonOf(measure)));
+      list.push_back({{"map", nameOf(map)}});
+      list.back().update(jsonOf(measure));
       say(arguments.shared, indent + lineOf(measure, nameWidth));
     }
     if (!kernels)
       continue;
-    kernelList.push_back(joined({{"map", nameOf(map)}}, JsonTree{{"spots", jsonOf(*kernels)}}));
+    kernelList.push_back({{"map", nameOf(map)}, {"spots", jsonOf(*kernels)}});
     for (const std::string& line : linesOf(*kernels))
       say(arguments.shared, indent + line);
   }

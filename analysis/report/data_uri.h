@@ -3,13 +3,14 @@
 #pragma once
 
 #include <lichen/image.h>
-#include <lichen/json_tree.h>
 #include <lichen/result.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace lichen {
 
 /// {"png": the image as an 8-bit PNG in a data URI}. Errors as encodePng().
-[[nodiscard]] Result<JsonTree> pictureJson(const SrgbImage& image);
-[[nodiscard]] Result<JsonTree> pictureJson(const LinearImage& data);
+[[nodiscard]] Result<nlohmann::ordered_json> pictureJson(const SrgbImage& image);
+[[nodiscard]] Result<nlohmann::ordered_json> pictureJson(const LinearImage& data);
 
 } // namespace lichen

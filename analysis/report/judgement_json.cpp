@@ -2,27 +2,29 @@
 // Measures, kernels and risks -> JSON.
 #include <lichen/judgement_json.h>
 
+#include <nlohmann/json.hpp>
+
 namespace lichen {
 namespace {
 
-JsonTree orNull(const std::optional<double>& value) {
-  return value ? JsonTree(*value) : JsonTree();
-}
+using Json = nlohmann::ordered_json;
+
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 } // namespace
 
-JsonTree jsonOf(const Measure& measure) {
+Json jsonOf(const Measure& measure) {
   return {{"name", measure.name},
           {"meaning", measure.meaning},
           {"unit", measure.unit},
           {"value", orNull(measure.value)},
           {"target", orNull(measure.target)},
-          {"met", measure.value && measure.target ? JsonTree(!measure.isMissed()) : JsonTree()},
+          {"met", measure.value && measure.target ? Json(!measure.isMissed()) : Json()},
           {"remark", measure.remark}};
 }
 
-JsonTree jsonOf(const KernelComparison& kernels) {
-  JsonTree list = JsonTree::array();
+Json jsonOf(const KernelComparison& kernels) {
+  Json list = Json::array();
   const std::pair<const char*, const KernelJudgement*> all[] = {
       {"this texton", &kernels.texton},
       {"luminance texton", &kernels.luminance},
@@ -35,7 +37,7 @@ JsonTree jsonOf(const KernelComparison& kernels) {
   return list;
 }
 
-JsonTree jsonOf(const Risk& risk) {
+Json jsonOf(const Risk& risk) {
   return {{"name", risk.name},
           {"score", risk.score},
           {"level", nameOf(risk.level)},

@@ -9,6 +9,8 @@
 #include <lichen/spectrum.h>
 #include <lichen/synthesize.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +18,8 @@
 
 namespace lichen {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr int kShownExemplars = 2; // of the result, per side
 
@@ -37,7 +41,7 @@ SrgbImage reduced(const SrgbImage& image, int width, int height) {
   return small;
 }
 
-JsonTree histogramsOf(const NoiseComparison& comparison) {
+Json histogramsOf(const NoiseComparison& comparison) {
   constexpr std::size_t kBins = 64;
   const auto countsOf = [](const SrgbImage& image, std::size_t channel) {
     std::array<double, kBins> counts{};
@@ -47,7 +51,7 @@ JsonTree histogramsOf(const NoiseComparison& comparison) {
     }
     return counts;
   };
-  JsonTree histograms = JsonTree::array();
+  Json histograms = Json::array();
   const std::vector<std::string>& names = comparison.look.channelNames();
   for (std::size_t c = 0; c < names.size(); ++c)
     histograms.push_back({{"channel", names[c]},
@@ -59,7 +63,7 @@ JsonTree histogramsOf(const NoiseComparison& comparison) {
 
 /// Spectra in decibels by cycles per crop; for a texton also the Gaussian texture's. Null if the
 /// exemplar is too small for spectrum_distance_db.
-JsonTree spectrumOf(const NoiseComparison& comparison) {
+Json spectrumOf(const NoiseComparison& comparison) {
   const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
   const int crop =
       comparedCropSide(std::min(shorter(comparison.exemplar), shorter(comparison.result)));
@@ -75,13 +79,13 @@ JsonTree spectrumOf(const NoiseComparison& comparison) {
   };
   return {{"cropSide", crop},
           {"exemplar", decibels(comparison.exemplar)},
-          {"gaussian", comparison.gaussian ? JsonTree(decibels(*comparison.gaussian)) : JsonTree()},
+          {"gaussian", comparison.gaussian ? Json(decibels(*comparison.gaussian)) : Json()},
           {"result", decibels(comparison.result)}};
 }
 
 template <class Judgement>
-JsonTree listOf(const std::vector<Judgement>& judgements) {
-  JsonTree list = JsonTree::array();
+Json listOf(const std::vector<Judgement>& judgements) {
+  Json list = Json::array();
   for (const Judgement& judgement : judgements)
     list.push_back(jsonOf(judgement));
   return list;
@@ -121,7 +125,7 @@ Extents resultExtents(const Extents& exemplar, int side) {
 /// Adds pictures of the original, the exemplar, its Gaussian texture and the result, at one scale.
 /// The original is null if the exemplar is unchanged; the Gaussian texture is null if there is
 /// none.
-Result<void> addPictures(JsonTree& section, const Bundle& bundle, const MaterialNoise& material,
+Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNoise& material,
                          const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
   const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
@@ -135,15 +139,15 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, const Material
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<JsonTree> original = JsonTree();
+  Result<Json> original = Json();
   if (const std::optional<MapExemplar>& before = shown.origin.original; before)
     original = pictureJson(reduced(comparison.look.picture(*before), width, height));
-  Result<JsonTree> gaussian = JsonTree();
+  Result<Json> gaussian = Json();
   if (const std::optional<SrgbImage>& texture = comparison.gaussian; texture)
     gaussian = pictureJson(reduced(*texture, 2 * width, 2 * height));
-  Result<JsonTree> exemplar = pictureJson(reduced(comparison.exemplar, width, height));
-  Result<JsonTree> shownResult = pictureJson(comparison.look.picture(result.value()));
-  for (const Result<JsonTree>* made : {&original, &exemplar, &gaussian, &shownResult})
+  Result<Json> exemplar = pictureJson(reduced(comparison.exemplar, width, height));
+  Result<Json> shownResult = pictureJson(comparison.look.picture(result.value()));
+  for (const Result<Json>* made : {&original, &exemplar, &gaussian, &shownResult})
     if (!*made)
       return made->error();
   section["original"] = std::move(original).value();
@@ -155,37 +159,35 @@ Result<void> addPictures(JsonTree& section, const Bundle& bundle, const Material
 
 } // namespace
 
-Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material,
-                             const ShownExemplar& shown, int exemplarSide,
-                             const Progress& progress) {
+Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
+                         const ShownExemplar& shown, int exemplarSide, const Progress& progress) {
   const MapExemplar& exemplar = shown.exemplar;
   const Result<NoiseComparison> comparison = compareNoise(bundle, material, exemplar, progress);
   if (!comparison)
     return comparison.error();
   const Noise& noise = bundle.noises[material.noise];
   const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // compareNoise() has found it
-  JsonTree section{{"target", nameOf(exemplar.target)},
-                   {"summary", summaryOf(exemplar)},
-                   {"measures", listOf(comparison.value().measures)},
-                   {"risks", listOf(shown.risks)},
-                   {"steps", shown.origin.steps},
-                   {"histograms", histogramsOf(comparison.value())},
-                   {"spectrum", spectrumOf(comparison.value())}};
+  Json section{{"target", nameOf(exemplar.target)},
+               {"summary", summaryOf(exemplar)},
+               {"measures", listOf(comparison.value().measures)},
+               {"risks", listOf(shown.risks)},
+               {"steps", shown.origin.steps},
+               {"histograms", histogramsOf(comparison.value())},
+               {"spectrum", spectrumOf(comparison.value())}};
   if (Result<void> added =
           addPictures(section, bundle, material, shown, comparison.value(), exemplarSide);
       !added)
     return added.error();
   const MethodReport& method = reportOf(noise.method());
-  Result<JsonTree> image = method.image(bundle, noise, map, exemplarSide);
+  Result<Json> image = method.image(bundle, noise, map, exemplarSide);
   if (!image)
     return image.error();
-  Result<JsonTree> table = method.table(bundle, map, comparison.value().look);
+  Result<Json> table = method.table(bundle, map, comparison.value().look);
   if (!table)
     return table.error();
   section["image"] = std::move(image).value();
   section["table"] = std::move(table).value();
-  section["kernels"] =
-      comparison.value().kernels ? jsonOf(*comparison.value().kernels) : JsonTree();
+  section["kernels"] = comparison.value().kernels ? jsonOf(*comparison.value().kernels) : Json();
   return section;
 }
 

@@ -4,10 +4,11 @@
 
 #include <lichen/bundle.h>
 #include <lichen/exemplar.h>
-#include <lichen/json_tree.h>
 #include <lichen/noise_report.h>
 #include <lichen/progress.h>
 #include <lichen/suitability.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace lichen {
 
@@ -21,8 +22,8 @@ struct ShownExemplar {
 /// The data of one map for the page's script: pictures as data URIs, measures and chart values. The
 /// picture of the exemplar has at most exemplarSide^2 pixels. The noise is the material's. Errors:
 /// as compareNoise().
-[[nodiscard]] Result<JsonTree> describeMap(const Bundle& bundle, const MaterialNoise& material,
-                                           const ShownExemplar& shown, int exemplarSide,
-                                           const Progress& progress);
+[[nodiscard]] Result<nlohmann::ordered_json>
+describeMap(const Bundle& bundle, const MaterialNoise& material, const ShownExemplar& shown,
+            int exemplarSide, const Progress& progress);
 
 } // namespace lichen

@@ -5,7 +5,6 @@
 
 #include "data_uri.h"
 
-#include <lichen/json_tree.h>
 #include <lichen/noise_comparison.h>
 #include <lichen/synthesize.h>
 
@@ -37,12 +36,12 @@ public:
   [[nodiscard]] virtual double picturePixels() const = 0;
   /// `title`, `text` and the picture `png` of the image that the shader fetches from. The picture
   /// has about side^2 pixels.
-  [[nodiscard]] virtual Result<JsonTree> image(const Bundle& bundle, const Noise& noise,
-                                               const NoiseMap& map, int side) const = 0;
+  [[nodiscard]] virtual Result<nlohmann::ordered_json>
+  image(const Bundle& bundle, const Noise& noise, const NoiseMap& map, int side) const = 0;
   /// `picture`, `slices` and `levels` of the table that decodes Gaussian values; null if there is
   /// none.
-  [[nodiscard]] virtual Result<JsonTree> table(const Bundle& bundle, const NoiseMap& map,
-                                               const MapLook& look) const = 0;
+  [[nodiscard]] virtual Result<nlohmann::ordered_json>
+  table(const Bundle& bundle, const NoiseMap& map, const MapLook& look) const = 0;
 };
 
 [[nodiscard]] const MethodReport& reportOf(Method method);

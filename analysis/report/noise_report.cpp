@@ -4,8 +4,9 @@
 #include "method_report.h"
 #include "report_page.h"
 
-#include <lichen/escaped.h>
 #include <lichen/noise_report.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,8 @@
 
 namespace lichen {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Pixels of all pictures, at most 4 bytes each in base64. The page stays below 14 MiB, and about
 /// half of that for photographs, which compress.
@@ -23,19 +26,6 @@ int exemplarSide(std::size_t maps, Method method) {
   const double perPixel = reportOf(method).picturePixels();
   const double pixels = kMostPixels / (perPixel * double(std::max<std::size_t>(maps, 1)));
   return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
-}
-
-/// JSON must be UTF-8: replaces invalid bytes with U+FFFD.
-std::string utf8(std::string_view text) {
-  std::string valid;
-  while (!text.empty()) {
-    const std::size_t whole = characterBytes(text);
-    const bool isControl = static_cast<unsigned char>(text[0]) < ' ';
-    valid += whole > 0 || isControl ? text.substr(0, std::max<std::size_t>(whole, 1))
-                                    : std::string_view("\xEF\xBF\xBD");
-    text.remove_prefix(std::max<std::size_t>(whole, 1));
-  }
-  return valid;
 }
 
 /// Escapes "<", so that the JSON cannot contain the end of its script element.
@@ -51,13 +41,11 @@ std::string scriptSafe(const std::string& json) {
 }
 
 /// `reportSeconds`: the time that describing the maps took.
-JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds) {
-  JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
-  for (const auto& [name, value] : record.facts)
-    facts.push_back({utf8(name), utf8(value)});
+Json describe(const BakeRecord& record, Json maps, double reportSeconds) {
+  Json timings = Json::array();
   double all = reportSeconds;
   const auto addTiming = [&](std::string_view name, double seconds) {
-    timings.push_back({{"name", utf8(name)}, {"seconds", seconds}});
+    timings.push_back({{"name", name}, {"seconds", seconds}});
   };
   for (const auto& [name, seconds] : record.timings) {
     addTiming(name, seconds);
@@ -65,13 +53,11 @@ JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds)
   }
   addTiming("Measures and pictures of this page", reportSeconds);
   addTiming("In all", all);
-  for (const std::string& note : record.notes)
-    notes.push_back(utf8(note));
-  return {{"name", utf8(record.bundle.noises.front().name)},
-          {"command", utf8(record.command)},
-          {"facts", facts},
+  return {{"name", record.bundle.noises.front().name},
+          {"command", record.command},
+          {"facts", record.facts},
           {"timings", timings},
-          {"notes", notes},
+          {"notes", record.notes},
           {"maps", std::move(maps)}};
 }
 
@@ -89,10 +75,10 @@ Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& 
   const std::size_t count = record.exemplars.size();
   const MaterialNoise& material = *record.bundle.materials.front();
   const int side = exemplarSide(count, record.bundle.noises[material.noise].method());
-  JsonTree maps = JsonTree::array();
+  Json maps = Json::array();
   for (std::size_t m = 0; m < count; ++m) {
     const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
-    Result<JsonTree> map =
+    Result<Json> map =
         describeMap(record.bundle, material, shown, side,
                     partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
     if (!map)
@@ -100,7 +86,9 @@ Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& 
     maps.push_back(std::move(map).value());
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return pageWith(scriptSafe(describe(record, std::move(maps), taken.count()).compact()));
+  const std::string data = describe(record, std::move(maps), taken.count())
+                               .dump(-1, ' ', false, Json::error_handler_t::replace);
+  return pageWith(scriptSafe(data));
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 
 #include "extension_reader.h"
 
-#include <lichen/json_tree.h>
 #include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 
@@ -41,8 +40,8 @@ public:
   [[nodiscard]] virtual bool isMix(const Noise&) const { return false; }
 
   /// Appends the members that readNoise() and readMap() read.
-  virtual void writeNoise(const Noise& noise, JsonTree& json) const = 0;
-  virtual void writeMap(const NoiseMap& map, JsonTree& json) const = 0;
+  virtual void writeNoise(const Noise& noise, nlohmann::ordered_json& json) const = 0;
+  virtual void writeMap(const NoiseMap& map, nlohmann::ordered_json& json) const = 0;
 
   /// Width and height in texels of a map's exemplar (exemplarSize), and of a tile of the noise
   /// (tileSize).

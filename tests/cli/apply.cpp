@@ -476,7 +476,7 @@ TEST_CASE("unusable scenes, noises and outputs are errors and leave no file") {
   refused(scene, image, output, bad, {"image.png"});
   refused(scene, scene, output, bad, {"scene.glb", "no noise"});
   refused(empty, wool, output, bad, {"empty.gltf", "no materials"});
-  refused(twice, wool, output, bad, {"twice.gltf", "/materials", "twice"});
+  refused(twice, wool, output, bad, {"twice.gltf", "two members \"materials\""});
   refused(scene, wool, workplace.path("x.png"), usage, {".glb", ".gltf"});
   refused(scene, wool, workplace.path("none/x.glb"), int(ErrorKind::environment), {"none"});
   checkRefusal({"apply", scene, "--noise", wool, "-o", output}, usage, {"--material is required"});

@@ -7,6 +7,7 @@
 #include "gltf_mutation.h"
 #include "render_gltf.h"
 
+#include <lichen/base64.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 
@@ -114,19 +115,6 @@ std::vector<Bytes> seeds() {
   return {animated(), textured(), modes(), bundle(), encodeGlb(example::textonMix()).value()};
 }
 
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      group = group << 8 | (k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[k]) : 0);
-    for (std::size_t digit = 0; digit < 4; ++digit)
-      text += i + digit > bytes.size() ? '=' : kDigits[group >> (18 - 6 * digit) & 63];
-  }
-  return text;
-}
-
 /// Embeds the files that a .gltf refers to, because a fuzzer's input is a single file.
 Bytes selfContained(const std::filesystem::path& path, const Bytes& file) {
   std::variant<GltfContainer, Finding> opened = openGltf(file);
@@ -142,7 +130,7 @@ Bytes selfContained(const std::filesystem::path& path, const Bytes& file) {
         continue;
       const auto bytes = readFile(path.parent_path() / item["uri"].get<std::string>());
       if (bytes)
-        item["uri"] = "data:application/octet-stream;base64," + base64(bytes.value());
+        item["uri"] = "data:application/octet-stream;base64," + encodeBase64(bytes.value());
     }
   }
   const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -4,6 +4,7 @@
 #include "bundle_surgery.h"
 #include "temporary_folder.h"
 
+#include <lichen/base64.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 
@@ -27,20 +28,6 @@ std::string codeOf(std::span<const std::byte> file) {
 
 std::string codeOfText(const std::string& text) { return codeOf(std::as_bytes(std::span(text))); }
 
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8u | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0);
-    for (unsigned k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
-  }
-  return text;
-}
-
 void writeText(const std::filesystem::path& path, const std::string& text) {
   REQUIRE(replaceFile(path, std::as_bytes(std::span(text))).ok());
 }
@@ -63,6 +50,25 @@ TEST_CASE("a document equals the result of nlohmann's own parser") {
         "JSON syntax error at byte 35");
 }
 
+TEST_CASE("base64 is that of RFC 4648, section 10") {
+  const std::string_view text = "foobar";
+  for (std::size_t length = 0;
+       const char* coded : {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"}) {
+    const auto bytes = std::as_bytes(std::span(text.substr(0, length++)));
+    CHECK(encodeBase64(bytes) == coded);
+    const auto decoded = decodeBase64(coded);
+    REQUIRE(decoded.has_value());
+    CHECK(std::equal(decoded->begin(), decoded->end(), bytes.begin(), bytes.end()));
+  }
+  std::vector<std::byte> all(256);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = std::byte(i);
+  CHECK(decodeBase64(encodeBase64(all)) == all);
+  CHECK(decodeBase64("Zm8") == decodeBase64("Zm8="));
+  for (const char* wrong : {"Z", "Zm9v=Zm9", "Zm 9", "Zm9-", "====", "Zm9vZ==="})
+    CHECK_FALSE(decodeBase64(wrong).has_value());
+}
+
 TEST_CASE("every truncated length of a GLB is refused") {
   const std::vector<std::byte> file = smallFile();
   REQUIRE(parseBundle(file, "x").ok());
@@ -74,7 +80,7 @@ TEST_CASE("every truncated length of a .gltf with its buffer inside is refused")
   GlbParts parts(smallFile());
   parts.json["buffers"][0] = {
       {"byteLength", parts.binary.size()},
-      {"uri", "data:application/gltf-buffer;base64," + base64(parts.binary)}};
+      {"uri", "data:application/gltf-buffer;base64," + encodeBase64(parts.binary)}};
   const std::string text = parts.json.dump();
   REQUIRE(parseBundle(std::as_bytes(std::span(text)), "x").ok());
   for (std::size_t length = 0; length < text.size(); ++length)
@@ -177,7 +183,7 @@ TEST_CASE("buffers in data URIs are read, of any length modulo three") {
     parts.binary.resize(parts.binary.size() + extra);
     parts.json["buffers"][0] = {
         {"byteLength", parts.binary.size()},
-        {"uri", "data:application/octet-stream;base64," + base64(parts.binary)}};
+        {"uri", "data:application/octet-stream;base64," + encodeBase64(parts.binary)}};
     const std::string text = parts.json.dump();
     const auto bundle = parseBundle(std::as_bytes(std::span(text)), "x");
     REQUIRE(bundle.ok());

@@ -3,6 +3,7 @@
 #include "bundle_example.h"
 #include "temporary_folder.h"
 
+#include <lichen/bundle_merge.h>
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>
@@ -104,6 +105,20 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
     CHECK(checkBundle(glb.value()).empty());
     CHECK(bundle.value().materialNames.size() == file.bundle.materials.size());
   }
+}
+
+TEST_CASE("a merge notes the noises and the materials that get another name") {
+  Bundle felt = example::smallest().bundle;
+  felt.materialNames = {"sofa"};
+  Bundle linen = felt;
+  linen.noises[0].name = "linen";
+  linen.noises[0].tileSizeMetres = 3.0;
+  const std::vector<NamedBundle> inputs{{"felt.glb", felt}, {"linen.glb", linen}};
+  const MergedBundle merged = mergeBundles(inputs).value();
+  CHECK(merged.bundle.materialNames == std::vector<std::string>{"sofa", "sofa-2"});
+  CHECK(merged.notes ==
+        std::vector<std::string>{
+            "linen.glb: material 'sofa' is named 'sofa-2', since another has that name"});
 }
 
 TEST_CASE("the same bundle gives the same bytes") {

@@ -11,7 +11,10 @@
 #include <lichen/gltf_scene.h>
 
 #include <catch2/catch.hpp>
+#include <gltf_output.h>
 
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -20,6 +23,7 @@
 using namespace lichen;
 using example::TinyScene;
 using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -97,6 +101,45 @@ void applyAndWrite(GltfScene scene, const BundleFile& noise, const std::filesyst
   const auto findings = checkBundle(output);
   REQUIRE(findings.ok());
   CHECK(findings.value().empty());
+}
+
+/// A value of any type; numbers have any bits, strings any characters.
+Json randomJson(std::mt19937_64& random, int depth) {
+  switch (random() % (depth < 4 ? 9 : 7)) {
+  case 0:
+    return std::int64_t(random()) >> random() % 64;
+  case 1:
+    return random() >> random() % 64;
+  case 2:
+  case 3: {
+    const auto number = std::bit_cast<double>(random());
+    return std::isfinite(number) ? number : -0.0;
+  }
+  case 4:
+    return double(random() % 2000) / 10.0; // often whole: 7.0
+  case 5: {
+    const std::array<std::string, 8> pieces{"a",  "\n",       "\\",   "/",
+                                            "\"", "\xc3\xa9", "\x7f", "\xf0\x9f\x8c\xbf"};
+    std::string text;
+    for (std::size_t k = random() % 6; k > 0; --k)
+      text += pieces[random() % pieces.size()];
+    return text;
+  }
+  case 6:
+    return random() % 2 == 0 ? Json(nullptr) : Json(random() % 2 == 0);
+  case 7: {
+    Json list = Json::array();
+    for (std::size_t k = random() % 5; k > 0; --k)
+      list.push_back(randomJson(random, depth + 1));
+    return list;
+  }
+  default: {
+    Json object = Json::object();
+    for (std::size_t k = random() % 5; k > 0; --k)
+      object[std::to_string(random() % 1000) + "\xc3\xa9"] = randomJson(random, depth + 1);
+    return object;
+  }
+  }
 }
 
 const Positions kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -321,6 +364,150 @@ TEST_CASE("adding a noise leaves the other chunks and text of a GLB unchanged") 
   document["bufferViews"].erase(document["bufferViews"].begin() + 6, document["bufferViews"].end());
   document["buffers"][0]["byteLength"] = tiny.binary.size();
   CHECK(document == documentOf(glb));
+}
+
+TEST_CASE("without a change the text of a scene keeps its indentation and every byte") {
+  const Folder folder;
+  const TinyScene tiny = example::tableScene();
+  (void)folder.write("scene.bin", tiny.binary);
+  const Json document = Json::parse(tiny.gltf("scene.bin"));
+  const std::string tabs = document.dump(1, '\t');
+  REQUIRE(tabs.find("\n\t\t") != std::string::npos);
+  for (const std::string& text :
+       {document.dump(), document.dump() + "\n", document.dump(0), document.dump(1),
+        document.dump(2), document.dump(4) + "\n", document.dump(8), tabs, tabs + "\n"}) {
+    REQUIRE(openScene(folder.write("scene.gltf", text)).write(folder.path("out.gltf")).ok());
+    const std::vector<std::byte> out = bytesOf(folder.path("out.gltf"));
+    CHECK(std::string(reinterpret_cast<const char*>(out.data()), out.size()) == text);
+  }
+}
+
+TEST_CASE("a text that is indented very far is not") {
+  const Folder folder;
+  const std::string far(1000, ' ');
+  const std::string text = "{\n" + far + R"("asset":{"version":"2.0"},"extras":[1,[2]]})";
+  REQUIRE(openScene(folder.write("scene.gltf", text)).write(folder.path("out.gltf")).ok());
+  CHECK(bytesOf(folder.path("out.gltf")).size() < 200);
+}
+
+TEST_CASE("any values of a scene stay what they are and in their order") {
+  const Folder folder;
+  std::mt19937_64 random(11);
+  for (int round = 0; round < 60; ++round) {
+    Json document = Json::parse(example::tableScene().gltf("absent.bin"));
+    document["extras"] = randomJson(random, 0);
+    document["materials"][1]["extras"] = randomJson(random, 0);
+    const int indent = int(random() % 4) - 1;
+    GltfScene scene = openScene(folder.write("scene.gltf", document.dump(indent)));
+    scene.setFactor(1, "pbrMetallicRoughness", "roughnessFactor", {0.25});
+    document["materials"][1]["pbrMetallicRoughness"]["roughnessFactor"] = 0.25;
+    REQUIRE(scene.write(folder.path("out.gltf")).ok());
+    const std::vector<std::byte> out = bytesOf(folder.path("out.gltf"));
+    const auto* text = reinterpret_cast<const char*>(out.data());
+    const Json written = Json::parse(text, text + out.size());
+    CHECK(written == document);               // every value, in order
+    CHECK(written.dump() == document.dump()); // and its type: 1 is not 1.0
+  }
+}
+
+TEST_CASE("two members of one name are refused, and many members are no burden") {
+  const Folder folder;
+  const std::string start = R"({"asset":{"version":"2.0"},"extras":{"a":1,"b":{"a":2})";
+  CHECK(openScene(folder.write("scene.gltf", start + "}}")).materialCount() == 0);
+  const auto twice = GltfScene::open(folder.write("scene.gltf", start + R"(,"a":3}})"));
+  REQUIRE(!twice.ok());
+  CHECK(twice.error().kind == ErrorKind::badInput);
+  CHECK_THAT(twice.error().message, Catch::Contains("two members \"a\""));
+  constexpr int kMembers = 400000; // comparing each with each takes minutes
+  std::string many = start;
+  for (int i = 0; i < kMembers; ++i)
+    many += ",\"" + std::to_string(i) + "\":0";
+  const GltfScene scene = openScene(folder.write("scene.gltf", many + "}}"));
+  CHECK(scene.document()["extras"].size() == kMembers + 2);
+}
+
+TEST_CASE("scenes with extensions of another type are refused") {
+  const Folder folder;
+  const auto refusal = [&](const auto& alter) {
+    TinyScene scene = example::tableScene();
+    alter(scene.json);
+    const auto opened = GltfScene::open(folder.write("scene.glb", scene.glb()));
+    REQUIRE(!opened.ok());
+    return opened.error().message;
+  };
+  using Catch::EndsWith;
+  CHECK_THAT(refusal([](Json& root) { root["extensions"] = Json::array(); }),
+             EndsWith("/extensions: not an object"));
+  CHECK_THAT(refusal([](Json& root) { root["extensionsUsed"] = "x"; }),
+             EndsWith("/extensionsUsed: not an array"));
+  CHECK_THAT(refusal([](Json& root) { root["materials"][1]["extensions"] = 5; }),
+             EndsWith("/materials/1/extensions: not an object"));
+  CHECK_THAT(refusal([](Json& root) { root["materials"][0]["pbrMetallicRoughness"] = "x"; }),
+             EndsWith("/materials/0/pbrMetallicRoughness: not an object"));
+}
+
+TEST_CASE("a failure of any large allocation while a noise is applied is an error, and no file") {
+  const Folder folder;
+  TinyScene tiny = example::tableScene();
+  constexpr std::size_t kLarge = 16384;
+  (void)tiny.addView(std::vector<std::byte>(4 * kLarge));
+  const BundleFile felt = example::smallest();
+  const std::array<std::size_t, 1> materials{0};
+  for (const char* name : {"out.glb", "out.gltf"}) {
+    const std::filesystem::path out = folder.path(name);
+    int failures = 0;
+    for (int failing = 1;; ++failing) {
+      GltfScene scene = openScene(folder.write("scene.glb", tiny.glb()));
+      const test::ExhaustedMemory memory(failing, kLarge);
+      Result<void> written;
+      if (const auto applied = scene.applyNoise(felt.bundle, 0, {}, materials); !applied)
+        written = applied.error();
+      else
+        written = scene.write(out);
+      if (!memory.reached()) {
+        CHECK(written.ok());
+        break;
+      }
+      ++failures;
+      test::ExhaustedMemory::spare();
+      REQUIRE(!written.ok());
+      CHECK(written.error().kind == ErrorKind::resources);
+      CHECK(!std::filesystem::exists(out));
+      test::ExhaustedMemory::refuse();
+    }
+    CHECK(failures >= 2);
+  }
+}
+
+TEST_CASE("whichever allocation fails while a .gltf and its binary are written, none is left") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "pair.gltf";
+  const std::vector<std::byte> binary(100);
+  const std::string text =
+      Json{{"asset", {{"version", "2.0"}}}, {"buffers", {{{"byteLength", 100}, {"uri", "x"}}}}}
+          .dump();
+  int failures = 0;
+  for (int failing = 1;; ++failing) {
+    bool isWritten = false, reached = false;
+    {
+      const test::ExhaustedMemory memory(failing);
+      try {
+        isWritten = writeGltfPair(path, text, binary).ok();
+      } catch (const std::bad_alloc&) { // documented
+      }
+      reached = memory.reached();
+    }
+    if (!reached) {
+      CHECK(isWritten);
+      CHECK(folder.entryCount() == 2);
+      break;
+    }
+    ++failures;
+    INFO("allocation " << failing);
+    REQUIRE(!isWritten);
+    REQUIRE(folder.entryCount() == 0);
+  }
+  CHECK(failures > 10);
 }
 
 TEST_CASE("existing noises and tables of a scene are shared, names are not") {

@@ -40,7 +40,7 @@ struct BakeRecord {
 /// Returns the bytes of a page that needs no other file and no network. Pictures are at most 512
 /// pixels per exemplar, smaller if there are many maps: a page of one map stays below 8 MiB, one of
 /// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds. Errors:
-/// as compareNoise().
+/// as compareNoise(); for the page itself, resources only if a large allocation fails.
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                                                                const Progress& progress = {});
 

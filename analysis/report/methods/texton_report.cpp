@@ -3,12 +3,16 @@
 // limit of texton noise, and a picture of the texton.
 #include "texton_report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace lichen {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 Measure flatnessMeasure(const KernelComparison& kernels) {
   return {
@@ -47,7 +51,7 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
 
 /// The coefficients of a texton, or of a mix's first texton. Grey is 0; the largest coefficient
 /// sets the range.
-Result<JsonTree> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
+Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
   float largest = std::numeric_limits<float>::min();
@@ -102,10 +106,10 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
 /// As for tiling, but with a Gaussian texture as large as the result instead of the Gaussian image.
 double TextonReport::picturePixels() const { return 10.0; }
 
-Result<JsonTree> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                     int) const {
-  Result<JsonTree> shown = textonPicture(bundle.tables[map.as<TextonMap>().image],
-                                         noise.as<TextonShape>(), map.channels.size());
+Result<Json> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                                 int) const {
+  Result<Json> shown = textonPicture(bundle.tables[map.as<TextonMap>().image],
+                                     noise.as<TextonShape>(), map.channels.size());
   if (!shown)
     return shown;
   shown.value()["title"] = "Texton";
@@ -115,8 +119,8 @@ Result<JsonTree> TextonReport::image(const Bundle& bundle, const Noise& noise, c
   return shown;
 }
 
-Result<JsonTree> TextonReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {
-  return JsonTree();
+Result<Json> TextonReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {
+  return Json();
 }
 
 } // namespace lichen

@@ -13,10 +13,10 @@ public:
   [[nodiscard]] Result<void> judge(const ComparedResult& result,
                                    NoiseComparison& comparison) const override;
   [[nodiscard]] double picturePixels() const override;
-  [[nodiscard]] Result<JsonTree> image(const Bundle& bundle, const Noise& noise,
-                                       const NoiseMap& map, int side) const override;
-  [[nodiscard]] Result<JsonTree> table(const Bundle& bundle, const NoiseMap& map,
-                                       const MapLook& look) const override;
+  [[nodiscard]] Result<nlohmann::ordered_json> image(const Bundle& bundle, const Noise& noise,
+                                                     const NoiseMap& map, int side) const override;
+  [[nodiscard]] Result<nlohmann::ordered_json> table(const Bundle& bundle, const NoiseMap& map,
+                                                     const MapLook& look) const override;
 };
 
 } // namespace lichen

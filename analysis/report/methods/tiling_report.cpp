@@ -2,10 +2,14 @@
 // A tiling noise and its exemplar -> measures, and pictures of the Gaussian image and the table.
 #include "tiling_report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace lichen {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// A 4096 x 4096 RGB result takes 200 MB; more pixels do not add information.
 constexpr int kLargestSide = 4096;
@@ -49,7 +53,7 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
 }
 
 /// The finest mip level of the Gaussian image with at most side^2 pixels.
-Result<JsonTree> gaussianPicture(const Table& table, int side) {
+Result<Json> gaussianPicture(const Table& table, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
   };
@@ -127,9 +131,9 @@ Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& 
 /// Gaussian image.
 double TilingReport::picturePixels() const { return 7.0; }
 
-Result<JsonTree> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,
-                                     int side) const {
-  Result<JsonTree> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
+Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,
+                                 int side) const {
+  Result<Json> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
   if (!shown)
     return shown;
   shown.value()["title"] = "Gaussianized exemplar";
@@ -139,21 +143,20 @@ Result<JsonTree> TilingReport::image(const Bundle& bundle, const Noise&, const N
   return shown;
 }
 
-Result<JsonTree> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
-                                     const MapLook& look) const {
+Result<Json> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
+                                 const MapLook& look) const {
   const auto& tiling = map.as<TilingMap>();
   if (!tiling.inverseTable)
-    return JsonTree();
+    return Json();
   const Table& table = bundle.tables[*tiling.inverseTable];
   const std::size_t channels = map.channels.size();
   const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
-  Result<JsonTree> shown = pictureJson(look.picture(tableKindOf(tiling) == TableKind::joint
-                                                        ? slicesPicture(table, channels, slices)
-                                                        : axesPicture(table, tiling, channels)));
+  Result<Json> shown = pictureJson(look.picture(tableKindOf(tiling) == TableKind::joint
+                                                    ? slicesPicture(table, channels, slices)
+                                                    : axesPicture(table, tiling, channels)));
   if (!shown)
     return shown;
-  return JsonTree{
-      {"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
+  return Json{{"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
 }
 
 } // namespace lichen

@@ -24,8 +24,8 @@ struct MergedBundle {
 
 /// Merges all noises, in order. Each gets the parameters and name of the first material that uses
 /// it, or the defaults and its own name. A mix weight from a texture becomes the default weight,
-/// with a note. A noise or material whose name is already taken gets a number appended, for a noise
-/// with a note. Texels are copied unchanged, and equal tables are shared. Errors: badInput, naming
+/// with a note. A noise or material whose name is already taken gets a number appended, with a
+/// note. Texels are copied unchanged, and equal tables are shared. Errors: badInput, naming
 /// the file, for a bundle without noises or with ignored ones; resources when memory does not
 /// suffice.
 [[nodiscard]] Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs);

@@ -34,7 +34,7 @@ struct BundleFile {
 };
 
 /// Encodes a GLB, with deterministic bytes. Errors: usage, with the reason, when the parts are
-/// inconsistent or readBundle() would reject the result; resources when memory does not suffice.
+/// inconsistent or readBundle() would reject the result; resources if a large allocation fails.
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
 /// Writes a .glb, or a .gltf with its binary beside it in STEM.HASH.bin, where HASH depends on the

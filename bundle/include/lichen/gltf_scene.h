@@ -30,14 +30,16 @@ struct AppliedNoise {
   std::size_t newTables = 0;
 };
 
-/// An asset and its pending changes. Writing preserves every byte of the JSON text except for
-/// additions and the replacements documented below. Existing buffer bytes keep their offsets; new
-/// bytes follow them.
+/// An asset and its pending changes. Writing keeps the members of the JSON, their order, their
+/// values and the indentation, except for additions and the replacements documented below; numbers
+/// and strings may be spelled differently. Existing buffer bytes keep their offsets; new bytes
+/// follow them. The functions that change or write the asset report that memory does not suffice
+/// for a large allocation; if not even a small one succeeds, the process may end.
 class GltfScene {
 public:
   /// Reads a .glb or .gltf. Errors: badInput if the file is neither, if its materials, meshes,
-  /// primitives or attributes violate glTF, or if its existing noises are invalid; resources when
-  /// memory does not suffice.
+  /// primitives, attributes or extensions violate glTF, if a JSON object has two members of one
+  /// name, or if its existing noises are invalid; resources when memory does not suffice.
   [[nodiscard]] static Result<GltfScene> open(const std::filesystem::path& path);
   GltfScene(GltfScene&&) noexcept;
   GltfScene& operator=(GltfScene&&) noexcept;
@@ -109,8 +111,8 @@ public:
   /// Writes a .glb, or a .gltf with the new bytes in STEM.HASH.bin beside it. Converts between the
   /// two according to the extension of `path`; converting to .glb embeds the first buffer and the
   /// images. Errors: those of replaceFile; usage if `path` has another extension, or lies in
-  /// another folder while the asset refers to external files; badInput if the document's structure
-  /// prevents a change.
+  /// another folder while the asset refers to external files; badInput if a file to be embedded is
+  /// invalid.
   [[nodiscard]] Result<void> write(const std::filesystem::path& path);
 
 private:

@@ -12,22 +12,9 @@ using nlohmann::json;
 constexpr std::uint64_t kMaxColorSet = 15;
 constexpr std::uint64_t kMaxChannel = 3; // alpha
 
-/// An optional pair of texture coordinates, with its default.
-std::array<double, 2> readPlace(ObjectReader& reader, const char* key,
-                                const std::array<double, 2>& preset) {
-  if (!reader.has(key))
-    return preset;
-  const auto place = reader.numbers(key, kMixPlaceRange);
-  if (place && place->size() == 2)
-    return {(*place)[0], (*place)[1]};
-  if (place)
-    reader.error("count", key, std::to_string(place->size()) + " values; expected 2");
-  return preset;
-}
-
 void readDirection(ObjectReader& reader, MixWeight& mix) {
-  mix.start = readPlace(reader, "start", mix.start);
-  mix.end = readPlace(reader, "end", mix.end);
+  mix.start = reader.pairOr("start", kMixPlaceRange, mix.start);
+  mix.end = reader.pairOr("end", kMixPlaceRange, mix.end);
   if (std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixWay)
     reader.error("mix-direction", "end",
                  "closer than 0.000001 to start; expected a place further away");
@@ -44,13 +31,8 @@ void readTexture(ObjectReader& reader, std::size_t textures, FindingList& findin
   if (index && textures == 0)
     info.error("mix-texture-index", "index", "there are no textures");
   mix.texture = std::size_t(index.value_or(0));
-  if (info.has("texCoord"))
-    mix.texCoord = int(info.integer("texCoord", kMaxTexCoord).value_or(0));
+  mix.texCoord = info.integerOr("texCoord", kMaxTexCoord, mix.texCoord);
   info.warnOfUnknown();
-}
-
-int readChannel(ObjectReader& reader) {
-  return reader.has("channel") ? int(reader.integer("channel", kMaxChannel).value_or(0)) : 0;
 }
 
 } // namespace
@@ -77,12 +59,11 @@ MixWeight readMixWeight(ObjectReader& material, std::size_t textures, FindingLis
     break;
   case MixSource::texture:
     readTexture(reader, textures, findings, mix);
-    mix.channel = readChannel(reader);
+    mix.channel = reader.integerOr("channel", kMaxChannel, mix.channel);
     break;
   case MixSource::vertexColor:
-    if (reader.has("set"))
-      mix.colorSet = int(reader.integer("set", kMaxColorSet).value_or(0));
-    mix.channel = readChannel(reader);
+    mix.colorSet = reader.integerOr("set", kMaxColorSet, mix.colorSet);
+    mix.channel = reader.integerOr("channel", kMaxChannel, mix.channel);
     break;
   }
   reader.warnOfUnknown();

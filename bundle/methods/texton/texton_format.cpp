@@ -4,6 +4,8 @@
 
 namespace lichen {
 
+using Json = nlohmann::ordered_json;
+
 bool TextonFormat::fits(Mapping mapping) const { return mapping != Mapping::solid; }
 
 std::span<const std::string_view> TextonFormat::tableMembers() const {
@@ -13,7 +15,7 @@ std::span<const std::string_view> TextonFormat::tableMembers() const {
 
 bool TextonFormat::isMix(const Noise& noise) const { return noise.as<TextonShape>().steps > 1; }
 
-void TextonFormat::writeNoise(const Noise& noise, JsonTree& json) const {
+void TextonFormat::writeNoise(const Noise& noise, Json& json) const {
   const auto& shape = noise.as<TextonShape>();
   json["texton"] = {{"coefficients", {shape.coefficientsX, shape.coefficientsY}},
                     {"order", shape.order},
@@ -22,7 +24,7 @@ void TextonFormat::writeNoise(const Noise& noise, JsonTree& json) const {
                     {"steps", shape.steps}};
 }
 
-void TextonFormat::writeMap(const NoiseMap& map, JsonTree& json) const {
+void TextonFormat::writeMap(const NoiseMap& map, Json& json) const {
   const auto& texton = map.as<TextonMap>();
   json["texton"] = texton.image;
   json["scale"] = texton.scale;

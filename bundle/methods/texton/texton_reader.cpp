@@ -16,13 +16,9 @@ bool isUnknown(const TextonShape& shape) { return shape.coefficientsX == 0; }
 
 /// Two integers in [1, most]: x and y.
 std::optional<std::array<int, 2>> readPair(ObjectReader& reader, const char* key, int most) {
-  const auto values = reader.numbers(key, {1.0, double(most)});
+  const auto values = reader.pair(key, {1.0, double(most)});
   if (!values)
     return std::nullopt;
-  if (values->size() != 2) {
-    reader.error("count", key, std::to_string(values->size()) + " values; expected 2");
-    return std::nullopt;
-  }
   for (const double value : *values)
     if (value != std::floor(value)) {
       reader.error("type", key, json(value).dump() + "; expected an integer");
@@ -139,8 +135,7 @@ MethodNoise TextonFormat::readNoise(ObjectReader& noise, FindingList& findings) 
   TextonShape shape;
   shape.order = readOrder(reader);
   shape.mipLevels = int(reader.integer("mipLevels", kMaxTextonMips, "range", 1).value_or(1));
-  if (reader.has("steps"))
-    shape.steps = int(reader.integer("steps", kMaxTextonSteps, "range", 1).value_or(1));
+  shape.steps = reader.integerOr("steps", kMaxTextonSteps, 1, 1);
   reader.warnOfUnknown();
   if (findings.errorCount() > errorsBefore || !coefficients || !tile)
     return TextonShape();

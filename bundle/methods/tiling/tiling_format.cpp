@@ -6,6 +6,8 @@
 
 namespace lichen {
 
+using Json = nlohmann::ordered_json;
+
 bool TilingFormat::fits(Mapping mapping) const {
   return mapping == Mapping::uv || mapping == Mapping::triplanar;
 }
@@ -17,9 +19,9 @@ std::span<const std::string_view> TilingFormat::tableMembers() const {
 
 MethodNoise TilingFormat::readNoise(ObjectReader&, FindingList&) const { return TilingNoise(); }
 
-void TilingFormat::writeNoise(const Noise&, JsonTree&) const {}
+void TilingFormat::writeNoise(const Noise&, Json&) const {}
 
-void TilingFormat::writeMap(const NoiseMap& map, JsonTree& json) const {
+void TilingFormat::writeMap(const NoiseMap& map, Json& json) const {
   const auto& tiling = map.as<TilingMap>();
   json["gaussian"] = tiling.gaussian;
   if (tiling.inverseTable) {

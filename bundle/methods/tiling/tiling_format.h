@@ -15,8 +15,8 @@ public:
   [[nodiscard]] MethodNoise readNoise(ObjectReader& reader, FindingList& findings) const override;
   [[nodiscard]] MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
                                   const Tables& tables, FindingList& findings) const override;
-  void writeNoise(const Noise& noise, JsonTree& json) const override;
-  void writeMap(const NoiseMap& map, JsonTree& json) const override;
+  void writeNoise(const Noise& noise, nlohmann::ordered_json& json) const override;
+  void writeMap(const NoiseMap& map, nlohmann::ordered_json& json) const override;
   [[nodiscard]] std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
                                                           const NoiseMap& map) const override;
   [[nodiscard]] std::array<std::uint32_t, 2> tileSize(const Bundle& bundle,
