@@ -85,7 +85,7 @@ Result<bool> isGlbPath(const std::filesystem::path& path) {
   const std::filesystem::path extension = path.extension();
   if (extension != ".glb" && extension != ".gltf")
     return Error{ErrorKind::usage, path.string() + ": extension " + quoted(extension.string()) +
-                                       "; .glb or .gltf is accepted"};
+                                       "; expected .glb or .gltf"};
   return extension == ".glb";
 }
 

@@ -171,7 +171,7 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
       SkeletonCheck(state->document(), findings).run();
       if (const auto fault = buildOrderedJson(state->file->container().text, state->edited))
         findings.error("json-name", "",
-                       "JSON object with two members " + quoted(fault->name) + "; one is accepted");
+                       "JSON object with two members " + quoted(fault->name) + "; expected one");
     }
     if (findings.errorCount() == 0)
       state->bundle = readExtension(*state->file, findings);

@@ -111,7 +111,7 @@ std::optional<std::array<double, 2>> ObjectReader::pair(const char* key, NumberR
   if (values && values->size() == 2)
     return std::array{values->front(), values->back()};
   if (values)
-    error("count", key, std::to_string(values->size()) + " values; 2 are accepted");
+    error("count", key, std::to_string(values->size()) + " values; expected 2");
   return std::nullopt;
 }
 
