@@ -47,5 +47,8 @@ inline constexpr std::uint64_t kMaxTexCoord = 15;
 /// Tolerance for rounding errors: for the eigenvalues of a covariance as a share of its trace, for
 /// its symmetry as a share of its largest value.
 inline constexpr double kCovarianceTolerance = 1e-9;
+/// Whether all eigenvalues of a symmetric n x n matrix are above `share` of its trace, or, if share
+/// is not positive, the matrix is 0: whether the rest has a Cholesky factor.
+[[nodiscard]] bool hasEigenvaluesFrom(std::vector<double> matrix, std::size_t n, double share);
 
 } // namespace lichen

@@ -12,26 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Whether no eigenvalue is below minus the tolerance: adding the tolerance to the diagonal must
-/// give a matrix with a Cholesky factor.
-bool isPositiveSemidefinite(std::vector<double> c, std::size_t n) {
-  double trace = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-    trace += c[i * n + i];
-  if (trace <= 0.0)
-    return std::all_of(c.begin(), c.end(), [](double v) { return v == 0.0; });
-  for (std::size_t k = 0; k < n; ++k) {
-    double& pivot = c[k * n + k];
-    pivot += kCovarianceTolerance * trace;
-    if (pivot <= 0.0)
-      return false;
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j)
-        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
-  }
-  return true;
-}
-
 bool isSymmetric(const std::vector<double>& c, std::size_t n) {
   double largest = 0.0;
   for (const double value : c)
@@ -80,12 +60,31 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
                      ", a row of the matrix per channel");
   else if (n != 0 && !isSymmetric(*covariance, n))
     reader.error("map-covariance", "covariance", "not symmetric");
-  else if (n != 0 && !isPositiveSemidefinite(*covariance, n))
+  else if (n != 0 && !hasEigenvaluesFrom(*covariance, n, -kCovarianceTolerance))
     reader.error("map-covariance", "covariance", "not positive semidefinite");
   return std::move(*covariance);
 }
 
 } // namespace
+
+bool hasEigenvaluesFrom(std::vector<double> c, std::size_t n, double share) {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    trace += c[i * n + i];
+  if (trace <= 0.0)
+    return share <= 0.0 && std::all_of(c.begin(), c.end(), [](double v) { return v == 0.0; });
+  for (std::size_t k = 0; k < n; ++k)
+    c[k * n + k] -= share * trace;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double pivot = c[k * n + k];
+    if (pivot <= 0.0)
+      return false;
+    for (std::size_t i = k + 1; i < n; ++i)
+      for (std::size_t j = k + 1; j < n; ++j)
+        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
+  }
+  return true;
+}
 
 MapMoments readMoments(ObjectReader& reader, ValueEncoding encoding, std::size_t n) {
   return {readMean(reader, encoding, n), readCovariance(reader, n)};

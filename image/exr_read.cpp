@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// EXR bytes -> LinearImage, through OpenEXR, after exr_header.cpp has checked the whole file.
+// EXR bytes -> LinearImage, through OpenEXR, after exr_check.cpp has checked the whole file.
 // The image is the data window. Colours stay premultiplied by alpha, as EXR stores them.
 #include "claims.h"
 #include "codecs.h"
-#include "exr_header.h"
+#include "exr_check.h"
 
+#include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
@@ -44,12 +45,6 @@ private:
   std::size_t offset_ = 0;
 };
 
-const ExrChannel* findChannel(const ExrHeader& header, const std::string& channel) {
-  const auto found = std::find_if(header.channels.begin(), header.channels.end(),
-                                  [&](const ExrChannel& c) { return c.name == channel; });
-  return found == header.channels.end() ? nullptr : &*found;
-}
-
 std::string joined(const std::vector<std::string>& names) {
   std::string result;
   for (const std::string& name : names)
@@ -57,36 +52,37 @@ std::string joined(const std::vector<std::string>& names) {
   return printable(result);
 }
 
-std::vector<std::string> namesOf(const ExrHeader& header) {
+std::vector<std::string> namesOf(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
-  for (const ExrChannel& channel : header.channels)
-    names.push_back(channel.name);
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
+    names.emplace_back(channel.name());
   return names;
 }
 
 /// The file's channels to read, in the order of the image's channels. A name that the file lacks
 /// stands for zeros.
-Result<std::vector<std::string>> chooseChannels(const ExrHeader& header, const std::string& name) {
-  const bool alpha = findChannel(header, "A") != nullptr;
-  const bool colour = findChannel(header, "R") != nullptr || findChannel(header, "G") != nullptr ||
-                      findChannel(header, "B") != nullptr;
+Result<std::vector<std::string>> chooseChannels(const Imf::ChannelList& channels,
+                                                const std::string& name) {
+  const auto has = [&](const char* channel) { return channels.findChannel(channel) != nullptr; };
+  const bool colour = has("R") || has("G") || has("B");
+  const std::vector<std::string> names = namesOf(channels);
   std::vector<std::string> chosen;
-  if (!colour && (findChannel(header, "RY") != nullptr || findChannel(header, "BY") != nullptr))
-    return badInput(name, "is a luminance-chroma EXR (channels " + joined(namesOf(header)) +
+  if (!colour && (has("RY") || has("BY")))
+    return badInput(name, "is a luminance-chroma EXR (channels " + joined(names) +
                               "); expected R, G, B, or Y alone");
   if (colour)
     chosen = {"R", "G", "B"};
-  else if (findChannel(header, "Y") != nullptr)
+  else if (has("Y"))
     chosen = {"Y"};
-  else if (header.channels.size() == 1)
-    chosen = {header.channels.front().name}; // unambiguous
+  else if (names.size() == 1)
+    chosen = names; // unambiguous
   else
-    return badInput(name, "EXR with channels " + joined(namesOf(header)) +
+    return badInput(name, "EXR with channels " + joined(names) +
                               "; expected R, G, B, or Y, or a single channel");
-  if (alpha && chosen.front() != "A")
+  if (has("A") && chosen.front() != "A")
     chosen.emplace_back("A");
   for (const std::string& channel : chosen)
-    if (const ExrChannel* found = findChannel(header, channel);
+    if (const Imf::Channel* found = channels.findChannel(channel);
         found != nullptr && (found->xSampling != 1 || found->ySampling != 1))
       return badInput(name, "EXR channel " + printable(channel) + " is subsampled " +
                                 std::to_string(found->xSampling) + " x " +
@@ -94,48 +90,44 @@ Result<std::vector<std::string>> chooseChannels(const ExrHeader& header, const s
   return chosen;
 }
 
-void describeChannels(const ExrHeader& header, const std::vector<std::string>& chosen,
+void describeChannels(const Imf::Header& header, const std::vector<std::string>& chosen,
                       std::vector<std::string>& notes) {
   std::vector<std::string> missing;
   for (const std::string& channel : chosen)
-    if (findChannel(header, channel) == nullptr)
+    if (header.channels().findChannel(channel) == nullptr)
       missing.push_back(channel);
   if (!missing.empty())
     notes.push_back("missing channels set to 0: " + joined(missing));
   std::vector<std::string> ignored;
-  for (const ExrChannel& channel : header.channels)
-    if (std::find(chosen.begin(), chosen.end(), channel.name) == chosen.end())
-      ignored.push_back(channel.name);
+  for (const std::string& channel : namesOf(header.channels()))
+    if (std::find(chosen.begin(), chosen.end(), channel) == chosen.end())
+      ignored.push_back(channel);
   if (!ignored.empty())
     notes.push_back("ignored channels: " + joined(ignored));
   if (chosen.size() == 1 && chosen.front() != "Y")
     notes.push_back("channel " + printable(chosen.front()) + " read as grey");
-  if (header.dataWindow != header.displayWindow)
+  if (header.dataWindow() != header.displayWindow())
     notes.emplace_back("the image is the data window, not the display window");
 }
 
 /// Throws std::bad_alloc where OpenEXR 3.1 would crash: its DWA decoder allocates several copies of
 /// a chunk while decoding, without checking for failure.
-void requireScratch(const ExrHeader& header) {
-  constexpr unsigned kFirstDwa = 8;
-  constexpr std::int64_t kMostLinesPerChunk = 256;
+void requireScratch(const Imf::Header& header) {
+  constexpr std::size_t kMostLinesPerChunk = 256;
   constexpr std::size_t kCopies = 4;
-  if (header.compression < kFirstDwa)
+  if (header.compression() < Imf::DWAA_COMPRESSION)
     return;
-  const std::int64_t pixels =
-      header.tiled
-          ? header.tileWidth * header.tileHeight
-          : header.dataWindow.width() * std::min(header.dataWindow.height(), kMostLinesPerChunk);
-  std::size_t bytesPerPixel = 0;
-  for (const ExrChannel& channel : header.channels)
-    bytesPerPixel += channel.bytesPerSample;
-  const std::vector<char> scratch(kCopies * bytesPerPixel * std::size_t(pixels));
+  std::size_t bytes = 0;
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
+    bytes += channel.channel().type == Imf::HALF ? 2u : 4u;
+  const Imath::V2i size = header.dataWindow().size() + Imath::V2i(1);
+  bytes *= header.hasTileDescription()
+               ? std::size_t(header.tileDescription().xSize) * header.tileDescription().ySize
+               : std::size_t(size.x) * std::min(std::size_t(size.y), kMostLinesPerChunk);
+  const std::vector<char> scratch(kCopies * bytes);
 }
 
-void readPixels(std::span<const std::byte> file, const ExrHeader& header,
-                const std::vector<std::string>& chosen, LinearImage& image) {
-  MemoryStream stream(file);
-  Imf::InputFile input(stream, 0);
+void readPixels(Imf::InputFile& input, const std::vector<std::string>& chosen, LinearImage& image) {
   const Imath::Box2i window = input.header().dataWindow();
   Imf::FrameBuffer frame;
   for (std::size_t c = 0; c < chosen.size(); ++c)
@@ -144,7 +136,7 @@ void readPixels(std::span<const std::byte> file, const ExrHeader& header,
                                   chosen.size() * sizeof(float),
                                   chosen.size() * sizeof(float) * std::size_t(image.width)));
   input.setFrameBuffer(frame);
-  requireScratch(header);
+  requireScratch(input.header());
   input.readPixels(window.min.y, window.max.y);
 }
 
@@ -177,28 +169,39 @@ Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& im
   return {};
 }
 
+/// Like decodeExr(), but throws what OpenEXR throws.
+Result<ImageFile> decode(std::span<const std::byte> file, const std::string& name,
+                         const SizeCheck& check) {
+  MemoryStream stream(file);
+  Imf::InputFile input(stream, 0);
+  const Imf::Header& header = input.header();
+  const Result<std::vector<std::string>> chosenResult = chooseChannels(header.channels(), name);
+  if (!chosenResult)
+    return chosenResult.error();
+  const std::vector<std::string>& chosen = chosenResult.value();
+  const Imath::V2i size = header.dataWindow().size() + Imath::V2i(1);
+  if (Result<void> wanted = checkWanted(check, std::uint64_t(size.x), std::uint64_t(size.y));
+      !wanted)
+    return wanted.error();
+  ImageFile result;
+  result.bitsPerChannel = 32;
+  LinearImage image(size.x, size.y, int(chosen.size()));
+  readPixels(input, chosen, image);
+  describeChannels(header, chosen, result.notes);
+  if (Result<void> values = checkValues(chosen, image, result.notes, name); !values)
+    return values.error();
+  result.pixels = std::move(image);
+  return result;
+}
+
 } // namespace
 
 Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& name,
                             const SizeCheck& check) {
-  const Result<ExrHeader> headerResult = readExrHeader(file, name);
-  if (!headerResult)
-    return headerResult.error();
-  const ExrHeader& header = headerResult.value();
-  const Result<std::vector<std::string>> chosenResult = chooseChannels(header, name);
-  if (!chosenResult)
-    return chosenResult.error();
-  const std::vector<std::string>& chosen = chosenResult.value();
-  const auto width = header.dataWindow.width(), height = header.dataWindow.height();
-  if (Result<void> wanted = checkWanted(check, std::uint64_t(width), std::uint64_t(height));
-      !wanted)
-    return wanted.error();
-
-  ImageFile result;
-  result.bitsPerChannel = 32;
-  LinearImage image(int(width), int(height), int(chosen.size()));
+  if (Result<void> checked = checkExr(file, name); !checked)
+    return checked.error();
   try {
-    readPixels(file, header, chosen, image);
+    return decode(file, name, check);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& problem) {
@@ -206,11 +209,6 @@ Result<ImageFile> decodeExr(std::span<const std::byte> file, const std::string& 
       return outOfMemory(name, "decode the EXR");
     return badInput(name, "damaged EXR: " + printable(problem.what()));
   }
-  describeChannels(header, chosen, result.notes);
-  if (Result<void> values = checkValues(chosen, image, result.notes, name); !values)
-    return values.error();
-  result.pixels = std::move(image);
-  return result;
 }
 
 } // namespace lichen

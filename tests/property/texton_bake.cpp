@@ -288,6 +288,32 @@ TEST_CASE("what a texton does not vary by is left out below a thousandth, and re
   CHECK((reached - MatrixXd::Constant(2, 2, 1.0 - 0.9e-3)).cwiseAbs().maxCoeff() <= 1e-6);
 }
 
+TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are averages") {
+  const MapExemplar map = test::threeMaterials(64, 64, 12);
+  const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
+  const auto& shape = bake.noise.as<TextonShape>();
+  REQUIRE(shape.mipLevels == 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    Channel fine = channelsOf(bake)[c];
+    for (int y = 0; y < fine.height; ++y)
+      for (int x = 0; x < fine.width; ++x)
+        if (x >= shape.coefficientsX || y >= shape.coefficientsY)
+          CHECK(fine.texels[std::size_t(y * fine.width + x)] == 0.0);
+    for (const std::uint32_t level : {1u, 2u}) {
+      const Channel coarse = channelsOf(bake, level)[c];
+      for (int y = 0; y < coarse.height; ++y)
+        for (int x = 0; x < coarse.width; ++x) {
+          const auto at = [&](int u, int v) {
+            return fine.texels[std::size_t((2 * y + v) * fine.width + 2 * x + u)];
+          };
+          CHECK(coarse.texels[std::size_t(y * coarse.width + x)] ==
+                Approx(0.25 * (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1))).margin(1e-7));
+        }
+      fine = coarse;
+    }
+  }
+}
+
 TEST_CASE("the losses of a texton's mips are those of the noise that is fetched from them") {
   const MapExemplar map = test::threeMaterials(64, 64, 12);
   const TextonBake bake = bakeOf({&map, 1}, supportOf(32));

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstring>
+
 using namespace lichen;
 using example::GlbParts;
 using nlohmann::json;
@@ -119,6 +121,19 @@ TEST_CASE("every contradiction between a map and its texton is found") {
           {"a negative scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = -0.5; }},
           {"a huge scale", "range", [](GlbParts& p) { p.map(1, 0)["scale"][0] = 1e7; }},
           {"a scale in text", "type", [](GlbParts& p) { p.map(1, 0)["scale"] = "0.6"; }},
+          {"a scale that is not six deviations", "texton-scale",
+           [](GlbParts& p) {
+             json& scale = p.map(1, 0)["scale"];
+             scale[0] = 1.001 * scale[0].get<double>();
+           }},
+          {"a texel whose sum could be infinite", "texton-texels",
+           [](GlbParts& p) {
+             constexpr std::size_t kLevelIndex = 80; // of a KTX2 file
+             const std::size_t file = p.tableOffset(3);
+             const float texel = -4.5f;
+             std::memcpy(&p.binary[file + GlbParts::word(p.binary, file + kLevelIndex)], &texel,
+                         sizeof texel);
+           }},
           {"no losses", "required", [](GlbParts& p) { p.map(1, 0).erase("mipLoss"); }},
           {"fewer losses than mips", "map-mip-loss",
            [](GlbParts& p) { p.map(1, 0)["mipLoss"] = {0.0}; }},

@@ -188,12 +188,12 @@ TEST_CASE("the errors for unsupported EXR channels name them") {
 TEST_CASE("an EXR with a side of 0 or over the limit is an error") {
   Bytes exr = makeExr({});
   patchAttribute(exr, kDataWindow, 8, std::uint32_t(-1));
-  CHECK(refusal(exr) == "file: 0 x 8 pixels; each side must be 1 to 16384");
+  CHECK(refusal(exr) == "file: damaged EXR: Invalid data window (0, 0 - -1, 7)");
   patchAttribute(exr, kDataWindow, 8, 16384);
   CHECK(refusal(exr) == "file: 16385 x 8 pixels; each side must be 1 to 16384");
   patchAttribute(exr, kDataWindow, 0, 0x80000000u);
   patchAttribute(exr, kDataWindow, 8, 0x7fffffffu);
-  CHECK(refusal(exr) == "file: 4294967296 x 8 pixels; each side must be 1 to 16384");
+  CHECK(refusal(exr) == "file: damaged EXR: Invalid data window (-2147483648, 0 - 2147483647, 7)");
 }
 
 TEST_CASE("an EXR that claims more than its compression can produce is an error before decoding") {
@@ -204,26 +204,26 @@ TEST_CASE("an EXR that claims more than its compression can produce is an error 
   Bytes tall = makeExr({.compression = 0});
   patchAttribute(tall, kDataWindow, 12, 16383);
   CHECK(refusal(tall).starts_with(
-      "file: truncated: the table of 16384 EXR chunks exceeds the file's last "));
+      "file: truncated or damaged EXR: chunk table size (131072) too big for file size "));
 }
 
 TEST_CASE("EXR tiles far larger than the image are an error") {
   Bytes exr = makeExr({.tileSide = 4});
   patchAttribute(exr, kTiles, 0, 5000);
-  CHECK(refusal(exr) == "file: EXR tiles of 5000 x 4; each side must be 1 to 4096, or at most "
-                        "the image's own");
+  CHECK(refusal(exr) == "file: damaged EXR: Width of tile exceeds max size (5000 vs max 4096)");
   patchAttribute(exr, kTiles, 0, 0);
-  CHECK(refusal(exr).starts_with("file: EXR tiles of 0 x 4;"));
+  CHECK(refusal(exr) == "file: damaged EXR: Invalid tile description size (0 x 4)");
 }
 
 TEST_CASE("EXR attributes with a wrong size are an error") {
   const std::string sizeOfWindow = std::string("dataWindow\0box2i\0", 17);
   Bytes longer = makeExr({});
   longer[find(longer, sizeOfWindow) + sizeOfWindow.size()] = std::byte(20);
-  CHECK(refusal(longer) == "file: damaged EXR: attribute dataWindow is not a valid box2i");
+  CHECK(refusal(longer) ==
+        "file: damaged EXR: Attribute 'dataWindow': Invalid size 20 (exp 'box2i' size 4 * 4 (16))");
   Bytes channels = makeExr({});
   channels[find(channels, std::string("chlist\0", 7)) + 7] ^= std::byte(2);
-  CHECK(refusal(channels) == "file: damaged EXR: attribute channels is not a valid chlist");
+  CHECK(refusal(channels) == "file: damaged EXR: Out of data parsing 'channels', last channel 'R'");
 }
 
 TEST_CASE("the error for a missing EXR attribute names it") {
@@ -231,18 +231,20 @@ TEST_CASE("the error for a missing EXR attribute names it") {
        {"dataWindow", "displayWindow", "compression", "channels", "tiles"}) {
     Bytes exr = makeExr({.tileSide = 4});
     exr[find(exr, attribute)] = std::byte('x'); // an unknown attribute with a known type
-    CHECK(refusal(exr) == "file: damaged EXR: missing attribute " + attribute);
+    CHECK(refusal(exr).starts_with("file: damaged EXR: '" + attribute + "' attribute "));
+    CHECK(refusal(exr).ends_with(" not found"));
   }
 }
 
 TEST_CASE("an unknown EXR version or compression is an error") {
   Bytes version = makeExr({});
   version[4] = std::byte(3);
-  CHECK(refusal(version) == "file: unknown EXR version 3; expected 2");
+  CHECK(refusal(version).starts_with("file: damaged EXR: File is of an unsupported version: 3,"));
   Bytes compression = makeExr({});
   const std::string attribute("compression\0compression\0", 24);
   compression[find(compression, attribute) + attribute.size() + 4] = std::byte(10);
-  CHECK(refusal(compression) == "file: unknown EXR compression 10; expected 0 to 9");
+  CHECK(refusal(compression) == "file: damaged EXR: Attribute 'compression' (type 'compression'): "
+                                "Invalid value 10 (max allowed 10)");
 }
 
 TEST_CASE("an EXR whose writer was interrupted is an error") {
@@ -251,7 +253,8 @@ TEST_CASE("an EXR whose writer was interrupted is an error") {
   const std::size_t chunkBytes = 8 + 8 * 3 * 2;
   const std::size_t tableEnd = exr.size() - 8 * chunkBytes;
   std::fill_n(exr.begin() + std::ptrdiff_t(tableEnd) - 8, 8, std::byte(0));
-  CHECK(refusal(exr) == "file: incomplete EXR: some chunks were never written");
+  CHECK(refusal(exr) == "file: truncated or damaged EXR: Corrupt chunk offset table: scanline 7, "
+                        "chunk index 7 recorded at file offset 0");
 }
 
 TEST_CASE("an EXR chunk with more or fewer bytes than its pixels need is an error") {
@@ -260,9 +263,9 @@ TEST_CASE("an EXR chunk with more or fewer bytes than its pixels need is an erro
   const std::size_t sizeOffset = exr.size() - 8 * 3 * 2 - 4;
   exr[sizeOffset] = std::byte(49);
   exr.push_back(std::byte(0));
-  CHECK(refusal(exr) == "file: damaged EXR: a chunk for 48 bytes of pixels has 49 bytes");
+  CHECK(refusal(exr).ends_with("packed data size says 49, must be between 0 and 48"));
   exr[sizeOffset] = std::byte(0);
-  CHECK(refusal(exr) == "file: damaged EXR: a chunk for 48 bytes of pixels has 0 bytes");
+  CHECK(refusal(exr) == "file: truncated or damaged EXR: Invalid packed size of 0");
   exr[sizeOffset] = std::byte(47);
   CHECK(refusal(exr) ==
         "file: claims 48 bytes of pixels in a file of 47 bytes; uncompressed EXR expands "

@@ -35,9 +35,4 @@ public:
                 shader::LichenNoise& constants) const override;
 };
 
-/// Checks the texels of a texton. The image, scale, statistics and losses must have the right
-/// sizes. Time: 70 ns per channel of a texel. Memory: 60 bytes per texel (docs/benchmarks.md).
-void checkTextonTexels(ObjectReader& reader, const TextonShape& shape, const NoiseMap& map,
-                       const TextonMap& texton, const Table& image);
-
 } // namespace lichen

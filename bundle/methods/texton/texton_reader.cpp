@@ -122,6 +122,38 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
   }
 }
 
+/// Checks that each scale is six times its channel's standard deviation, in a mix the largest of
+/// all steps.
+void checkScale(ObjectReader& reader, const NoiseMap& map, const TextonMap& texton) {
+  constexpr double kDeviations = 6.0;
+  constexpr double kTextRounding = 1e-6; // of a number written with about seven digits
+  const std::size_t n = map.channels.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    double variance = map.covariance[c * n + c];
+    for (const TextonStep& step : texton.laterSteps)
+      variance = std::max(variance, step.covariance[c * n + c]);
+    const double wanted = kDeviations * std::sqrt(std::max(variance, 0.0));
+    if (std::abs(texton.scale[c] - wanted) > kTextRounding * wanted)
+      return reader.error("texton-scale", "scale",
+                          json(texton.scale[c]).dump() + " at " + std::to_string(c) +
+                              "; six times the deviation, " + json(wanted).dump() +
+                              ", is accepted");
+  }
+}
+
+/// Checks that no texel is so large that the shader's sum of impacts could become infinite. The
+/// variance of the noise is at most 1/36, and at least the square of a texel times the least
+/// eigenvalue of the kernel's autocorrelation, which is 0.054^2 for order 3: so 3.1 is the largest
+/// texel that agrees with its scale. [GLM17] section 4.1.
+void checkTexels(ObjectReader& reader, const Table& image) {
+  constexpr float kLargestTexel = 4.0f;
+  for (std::uint32_t level = 0; level < image.mipLevels; ++level)
+    for (const float texel : decodeLevel(image, level))
+      if (std::abs(texel) > kLargestTexel)
+        return reader.error("texton-texels", "texton",
+                            "a texel of " + json(double(texel)).dump() + "; -4 to 4 is accepted");
+}
+
 } // namespace
 
 MethodNoise TextonFormat::readNoise(ObjectReader& noise, FindingList& findings) const {
@@ -160,9 +192,9 @@ MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const 
   if (isUnknown(shape))
     return texton;
   const std::size_t losses = texton.mipLoss.size();
-  const bool lossesFit = n != 0 && losses % n == 0 && losses >= n * std::size_t(shape.mipLevels) &&
-                         losses <= n * kMaxTextonLosses;
-  if (losses != 0 && n != 0 && !lossesFit)
+  if (losses != 0 && n != 0 &&
+      (losses % n != 0 || losses < n * std::size_t(shape.mipLevels) ||
+       losses > n * kMaxTextonLosses))
     reader.error("map-mip-loss", "mipLoss",
                  std::to_string(losses) + " values; expected as many for each of " +
                      std::to_string(n) + " channels, " + std::to_string(shape.mipLevels) + " to " +
@@ -173,11 +205,12 @@ MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const 
   const bool statisticsFit =
       fits(map.covariance) && texton.scale.size() == n &&
       texton.laterSteps.size() + 1 == std::size_t(shape.steps) &&
-      std::all_of(texton.laterSteps.begin(), texton.laterSteps.end(), [&](const TextonStep& step) {
-        return fits(step.covariance) && step.mipLoss.size() == losses;
-      });
-  if (image != nullptr && checkImage(reader, shape, n, *image) && lossesFit && statisticsFit)
-    checkTextonTexels(reader, shape, map, texton, *image);
+      std::all_of(texton.laterSteps.begin(), texton.laterSteps.end(),
+                  [&](const TextonStep& step) { return fits(step.covariance); });
+  if (image != nullptr && checkImage(reader, shape, n, *image))
+    checkTexels(reader, *image);
+  if (statisticsFit)
+    checkScale(reader, map, texton);
   return texton;
 }
 

@@ -16,22 +16,6 @@ using nlohmann::json;
 constexpr std::size_t kMaxTableLevels = 64;
 constexpr double kLevelTolerance = 1e-6;
 
-/// Whether all pivots of the Cholesky factorization exceed its rounding error.
-bool isPositiveDefinite(std::vector<double> c, std::size_t n) {
-  double trace = 0.0;
-  for (std::size_t i = 0; i < n && c.size() == n * n; ++i)
-    trace += c[i * n + i];
-  for (std::size_t k = 0; k < n && c.size() == n * n; ++k) {
-    const double pivot = c[k * n + k];
-    if (pivot <= kCovarianceTolerance * trace)
-      return false;
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = k + 1; j < n; ++j)
-        c[i * n + j] -= c[i * n + k] * c[k * n + j] / pivot;
-  }
-  return true;
-}
-
 /// Reads the affine map of a separable table.
 void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaussian,
                     TilingMap& tiling) {
@@ -172,7 +156,9 @@ MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseM
     reader.error("map-levels", "levels", "present although there is no inverseTable");
   } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
     reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
-  } else if (!isPositiveDefinite(map.covariance, map.channels.size())) {
+  } else if (const std::size_t n = map.channels.size();
+             n != 0 && map.covariance.size() == n * n &&
+             !hasEigenvaluesFrom(map.covariance, n, kCovarianceTolerance)) {
     reader.error("map-covariance", "covariance",
                  "not positive definite, as it must be without an inverseTable");
   }
