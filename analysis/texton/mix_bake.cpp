@@ -33,8 +33,6 @@ Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options
         fmt::format("{} exemplars to mix; 2 to {} are accepted", exemplars, kMaxMixedExemplars));
   if (Result<void> checked = checkTextonOptions(options.texton); !checked)
     return checked;
-  if (options.texton.fit != TextonFit::transport)
-    return usage("a mix by projections; the fit by transport distance is accepted");
   if (!options.weights.empty())
     return {}; // the fit checks the weights
   const int legs = int(exemplars) - 1;

@@ -114,8 +114,6 @@ TEST_CASE("synth refuses option values that it does not know, with those that it
   checkSynthRefuses({"--noise", "granite"}, kUsage, {"--noise granite: ", "has stone"});
   for (const std::string map : {"depth", "normal"})
     checkSynthRefuses({"--map", map}, kUsage, {"--map " + map + ": noise 'stone' has baseColor"});
-  checkSynthRefuses({"--blend", "add"}, kUsage,
-                    {"--blend add: histogram, variance or linear is accepted"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
     checkSynthRefuses({"--origin", origin}, kUsage, {"--origin " + origin + ": X,Y with numbers"});
   for (const std::string texels : {"0", "-4", "nan", "inf", "1e30", "many"})

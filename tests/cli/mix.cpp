@@ -209,7 +209,6 @@ TEST_CASE("mix refuses what it cannot mix, and leaves nothing behind") {
   checkMixRefuses({m.dark, m.light, "--weights", "1,"}, kUsage, {"--weights 1,:"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2", "--steps", "5"}, kUsage,
                   {"--steps: with --weights one texton is made"});
-  checkMixRefuses({m.dark, m.light, "--fit", "projections"}, kUsage, {"--fit: no such option"});
   checkMixRefuses({m.dark, m.workplace.path("absent.png")}, kBadInput, {"absent.png"});
   checkMixRefuses({m.dark, m.workplace.write("no.png", std::string("no image"))}, kBadInput,
                   {"no.png"});

@@ -283,10 +283,6 @@ TEST_CASE("what cannot be mixed is refused by name") {
   CHECK(message({big, big}, large, ErrorKind::usage) ==
         "64 steps of 384 rows each make an image of 24576; up to 16384 are accepted, with fewer "
         "steps or a smaller support");
-  TextonMixOptions unfit = smallOptions(3);
-  unfit.texton.fit = TextonFit::projections;
-  CHECK(message({moss, rock}, unfit, ErrorKind::usage) ==
-        "a mix by projections; the fit by transport distance is accepted");
   TextonMixOptions weights = smallOptions(3);
   weights.weights = {1.0};
   CHECK(message({moss, rock}, weights, ErrorKind::usage) ==
