@@ -48,12 +48,7 @@ TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOpti
   fit.height = std::clamp(options.support - options.order, 1, model.height());
   fit.order = options.order;
   fit.seed = options.fitSeed;
-  int done = 0;
-  const int steps = iterationsOf(fit, FitMethod::transportDistance);
-  fit.goOn = [&] {
-    progress.reach(double(done++) / double(steps));
-    return true;
-  };
+  fit.progress = progress;
   TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod::transportDistance);
   // If the model's range is not that of the texton, the covariance stays uncorrected.
   (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
