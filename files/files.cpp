@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Whole files through POSIX calls, which report why a call failed.
+// Whole files. Writing takes POSIX calls: only they make unnamed files and flush to disk.
 #include <lichen/files.h>
 
 #include <cerrno>
 #include <cstdint>
 #include <fcntl.h>
+#include <fstream>
 #include <new>
-#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -100,56 +100,46 @@ Error unreadable(const std::filesystem::path& path, int code) {
   return Error{ErrorKind::badInput, path.string() + ": cannot be read: " + reason(code)};
 }
 
-/// Reads `size` bytes of an open file, or fewer if another process shortens it meanwhile.
-Result<std::vector<std::byte>> readBytes(const Descriptor& file, std::size_t size,
-                                         const std::filesystem::path& path) {
-  std::vector<std::byte> bytes;
-  try {
-    bytes.resize(size);
-  } catch (const std::bad_alloc&) {
-    return memoryError([&] {
-      return path.string() + ": not enough memory for its " + std::to_string(size) + " bytes";
-    });
-  }
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t received =
-        ::read(file.get(), bytes.data() + done, std::min(size - done, kMaxTransfer));
-    if (received < 0 && errno == EINTR)
-      continue;
-    if (received < 0)
-      return unreadable(path, errno);
-    if (received == 0)
-      break;
-    done += std::size_t(received);
-  }
-  bytes.resize(done);
-  return bytes;
-}
-
 /// The message for when even a name or a message does not fit into memory.
 auto exhausted(const std::filesystem::path& path) {
   return [&path] { return path.string() + ": not enough memory"; };
 }
 
-/// Opens a file and reads as many bytes as `sizeToRead` returns for the file's size, unless it
-/// returns an error.
+/// Reads as many bytes of a file as `sizeToRead` returns for the file's size, unless it returns an
+/// error; fewer if another process shortens the file meanwhile.
 template <class SizeToRead>
 Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
                                            const SizeToRead& sizeToRead) {
-  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+  std::error_code code;
+  const std::filesystem::file_status status = std::filesystem::status(path, code);
+  const bool isRegular = std::filesystem::is_regular_file(status);
+  const std::uintmax_t available = isRegular ? std::filesystem::file_size(path, code) : 0;
+  if (code)
+    return unreadable(path, code.value());
+  if (!isRegular) // opening a named pipe would wait for a writer
+    return Error{ErrorKind::badInput, path.string() + (std::filesystem::is_directory(status)
+                                                           ? ": is a folder; expected a file"
+                                                           : ": is not a regular file")};
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
     return unreadable(path, errno);
-  if (!S_ISREG(status.st_mode))
-    return Error{ErrorKind::badInput,
-                 path.string() + (S_ISDIR(status.st_mode) ? ": is a folder; expected a file"
-                                                          : ": is not a regular file")};
-  const Result<std::size_t> size = sizeToRead(std::size_t(status.st_size));
+  const Result<std::size_t> size = sizeToRead(std::size_t(available));
   if (!size)
     return size.error();
-  return readBytes(file, size.value(), path);
+  std::vector<std::byte> bytes;
+  try {
+    bytes.resize(size.value());
+  } catch (const std::bad_alloc&) {
+    return memoryError([&] {
+      return path.string() + ": not enough memory for its " + std::to_string(size.value()) +
+             " bytes";
+    });
+  }
+  file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
+  if (file.bad())
+    return unreadable(path, errno);
+  bytes.resize(std::size_t(file.gcount()));
+  return bytes;
 }
 
 Error wrongSize(const std::filesystem::path& path, std::size_t size, const char* bound,

@@ -16,7 +16,7 @@ namespace lichen {
 namespace {
 
 // OpenEXR allocates whole tiles, even if the image is smaller.
-constexpr int kMaxTileSide = 4096;
+constexpr std::int64_t kMaxTileSide = 4096;
 
 // Maximum expansion of the format's compressions, in the format's order. Deflate: a match of 258
 // bytes costs two bits. RLE: 2 bytes encode up to 128. PIZ: 9 bits repeat a 2-byte value 255 times.
@@ -47,7 +47,6 @@ public:
     options.size_fn = [](exr_const_context_t, void* file) {
       return std::int64_t(static_cast<const OpenExr*>(file)->bytes_.size());
     };
-    options.max_tile_width = options.max_tile_height = kMaxTileSide;
     options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     opened_ = exr_start_read(&context_, "EXR", &options);
   }
@@ -93,6 +92,20 @@ private:
   exr_result_t opened_;
 };
 
+Result<void> checkTiles(const OpenExr& exr, const exr_attr_box2i_t& window,
+                        const std::string& name) {
+  std::uint32_t width = 0, height = 0;
+  exr_get_tile_descriptor(exr.context(), 0, &width, &height, nullptr, nullptr);
+  const auto fits = [](std::int64_t tile, std::int64_t least, std::int64_t most) {
+    return tile <= std::max(kMaxTileSide, most - least + 1);
+  };
+  if (fits(width, window.min.x, window.max.x) && fits(height, window.min.y, window.max.y))
+    return {};
+  return badInput(name, "EXR tiles of " + std::to_string(width) + " x " + std::to_string(height) +
+                            "; each side must be at most " + std::to_string(kMaxTileSide) +
+                            ", or the image's own");
+}
+
 /// Checks the chunks of the full-resolution image, whose size is in range.
 Result<void> checkChunks(const OpenExr& exr, const exr_attr_box2i_t& window,
                          const std::string& name) {
@@ -105,6 +118,8 @@ Result<void> checkChunks(const OpenExr& exr, const exr_attr_box2i_t& window,
   if (!isTiled && storage != EXR_STORAGE_SCANLINE)
     return badInput(name, "is a deep EXR; expected a flat file (scan lines or tiles)");
   std::int32_t chunkWidth = kMaxImageSide, chunkHeight = 0;
+  if (Result<void> tiles = isTiled ? checkTiles(exr, window, name) : Result<void>(); !tiles)
+    return tiles;
   if (isTiled)
     exr_get_tile_sizes(context, 0, 0, 0, &chunkWidth, &chunkHeight);
   else

@@ -30,19 +30,11 @@ struct Arguments {
   std::string bundle;
 };
 
-/// Returns the parameters of the first material that uses the noise, or the format's defaults.
-MaterialNoise useOf(const Bundle& bundle, std::size_t noise) {
-  for (const std::optional<MaterialNoise>& use : bundle.materials)
-    if (use && use->noise == noise)
-      return *use;
-  return {};
-}
-
 const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise.method()); }
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   const Noise& described = bundle.noises[noise];
-  return commandOf(described).fetches(bundle, described, map, useOf(bundle, noise));
+  return commandOf(described).fetches(bundle, described, map, materialOf(bundle, noise));
 }
 
 /// Returns the bits per channel of the image that the shader samples.
@@ -261,7 +253,7 @@ void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t ind
       fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches per pixel and plane",
                   nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
                   commandOf(noise).fetchesVary() ? "about " : "", fetchesPerPixel(bundle, index)));
-  for (const std::string& line : commandOf(noise).linesOf(noise, useOf(bundle, index)))
+  for (const std::string& line : commandOf(noise).linesOf(noise, materialOf(bundle, index)))
     say(shared, "  " + line);
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, bundle, index, map);

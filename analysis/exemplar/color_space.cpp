@@ -66,21 +66,10 @@ std::vector<float> surroundings(const MapExemplar& map) {
 } // namespace
 
 Moments momentsOf(std::span<const float> values, int channels) {
-  const auto n = Eigen::Index(channels);
-  Moments moments{ChannelVector::Zero(n), ChannelMatrix::Zero(n, n)};
-  const std::size_t count = values.size() / std::size_t(channels);
-  for (std::size_t i = 0; i < count; ++i)
-    for (Eigen::Index c = 0; c < n; ++c)
-      moments.mean[c] += double(values[i * std::size_t(channels) + std::size_t(c)]);
-  moments.mean /= double(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    ChannelVector d(n);
-    for (Eigen::Index c = 0; c < n; ++c)
-      d[c] = double(values[i * std::size_t(channels) + std::size_t(c)]) - moments.mean[c];
-    moments.covariance.noalias() += d * d.transpose();
-  }
-  moments.covariance /= double(count);
-  return moments;
+  const auto stride = std::size_t(channels);
+  return transport::momentsOf<ChannelMatrix>(
+      values.size() / stride, channels,
+      [&](std::size_t i, int c) { return values[i * stride + std::size_t(c)]; });
 }
 
 ColorSpace principalSpaceOf(const MapExemplar& map) {

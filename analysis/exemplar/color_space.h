@@ -3,6 +3,7 @@
 #pragma once
 
 #include "transport/covariance_map.h"
+#include "transport/moments.h"
 #include "transport/point.h"
 
 #include <lichen/exemplar.h>
@@ -20,10 +21,7 @@ using ChannelVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxChannels, 
 using ChannelMatrix = transport::SmallMatrix;
 
 /// Mean and covariance of interleaved values; `values.size()` is a multiple of `channels` (1 to 3).
-struct Moments {
-  ChannelVector mean;
-  ChannelMatrix covariance;
-};
+using Moments = transport::Moments<ChannelMatrix>;
 [[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
 
 /// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the

@@ -10,6 +10,10 @@
 
 namespace lichen {
 
+/// The largest side of a synthesized result. A 4096 x 4096 RGB result takes 200 MB; more pixels do
+/// not add information.
+inline constexpr int kLargestResultSide = 4096;
+
 /// A result of a noise and the exemplar that the noise was made from.
 struct ComparedResult {
   const Bundle& bundle;

@@ -11,8 +11,6 @@ namespace lichen {
 namespace {
 
 constexpr int kResultExemplars = 4; // per side
-/// A 4096 x 4096 RGB result takes 200 MB; more pixels do not add information.
-constexpr int kLargestSide = 4096;
 
 std::string listOf(const std::vector<MapChannel>& channels) {
   std::string list;
@@ -55,8 +53,8 @@ Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const
   options.map = map.target;
   if (material.mix.source == MixSource::constant)
     options.mix = {material.mix.weight, material.mix.weight};
-  options.width = std::min(kResultExemplars * width, kLargestSide);
-  options.height = std::min(kResultExemplars * height, kLargestSide);
+  options.width = std::min(kResultExemplars * width, kLargestResultSide);
+  options.height = std::min(kResultExemplars * height, kLargestResultSide);
   const double pixels = double(options.width) * options.height;
   const double share = pixels / (pixels + method.judgedPixels(width, height));
   options.progress = partOf(progress, 0.0, share);

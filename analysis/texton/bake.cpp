@@ -39,11 +39,6 @@ std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channel
   return weights;
 }
 
-FitMethod methodOf(TextonFit fit) {
-  return fit == TextonFit::projections ? FitMethod::alternatingProjections
-                                       : FitMethod::transportDistance;
-}
-
 /// Fits coefficients to a part of the exemplar and corrects them to the covariance of its own
 /// model.
 TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOptions& options,
@@ -53,13 +48,8 @@ TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOpti
   fit.height = std::clamp(options.support - options.order, 1, model.height());
   fit.order = options.order;
   fit.seed = options.fitSeed;
-  int done = 0;
-  const int steps = iterationsOf(fit, methodOf(options.fit));
-  fit.goOn = [&] {
-    progress.reach(double(done++) / double(steps));
-    return true;
-  };
-  TextonCoefficients coefficients = fitCoefficients(model, fit, methodOf(options.fit));
+  fit.progress = progress;
+  TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod::transportDistance);
   // If the model's range is not that of the texton, the covariance stays uncorrected.
   (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
   return coefficients;

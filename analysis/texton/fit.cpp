@@ -278,11 +278,12 @@ double innerProduct(const std::vector<float>& a, const std::vector<float>& b,
 }
 
 /// Runs projections with momentum. Ends at the last step, not at an extrapolated point.
-void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
+void descendWithMomentum(Fit& fit, const ProgressPart& progress) {
   TextonCoefficients last = fit.coefficients();
   TextonCoefficients from = last;
   int sinceRestart = 0;
-  for (int step = 0; step < kDescents && (!goOn || goOn()); ++step) {
+  for (int step = 0; step < kDescents; ++step) {
+    progress.reach(double(step + 1) / kDescents);
     fit.setCoefficients(from);
     fit.descend();
     const TextonCoefficients& now = fit.coefficients();
@@ -298,32 +299,31 @@ void descendWithMomentum(Fit& fit, const std::function<bool()>& goOn) {
 
 } // namespace
 
-int iterationsOf(const FitOptions& options, FitMethod method) {
-  return method == FitMethod::alternatingProjections ? options.projections
-                                                     : kReflections + kDescents;
-}
-
 TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const FitOptions& options,
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
   Spectra x = randomPhases(model, options.seed); // allocate before the fit takes its own memory
   Fit fit(model, options.width, options.height, options.order);
-  const auto goOn = [&] { return !options.goOn || options.goOn(); };
   if (method == FitMethod::alternatingProjections) {
     // Of white noise, only the phases of t^* . alpha^ survive the first projection. They are
     // uniform and independent, and so are these.
-    for (int step = 0; step < options.projections && goOn(); ++step)
+    for (int step = 0; step < options.projections; ++step) {
+      options.progress.reach(double(step + 1) / options.projections);
       fit.projectAsPrinted(step == 0 ? &x : nullptr);
+    }
     return fit.coefficients();
   }
-  for (int step = 0; step < kReflections && goOn(); ++step) {
+  constexpr double kReflectionsOfProgress = double(kReflections) / (kReflections + kDescents);
+  const ProgressPart reflections = options.progress.part(0.0, kReflectionsOfProgress);
+  for (int step = 0; step < kReflections; ++step) {
     const float done = float(step) / float(kReflections);
+    reflections.reach(double(step + 1) / kReflections);
     fit.reflect(x, kFirstRelaxation + (kLastRelaxation - kFirstRelaxation) * done);
   }
   fit.project(x);
   x = {}; // frees as much memory as the model takes
-  descendWithMomentum(fit, options.goOn);
+  descendWithMomentum(fit, options.progress.part(kReflectionsOfProgress, 1.0));
   return fit.coefficients();
 }
 

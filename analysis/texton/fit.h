@@ -4,9 +4,9 @@
 
 #include "gaussian/gaussian_model.h"
 #include "gaussian/spot.h"
+#include "progress_part.h"
 
 #include <cstdint>
-#include <functional>
 
 namespace lichen::texton {
 
@@ -18,9 +18,8 @@ struct FitOptions {
   int height = 0; ///< coefficients, [1, the model's height]
   int order = 1;  ///< order of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
-  int projections = 50; ///< for alternatingProjections, >= 1; 50 in [GLM17] section 4.2
-  /// Called before each iteration; if it returns false, the fit ends with the coefficients so far.
-  std::function<bool()> goOn;
+  int projections = 50;    ///< for alternatingProjections, >= 1; 50 in [GLM17] section 4.2
+  ProgressPart progress{}; ///< reports each iteration
 };
 
 /// The algorithm that finds the coefficients.
@@ -29,13 +28,10 @@ enum class FitMethod {
   alternatingProjections, ///< [GLM17] algorithm 1 as printed; for order 0, [GLM14] algorithm 2
 };
 
-/// Returns how many times a fit calls FitOptions::goOn.
-[[nodiscard]] int iterationsOf(const FitOptions& options, FitMethod method);
-
 /// Returns coefficients whose noise is close to the model. With FitMethod::transportDistance the
 /// border does not show and no coefficient stands out (docs/decisions/019-border-of-textons.md).
 /// The bytes do not depend on the number of threads. Time: 100 transforms of a plane per channel.
-/// Throws std::bad_alloc.
+/// Throws std::bad_alloc, and Interrupted where the caller stops the fit.
 [[nodiscard]] TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model,
                                                  const FitOptions& options, FitMethod method);
 

@@ -3,6 +3,7 @@
 #include "joint_exemplar.h"
 
 #include "exemplar/resample.h"
+#include "transport/moments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +17,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct Moments {
-  VectorXd mean;
-  MatrixXd covariance;
-};
+using Moments = transport::Moments<MatrixXd>;
 
 Moments momentsOf(std::span<const float> values, std::size_t channels) {
-  const Eigen::Map<const Eigen::MatrixXf> all(values.data(), Index(channels),
-                                              Index(values.size() / channels));
-  Moments moments{all.cast<double>().rowwise().mean(), MatrixXd::Zero(all.rows(), all.rows())};
-  constexpr Index kBlock = 4096; // pixels; keeps the copy in double small
-  for (Index begin = 0; begin < all.cols(); begin += kBlock) {
-    const Index count = std::min(kBlock, all.cols() - begin);
-    const MatrixXd centred = all.middleCols(begin, count).cast<double>().colwise() - moments.mean;
-    moments.covariance.noalias() += centred * centred.transpose();
-  }
-  moments.covariance /= double(all.cols());
-  return moments;
+  return transport::momentsOf<MatrixXd>(
+      values.size() / channels, int(channels),
+      [&](std::size_t i, int c) { return values[i * channels + std::size_t(c)]; });
 }
 
 bool areOneQuantity(MapChannel a, MapChannel b) {

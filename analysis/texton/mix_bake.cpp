@@ -33,8 +33,6 @@ Result<void> checkOptions(std::size_t exemplars, const TextonMixOptions& options
         fmt::format("exemplars to mix: {}; expected 2 to {}", exemplars, kMaxMixedExemplars));
   if (Result<void> checked = checkTextonOptions(options.texton); !checked)
     return checked;
-  if (options.texton.fit != TextonFit::transport)
-    return usage("a mix fitted by projections; expected the fit by transport distance");
   if (!options.weights.empty())
     return {}; // the fit checks the weights
   const int legs = int(exemplars) - 1;

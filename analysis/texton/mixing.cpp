@@ -67,11 +67,7 @@ FitOptions fitOptions(const MixOptions& options, const gaussian::GaussianModel& 
   fit.height = std::min(options.height, model.height());
   fit.order = options.order;
   fit.seed = options.seed;
-  const int iterations = iterationsOf(fit, FitMethod::transportDistance);
-  fit.goOn = [progress, iterations, done = 0]() mutable {
-    progress.reach(double(++done) / iterations);
-    return true;
-  };
+  fit.progress = progress;
   return fit;
 }
 

@@ -3,7 +3,6 @@
 //
 // At any support, a texton's noise has Gaussian values and random phases, so it reproduces neither
 // the exemplar's histogram nor its outlines. It also misses variation slower than the support.
-#include "exemplar/map_ranges.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
 #include "suitability/calibration.h"
@@ -212,19 +211,9 @@ std::vector<Risk> risksOf(const MapExemplar& map, const Texels& texels, Progress
 Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
                                                   const Progress& progress, int widthTexels,
                                                   int heightTexels) {
-  const auto exhausted = [&] {
-    return "not enough memory to assess " + std::to_string(map.width) + " x " +
-           std::to_string(map.height) + " pixels";
-  };
-  return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
-    if (Result<void> checked = exemplar::checkRanges(map); !checked)
-      return checked.error();
-    return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
-      const Texels texels{widthTexels > 0 ? widthTexels : map.width,
-                          heightTexels > 0 ? heightTexels : map.height, support};
-      return risksOf(map, texels, ProgressPart(progress));
-    });
-  });
+  const Texels texels{widthTexels > 0 ? widthTexels : map.width,
+                      heightTexels > 0 ? heightTexels : map.height, support};
+  return assessed(map, [&] { return risksOf(map, texels, ProgressPart(progress)); });
 }
 
 } // namespace lichen

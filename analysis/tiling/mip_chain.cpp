@@ -66,17 +66,12 @@ Plane halved(const Plane& source) {
 
 /// Covariance of the first `channels` of `stride` interleaved values.
 exemplar::ChannelMatrix covarianceOf(const std::vector<float>& values, int stride, int channels) {
-  const auto n = Eigen::Index(channels);
-  const auto count = Eigen::Index(values.size()) / stride;
-  using Texels = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
-  const Texels texels(values.data(), n, count, Eigen::OuterStride<>(stride));
-  const exemplar::ChannelVector mean = texels.cast<double>().rowwise().mean();
-  exemplar::ChannelMatrix sum = exemplar::ChannelMatrix::Zero(n, n);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const exemplar::ChannelVector centred = texels.col(i).cast<double>() - mean;
-    sum += centred * centred.transpose();
-  }
-  return sum / double(count);
+  const auto at = [&](std::size_t i, int c) {
+    return values[i * std::size_t(stride) + std::size_t(c)];
+  };
+  return transport::momentsOf<exemplar::ChannelMatrix>(values.size() / std::size_t(stride),
+                                                       channels, at)
+      .covariance;
 }
 
 /// A Gaussian image whose variance, normally 1/36, is below this is constant up to the rounding of

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
-#include "exemplar/map_ranges.h"
 #include "progress_part.h"
 #include "suitability/as_seen.h"
 #include "suitability/calibration.h"
@@ -190,17 +189,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                             const Progress& progress, double firstPixels) {
-  const auto exhausted = [&] {
-    return "not enough memory to assess " + std::to_string(map.width) + " x " +
-           std::to_string(map.height) + " pixels";
-  };
-  return withinMemory(exhausted, [&]() -> Result<std::vector<Risk>> {
-    if (Result<void> checked = exemplar::checkRanges(map); !checked)
-      return checked.error();
-    return unlessInterrupted("the assessment", [&]() -> Result<std::vector<Risk>> {
-      return risksOf(map, periodic, firstPixels, ProgressPart(progress));
-    });
-  });
+  return assessed(map, [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); });
 }
 
 } // namespace lichen

@@ -11,13 +11,12 @@ namespace {
 
 class Evaluator final : public NoiseEvaluator {
 public:
-  Evaluator(TilingEvaluator evaluator, const Noise& noise, const shader::LichenNoise& constants,
-            BlendOperator blend)
-      : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)), blend_(blend) {}
+  Evaluator(TilingEvaluator evaluator, const Noise& noise, const shader::LichenNoise& constants)
+      : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)) {}
 
   [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
                                const MixPlace&) const override {
-    return evaluator_.evaluate(map, constants(), at, blend_);
+    return evaluator_.evaluate(map, constants(), at);
   }
   [[nodiscard]] Value evaluate(std::size_t map, const TriplanarFootprint& at,
                                const MixPlace&) const override {
@@ -31,7 +30,6 @@ public:
 
 private:
   TilingEvaluator evaluator_;
-  BlendOperator blend_;
 };
 
 } // namespace
@@ -39,13 +37,12 @@ private:
 Result<std::unique_ptr<const NoiseEvaluator>>
 TilingAnalysis::evaluator(const Bundle& bundle, const MaterialNoise& material,
                           const Placement& placement, const EvaluationOptions& options) const {
-  Result<TilingEvaluator> created =
-      TilingEvaluator::create(bundle, material.noise, options.tiling.quality);
+  Result<TilingEvaluator> created = TilingEvaluator::create(bundle, material.noise, options.tiling);
   if (!created)
     return created.error();
-  return std::unique_ptr<const NoiseEvaluator>(std::make_unique<Evaluator>(
-      std::move(created).value(), bundle.noises[material.noise],
-      shaderNoise(bundle, material, placement), options.tiling.blend));
+  return std::unique_ptr<const NoiseEvaluator>(
+      std::make_unique<Evaluator>(std::move(created).value(), bundle.noises[material.noise],
+                                  shaderNoise(bundle, material, placement)));
 }
 
 } // namespace lichen

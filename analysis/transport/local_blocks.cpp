@@ -18,10 +18,6 @@
 namespace lichen::transport {
 namespace {
 
-/// Parts with fewer points do not get a task of their own. At ten nanoseconds or more per point,
-/// this many take a hundred times the microsecond that a task costs.
-constexpr std::size_t kTaskSize = 8192;
-
 /// Pairs per exchange block. In the same time, blocks of 64 come nearer to the optimum than blocks
 /// of 16 or 32 (docs/decisions/008-multiscale-transport.md).
 constexpr std::size_t kSwapBlockSize = 64;

@@ -12,10 +12,6 @@
 namespace lichen::transport {
 namespace {
 
-/// Subtrees with fewer points do not get a task of their own. At ten nanoseconds or more per point,
-/// this many take a hundred times the microsecond that a task costs.
-constexpr std::size_t kTaskSize = 8192;
-
 /// Power iterations for a split's direction. Any direction makes a valid split; one near the
 /// principal axis makes round cells.
 constexpr int kPowerSteps = 8;

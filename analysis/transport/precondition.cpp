@@ -3,6 +3,9 @@
 #include "precondition.h"
 
 #include "covariance_map.h"
+#include "moments.h"
+
+#include <array>
 
 namespace lichen::transport {
 namespace {
@@ -10,20 +13,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d meanOf(std::span<const Point> points) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Point& p : points)
-    sum += Vector3d(p.x, p.y, p.z);
-  return sum / double(points.size());
-}
-
-Matrix3d covarianceOf(std::span<const Point> points, const Vector3d& mean) {
-  Matrix3d sum = Matrix3d::Zero();
-  for (const Point& p : points) {
-    const Vector3d d = Vector3d(p.x, p.y, p.z) - mean;
-    sum += d * d.transpose();
-  }
-  return sum / double(points.size());
+Moments<SmallMatrix> momentsOf(std::span<const Point> points) {
+  return transport::momentsOf<SmallMatrix>(points.size(), 3, [&](std::size_t i, int c) {
+    return std::array{points[i].x, points[i].y, points[i].z}[std::size_t(c)];
+  });
 }
 
 std::vector<Point> transformed(std::span<const Point> points, const Vector3d& mean,
@@ -39,12 +32,10 @@ std::vector<Point> transformed(std::span<const Point> points, const Vector3d& me
 } // namespace
 
 PointPair precondition(std::span<const Point> source, std::span<const Point> target) {
-  const Vector3d sourceMean = meanOf(source);
-  const Vector3d targetMean = meanOf(target);
-  const Matrix3d map = covarianceMap<SmallMatrix>(covarianceOf(source, sourceMean),
-                                                  covarianceOf(target, targetMean));
-  return {transformed(source, sourceMean, power<SmallMatrix>(map, 0.5)),
-          transformed(target, targetMean, power<SmallMatrix>(map, -0.5)), rank(map)};
+  const Moments<SmallMatrix> from = momentsOf(source), to = momentsOf(target);
+  const Matrix3d map = covarianceMap(from.covariance, to.covariance);
+  return {transformed(source, from.mean, power<SmallMatrix>(map, 0.5)),
+          transformed(target, to.mean, power<SmallMatrix>(map, -0.5)), rank(map)};
 }
 
 } // namespace lichen::transport

@@ -91,8 +91,7 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
   checkBakeRefuses({"--method", "magic"}, kUsage, {"--method magic: expected tiling or texton"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
                    {"--periodic maybe: expected auto, yes or no; see 'lichen bake --help'"});
-  checkBakeRefuses({"--transport", "slow"}, kUsage,
-                   {"--transport slow: expected fast or default"});
+  checkBakeRefuses({"--transport", "slow"}, kUsage, {"--transport slow: expected fast or default"});
   checkBakeRefuses({"--preview", "teapot"}, kUsage,
                    {"--preview teapot: expected sphere, plane or none"});
   for (const std::string seed : {"-1", "4294967296", "one", "1.5"})
@@ -117,8 +116,6 @@ TEST_CASE("the error for an unknown option value of synth lists the valid ones")
   for (const std::string map : {"depth", "normal"})
     checkSynthRefuses({"--map", map}, kUsage,
                       {"--map " + map + ": not in noise 'stone'; expected baseColor"});
-  checkSynthRefuses({"--blend", "add"}, kUsage,
-                    {"--blend add: expected histogram, variance or linear"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
     checkSynthRefuses({"--origin", origin}, kUsage,
                       {"--origin " + origin + ": expected X,Y with numbers"});

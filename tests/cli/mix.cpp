@@ -209,7 +209,6 @@ TEST_CASE("mix reports what it cannot mix and leaves no file") {
   checkMixRefuses({m.dark, m.light, "--weights", "1,"}, kUsage, {"--weights 1,:"});
   checkMixRefuses({m.dark, m.light, "--weights", "1,2", "--steps", "5"}, kUsage,
                   {"--steps: given with --weights, which makes one texton"});
-  checkMixRefuses({m.dark, m.light, "--fit", "projections"}, kUsage, {"--fit: no such option"});
   checkMixRefuses({m.dark, m.workplace.path("absent.png")}, kBadInput, {"absent.png"});
   checkMixRefuses({m.dark, m.workplace.write("no.png", std::string("no image"))}, kBadInput,
                   {"no.png"});

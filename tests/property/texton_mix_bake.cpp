@@ -283,10 +283,6 @@ TEST_CASE("what cannot be mixed is refused by name") {
   CHECK(message({big, big}, large, ErrorKind::usage) ==
         "64 steps of 384 rows each make an image of 24576; expected at most 16384; use "
         "fewer steps or a smaller support");
-  TextonMixOptions unfit = smallOptions(3);
-  unfit.texton.fit = TextonFit::projections;
-  CHECK(message({moss, rock}, unfit, ErrorKind::usage) ==
-        "a mix fitted by projections; expected the fit by transport distance");
   TextonMixOptions weights = smallOptions(3);
   weights.weights = {1.0};
   CHECK(message({moss, rock}, weights, ErrorKind::usage) ==

@@ -205,11 +205,6 @@ std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shap
 std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb) const {
   auto options = std::make_unique<Bake>();
   addTextonOptions(verb, options->options, options->material);
-  const Choices<TextonFit> fits{{"transport", TextonFit::transport},
-                                {"projections", TextonFit::projections}};
-  addValue(verb, "--fit", options->options.fit, oneOf(fits), "transport",
-           "Least transport distance, or the paper's alternating projections")
-      .group(kHeading);
   return options;
 }
 

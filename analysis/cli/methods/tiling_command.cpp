@@ -90,12 +90,12 @@ class Use final : public UseOptions {
 public:
   std::optional<double> sharpness;
   std::optional<std::uint32_t> tileRotation;
-  TilingEvaluation evaluation;
+  TilingQuality quality;
 
   void replace(MaterialNoise& material, EvaluationOptions& chosen) const override {
     material.blendSharpness = sharpness.value_or(material.blendSharpness);
     material.tileRotation = tileRotation.value_or(material.tileRotation);
-    chosen.tiling = evaluation;
+    chosen.tiling = quality;
   }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
@@ -186,17 +186,11 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb)
 
 std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb) const {
   std::unique_ptr<Use> options = addUseOptions(verb);
-  const Choices<BlendOperator> operators{{"histogram", BlendOperator::histogramPreserving},
-                                         {"variance", BlendOperator::variancePreserving},
-                                         {"linear", BlendOperator::linear}};
-  addValue(verb, "--blend", options->evaluation.blend, oneOf(operators), "histogram",
-           "How tiles are blended; variance and linear show what histogram repairs")
+  addValue(verb, "--taps", options->quality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3",
+           "Tiles fetched per point")
       .group(kHeading);
-  addValue(verb, "--taps", options->evaluation.quality.taps,
-           oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3", "Tiles fetched per point")
-      .group(kHeading);
-  addValue(verb, "--one-tap", options->evaluation.quality.oneTapTiles, number(kOneTapTilesRange),
-           "0", "Fetch one tile for pixels of at least this many tiles per side; 0: never")
+  addValue(verb, "--one-tap", options->quality.oneTapTiles, number(kOneTapTilesRange), "0",
+           "Fetch one tile for pixels of at least this many tiles per side; 0: never")
       .group(kHeading);
   return options;
 }

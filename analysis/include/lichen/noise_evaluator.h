@@ -27,7 +27,7 @@ struct UvFootprint {
 
 /// Choices that the bundle leaves to the host, by method.
 struct EvaluationOptions {
-  TilingEvaluation tiling;
+  TilingQuality tiling;
 };
 
 /// A noise as one material uses it. Immutable: several threads may evaluate it at once.

@@ -20,18 +20,11 @@ enum class TextonVariance {
   periodic, ///< that of its periodic component, which the spectrum comes from
 };
 
-/// The algorithm that fits a texton's coefficients.
-enum class TextonFit {
-  transport,   ///< minimizes the transport distance to the exemplar's Gaussian texture
-  projections, ///< [GLM17] algorithm 1 as printed, for comparison
-};
-
 struct TextonOptions {
   int support = 64; ///< side of the area that an impact reaches, texels, [4, kMaxTextonSide]
   int order = 1;    ///< order of the B-spline between coefficients: 0, 1 or 3
   int bits = 8;     ///< precision as for tiling's tables: 8 gives 16-bit floats, 16 gives 32-bit
   TextonVariance variance = TextonVariance::exemplar;
-  TextonFit fit = TextonFit::transport;
   std::uint32_t fitSeed = 1; ///< seed of the initial phases of the fit
   Progress progress;         ///< empty: no reports
 };

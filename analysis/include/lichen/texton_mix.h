@@ -26,8 +26,8 @@ inline constexpr std::size_t kMaxMixedExemplars = 16;
 inline constexpr NumberRange kMixStepsRange{2.0, double(kMaxTextonSteps)};
 
 struct TextonMixOptions {
-  TextonOptions texton; ///< its fit must be TextonFit::transport
-  int steps = 21;       ///< textons from an exemplar to the next, in kMixStepsRange
+  TextonOptions texton;
+  int steps = 21; ///< textons from an exemplar to the next, in kMixStepsRange
   /// If not empty, the bake makes one texton, the barycentre with these weights: one per exemplar,
   /// none negative, with a positive sum. `steps` is then ignored.
   std::vector<double> weights;

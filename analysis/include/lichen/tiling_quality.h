@@ -24,9 +24,4 @@ struct TilingQuality {
   double oneTapTiles = 0.0;
 };
 
-struct TilingEvaluation {
-  BlendOperator blend = BlendOperator::histogramPreserving;
-  TilingQuality quality;
-};
-
 } // namespace lichen

@@ -11,9 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A 4096 x 4096 RGB result takes 200 MB; more pixels do not add information.
-constexpr int kLargestSide = 4096;
-
 /// The exemplar's size in texels.
 struct Extents {
   int width = 0;
@@ -27,7 +24,7 @@ struct Extents {
 SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
   const int width = kLatticeExemplars * exemplar.width;
   const int height = kLatticeExemplars * exemplar.height;
-  options.stride = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
+  options.stride = (std::max(width, height) + kLargestResultSide - 1) / kLargestResultSide;
   options.width = std::max(1, width / options.stride);
   options.height = std::max(1, height / options.stride);
   return options;
