@@ -3,9 +3,9 @@
 #include "multiscale.h"
 
 #include "leaf_auction.h"
-#include "nearest_points.h"
 #include "partition_tree.h"
 
+#include <nanoflann.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -85,14 +85,30 @@ float spreadOfCells(const PointArrays& targets) {
   return float(sum / double(targets.size()));
 }
 
+/// Points as nanoflann reads them.
+struct Cloud {
+  const PointArrays& points;
+
+  [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
+  [[nodiscard]] float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return (axis == 0 ? points.x : axis == 1 ? points.y : points.z)[i];
+  }
+  [[nodiscard]] bool kdtree_get_bbox(auto&) const { return false; } // let the tree compute it
+};
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud,
+                                                 3, std::uint32_t>;
+
 /// The kNeighbours nearest points of each point, including itself; all points if there are fewer.
 class Neighbours {
 public:
   explicit Neighbours(const PointArrays& points)
       : count_(std::min(kNeighbours, points.size())), indices_(points.size() * count_) {
-    const NearestPoints nearest(points);
+    const Cloud cloud{points};
+    const Tree tree(3, cloud);
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
-      nearest.find(points[i], {&indices_[i * count_], count_});
+      const std::array<float, 3> at{points.x[i], points.y[i], points.z[i]};
+      std::array<float, kNeighbours> squaredDistances;
+      tree.knnSearch(at.data(), count_, &indices_[i * count_], squaredDistances.data());
     });
   }
 

@@ -6,11 +6,11 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <lower_bound.h>
 #include <numeric>
 #include <transport/assignment.h>
 #include <transport/leaf_auction.h>
-#include <transport/nearest_points.h>
 #include <transport/partition_tree.h>
 
 using namespace lichen;
@@ -60,27 +60,6 @@ TEST_CASE("a partition of a set and itself, shifted, matches every point with it
     p = {p.x + 1.0f, p.y, p.z};
   const PartitionOrder order = partitionOrder(source, target, 1);
   CHECK(order.source == order.target);
-}
-
-TEST_CASE("nearest points are those that looking at all of them finds") {
-  for (const NamedSet& set : everyKindOfSet(500, 4)) {
-    const PointArrays points = arrays(set.points);
-    const NearestPoints nearest(points);
-    for (const Point& query : gaussianCloud(50, 5)) {
-      std::array<std::uint32_t, 12> found{};
-      REQUIRE(nearest.find(query, found) == found.size());
-      std::vector<float> distances;
-      for (const Point& p : set.points)
-        distances.push_back(squaredDistance({query.x, query.y, query.z}, p));
-      std::sort(distances.begin(), distances.end());
-      INFO(set.name);
-      for (std::size_t k = 0; k < found.size(); ++k)
-        CHECK(squaredDistance(query, set.points[found[k]]) == distances[k]);
-    }
-  }
-  const PointArrays three = arrays(gaussianCloud(3, 6));
-  std::array<std::uint32_t, 12> found{};
-  CHECK(NearestPoints(three).find({}, found) == 3);
 }
 
 TEST_CASE("an auction among all sites ends within one increment a pair of the optimum") {
