@@ -60,6 +60,7 @@ TEST_CASE("base64 is that of RFC 4648, section 10") {
     REQUIRE(decoded.has_value());
     CHECK(std::equal(decoded->begin(), decoded->end(), bytes.begin(), bytes.end()));
   }
+  CHECK(encodeBase64(std::array{std::byte(0xfb), std::byte(0xff)}) == "+/8=");
   std::vector<std::byte> all(256);
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = std::byte(i);
