@@ -136,8 +136,7 @@ void checkScale(ObjectReader& reader, const NoiseMap& map, const TextonMap& text
     if (std::abs(texton.scale[c] - wanted) > kTextRounding * wanted)
       return reader.error("texton-scale", "scale",
                           json(texton.scale[c]).dump() + " at " + std::to_string(c) +
-                              "; six times the deviation, " + json(wanted).dump() +
-                              ", is accepted");
+                              "; expected six times the deviation, " + json(wanted).dump());
   }
 }
 
@@ -151,7 +150,7 @@ void checkTexels(ObjectReader& reader, const Table& image) {
     for (const float texel : decodeLevel(image, level))
       if (std::abs(texel) > kLargestTexel)
         return reader.error("texton-texels", "texton",
-                            "a texel of " + json(double(texel)).dump() + "; -4 to 4 is accepted");
+                            "a texel of " + json(double(texel)).dump() + "; expected -4 to 4");
 }
 
 } // namespace
