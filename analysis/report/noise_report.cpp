@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A bake's record -> the bytes of its page.
+// The record of a bake or a mix -> the bytes of its page.
 #include "map_section.h"
 #include "method_report.h"
+#include "mix_section.h"
 #include "report_page.h"
 
 #include <lichen/escaped.h>
@@ -19,10 +20,17 @@ namespace {
 constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
-int exemplarSide(std::size_t maps, Method method) {
-  const double perPixel = reportOf(method).picturePixels();
-  const double pixels = kMostPixels / (perPixel * double(std::max<std::size_t>(maps, 1)));
-  return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
+/// Whether the noise shows each input at a weight of its own.
+bool hasPath(const BakeRecord& record) { return record.modelErrors.size() != 1; }
+
+/// Side of an exemplar's picture.
+int exemplarSide(const BakeRecord& record, Method method) {
+  const double inputs = double(record.inputs.size());
+  const double ofInputs = hasPath(record) ? inputs * reportOf(method).picturePixels() : 0.0;
+  const double ofPaths = record.modelErrors.empty() ? 0.0 : inputs * kMostPathPanes;
+  const double maps = double(std::max<std::size_t>(record.inputs.front().exemplars.size(), 1));
+  return std::min(kLargestExemplarSide,
+                  int(std::sqrt(kMostPixels / (maps * (ofInputs + ofPaths)))));
 }
 
 /// JSON must be UTF-8: replaces invalid bytes with U+FFFD.
@@ -50,8 +58,13 @@ std::string scriptSafe(const std::string& json) {
   return safe;
 }
 
+struct Sections {
+  JsonTree maps = JsonTree::array();  ///< describeMap() of the maps of each input
+  JsonTree mixes = JsonTree::array(); ///< describeMix() of each map
+};
+
 /// `reportSeconds`: the time that describing the maps took.
-JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds) {
+JsonTree describe(const BakeRecord& record, Sections sections, double reportSeconds) {
   JsonTree facts = JsonTree::array(), timings = JsonTree::array(), notes = JsonTree::array();
   for (const auto& [name, value] : record.facts)
     facts.push_back({utf8(name), utf8(value)});
@@ -67,12 +80,14 @@ JsonTree describe(const BakeRecord& record, JsonTree maps, double reportSeconds)
   addTiming("In all", all);
   for (const std::string& note : record.notes)
     notes.push_back(utf8(note));
-  return {{"name", utf8(record.bundle.noises.front().name)},
+  return {{"kind", record.modelErrors.empty() ? "bake" : "mix"},
+          {"name", utf8(record.bundle.noises.front().name)},
           {"command", utf8(record.command)},
           {"facts", facts},
           {"timings", timings},
           {"notes", notes},
-          {"maps", std::move(maps)}};
+          {"maps", std::move(sections.maps)},
+          {"mixes", std::move(sections.mixes)}};
 }
 
 std::vector<std::byte> pageWith(const std::string& data) {
@@ -84,23 +99,60 @@ std::vector<std::byte> pageWith(const std::string& data) {
   return {bytes.begin(), bytes.end()};
 }
 
-Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::size_t count = record.exemplars.size();
-  const MaterialNoise& material = *record.bundle.materials.front();
-  const int side = exemplarSide(count, record.bundle.noises[material.noise].method());
-  JsonTree maps = JsonTree::array();
+/// Adds the sections of all maps of an input.
+Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const Progress& progress,
+                      JsonTree& maps) {
+  const ReportedInput& input = record.inputs[i];
+  const std::size_t inputs = record.inputs.size(), count = input.exemplars.size();
+  MaterialNoise material = *record.bundle.materials.front();
+  if (inputs > 1)
+    material.mix = {.source = MixSource::constant, .weight = double(i) / double(inputs - 1)};
   for (std::size_t m = 0; m < count; ++m) {
-    const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
+    const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m]};
+    const double before = double(m) / double(count), after = double(m + 1) / double(count);
     Result<JsonTree> map =
-        describeMap(record.bundle, material, shown, side,
-                    partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
+        describeMap(record.bundle, material, shown, side, partOf(progress, before, after));
     if (!map)
       return map.error();
+    map.value()["input"] = inputs > 1 ? JsonTree(utf8(input.name)) : JsonTree();
     maps.push_back(std::move(map).value());
   }
+  return {};
+}
+
+/// Adds the sections on what lies between the inputs.
+Result<void> addMixes(const BakeRecord& record, int side, JsonTree& mixes) {
+  std::vector<ReportedInput> inputs(record.inputs.begin(), record.inputs.end());
+  for (ReportedInput& input : inputs)
+    input.name = utf8(input.name);
+  BakeRecord named = record;
+  named.inputs = inputs;
+  for (std::size_t m = 0; m < inputs.front().exemplars.size(); ++m) {
+    Result<JsonTree> mix = describeMix(named, m, side);
+    if (!mix)
+      return mix.error();
+    mixes.push_back(std::move(mix).value());
+  }
+  return {};
+}
+
+Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const MaterialNoise& material = *record.bundle.materials.front();
+  const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
+  Sections sections;
+  if (!record.modelErrors.empty())
+    if (Result<void> added = addMixes(record, side, sections.mixes); !added)
+      return added.error();
+  const std::size_t inputs = hasPath(record) ? record.inputs.size() : 0;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    const Progress part =
+        partOf(progress, double(i) / double(inputs), double(i + 1) / double(inputs));
+    if (Result<void> added = addInput(record, i, side, part, sections.maps); !added)
+      return added.error();
+  }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return pageWith(scriptSafe(describe(record, std::move(maps), taken.count()).compact()));
+  return pageWith(scriptSafe(describe(record, std::move(sections), taken.count()).compact()));
 }
 
 } // namespace

@@ -128,7 +128,7 @@ Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& 
 double TilingReport::picturePixels() const { return 7.0; }
 
 Result<JsonTree> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,
-                                     int side) const {
+                                     double, int side) const {
   Result<JsonTree> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
   if (!shown)
     return shown;
