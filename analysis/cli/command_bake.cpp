@@ -178,15 +178,10 @@ Result<int> run(Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedBake reported{arguments.inputs,
-                              arguments.output,
-                              bundle,
-                              maps,
-                              exemplar.value().assessed,
-                              exemplar.value().origins,
-                              bake.facts,
-                              notes.lines(),
-                              times.steps()};
+  const ReportedInput input{exemplar.value().name, maps, exemplar.value().assessed,
+                            exemplar.value().origins};
+  const ReportedBake reported{arguments.inputs, arguments.output, bundle,       {&input, 1}, {},
+                              bake.facts,       notes.lines(),    times.steps()};
   if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();
@@ -212,8 +207,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "Width of the exemplar in metres");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
-  addText(verb, "--report", arguments->report, "OUT.html",
-          "Also write a page with pictures, measures and charts of the noise");
+  addReport(verb, arguments->report);
   Choices<Method> methods;
   for (const Method method : allMethods())
     methods.emplace_back(nameOf(method), method);

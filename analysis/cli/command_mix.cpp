@@ -3,6 +3,7 @@
 #include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
+#include "html_report.h"
 #include "methods/texton_command.h"
 #include "noise_name.h"
 #include "options.h"
@@ -16,7 +17,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace lichen::cli {
@@ -40,18 +40,30 @@ struct Arguments {
   TextonMixOptions mix;
   MaterialNoise material;
   PreviewShape preview{};
+  std::string report;
   const CLI::App* verb = nullptr;
 };
 
-/// The images, and the notes on them.
+/// The images, and what is known about them.
 struct Inputs {
   std::vector<MixedExemplar> exemplars;
   std::vector<std::string> names; ///< without folder and extension
+  std::vector<std::vector<ExemplarOrigin>> origins;
+  std::vector<std::vector<std::vector<Risk>>> assessed; ///< of each input's maps
   std::vector<std::string> notes;
+
+  [[nodiscard]] std::vector<ReportedInput> reported() const {
+    std::vector<ReportedInput> all;
+    for (std::size_t i = 0; i < exemplars.size(); ++i)
+      all.push_back({names[i], exemplars[i].maps, assessed[i], origins[i]});
+    return all;
+  }
 };
 
 Result<void> check(const Arguments& arguments) {
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked;
+  if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked;
   const std::size_t count = arguments.inputs.size();
   if (count < 2 || count > kMaxMixedExemplars)
@@ -83,6 +95,7 @@ Result<Inputs> readInputs(const Arguments& arguments) {
     for (const std::string& line : set.notes)
       inputs.notes.push_back(path + ": " + line);
     inputs.names.push_back(set.name);
+    inputs.origins.push_back(std::move(read.value().origins));
     inputs.exemplars.push_back({path, std::move(set.maps)});
   }
   return inputs;
@@ -96,20 +109,21 @@ std::string ofBake(std::string line) {
   return line;
 }
 
-/// Adds notes on the inputs for which texton noise looks wrong.
+/// Assesses the inputs, and adds notes on those for which texton noise looks wrong.
 Result<void> judge(const Arguments& arguments, Inputs& inputs) {
   int widest = 0; // the other inputs are refined to this width
   for (const MixedExemplar& exemplar : inputs.exemplars)
     for (const MapExemplar& map : exemplar.maps)
       widest = std::max(widest, map.width);
   for (const MixedExemplar& exemplar : inputs.exemplars) {
-    const Result<std::vector<std::vector<Risk>>> assessed =
+    Result<std::vector<std::vector<Risk>>> assessed =
         assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
     if (!assessed)
       return assessed.error();
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
     for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1))
       inputs.notes.push_back(exemplar.name + ": " + ofBake(line));
+    inputs.assessed.push_back(std::move(assessed).value());
   }
   return {};
 }
@@ -141,6 +155,21 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
     return previews.error();
   file.previews.push_back(std::move(previews).value());
   return file;
+}
+
+std::vector<std::pair<std::string, std::string>>
+factsOf(const Arguments& arguments, const TextonMixQuality& quality, const TextonShape& shape) {
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Tile", fmt::format("{} x {} texels", shape.texelsPerTileX, shape.texelsPerTileY)},
+      {"Textons",
+       fmt::format("{} of {} x {} texels", shape.steps, shape.coefficientsX, shape.coefficientsY)},
+      {"Impacts", fmt::format("{:g} to a point, {}", arguments.material.impacts,
+                              nameOf(arguments.material.pointProcess))}};
+  if (shape.steps > 1)
+    facts.emplace_back("Largest step", fmt::format("{:.3g} of a texton", quality.largestStep));
+  else
+    facts.emplace_back("Rank error", fmt::format("{:.3g} of the deviation", quality.rankError));
+  return facts;
 }
 
 void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQuality& quality,
@@ -175,23 +204,26 @@ void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQua
 }
 
 Result<int> run(Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
+  StepTimes times;
   if (Result<void> checked = check(arguments); !checked)
     return checked.error();
+  arguments.exemplar.keepsOriginals = !arguments.report.empty();
   Result<Inputs> inputs = readInputs(arguments);
   if (!inputs)
     return inputs.error();
   if (Result<void> judged = judge(arguments, inputs.value()); !judged)
     return judged.error();
   std::vector<std::string> notes = std::move(inputs.value().notes);
+  times.end("Reading and judging the images");
   ProgressLine progress("mix", arguments.shared);
   arguments.mix.texton.progress = progress.asProgress();
   Result<TextonMixBake> baked = bakeTextonMix(nameOfMix(arguments, inputs.value().names),
                                               inputs.value().exemplars, arguments.mix);
   if (!baked)
     return baked.error();
+  times.end("Baking the noise");
   const TextonMixQuality quality = std::move(baked.value().quality);
-  const TextonShape& shape = baked.value().noise.as<TextonShape>();
+  const TextonShape shape = baked.value().noise.as<TextonShape>();
   if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
     notes.push_back(std::move(*line));
   notes.push_back(qualityNote(quality, shape));
@@ -204,8 +236,19 @@ Result<int> run(Arguments& arguments) {
   if (!arguments.shared.json)
     for (const std::string& line : notes)
       note(arguments.shared, line);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  report(arguments, file.value().bundle, quality, notes, seconds.count());
+  times.end("Preview and bundle");
+  const std::vector<ReportedInput> reported = inputs.value().reported();
+  const auto facts = factsOf(arguments, quality, shape);
+  if (Result<void> written =
+          writeHtmlReport(arguments.report,
+                          {arguments.inputs, arguments.output, file.value().bundle, reported,
+                           quality.modelErrors, facts, notes, times.steps()},
+                          arguments.shared);
+      !written)
+    return written.error();
+  if (!arguments.report.empty())
+    times.end("Report");
+  report(arguments, file.value().bundle, quality, notes, times.sum());
   return kDone;
 }
 
@@ -230,6 +273,7 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
            "Width of the exemplars in metres");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
+  addReport(verb, arguments->report);
   addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "8: textons of 16-bit floats; 16: of 32-bit floats");
   addTextonOptions(verb, arguments->mix.texton, arguments->material);

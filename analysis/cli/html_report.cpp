@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A bake -> a BakeRecord -> the HTML file.
+// A bake or a mix -> a BakeRecord -> the HTML file.
 #include "html_report.h"
 
+#include "options.h"
 #include "progress_line.h"
 
 #include <lichen/files.h>
@@ -17,7 +18,8 @@ std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bak
   const Noise& noise = bake.bundle.noises.front();
   const MaterialNoise& material = *bake.bundle.materials.front();
   std::vector<std::pair<std::string, std::string>> facts{
-      {"Exemplar", fmt::format("{}", fmt::join(bake.inputs, ", "))},
+      {bake.inputs.size() > 1 ? "Exemplars" : "Exemplar",
+       fmt::format("{}", fmt::join(bake.files, ", "))},
       {"Bundle", bake.output},
       {"Method",
        fmt::format("{}, revision {}", nameOf(noise.method()), revisionOf(noise.method()))},
@@ -45,6 +47,11 @@ double StepTimes::sum() const {
   return seconds;
 }
 
+void addReport(CLI::App& verb, std::string& path) {
+  addText(verb, "--report", path, "OUT.html",
+          "A page with pictures, measures and charts of the noise");
+}
+
 Result<void> checkReportPath(const std::string& path) {
   return path.empty() ? Result<void>() : checkOutput(path, {".html", ".htm"});
 }
@@ -54,8 +61,8 @@ Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
   if (path.empty())
     return {};
   ProgressLine progress("report", options);
-  const BakeRecord record{bake.bundle,         bake.exemplars, bake.risks,   bake.origins,
-                          options.commandLine, factsOf(bake),  bake.timings, bake.notes};
+  const BakeRecord record{bake.bundle,   bake.inputs,  bake.modelErrors, options.commandLine,
+                          factsOf(bake), bake.timings, bake.notes};
   const Result<std::vector<std::byte>> page = encodeNoiseReport(record, progress.asProgress());
   if (!page)
     return page.error();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `lichen bake --report`: the HTML page about a bake.
+// `lichen bake --report` and `lichen mix --report`: the HTML page about what they made.
 #pragma once
 
 #include "command.h"
@@ -17,7 +17,7 @@
 
 namespace lichen::cli {
 
-/// The duration of each step of a bake.
+/// The duration of each step of a verb.
 class StepTimes {
 public:
   /// Ends the step that began at the last call, or at construction.
@@ -32,16 +32,18 @@ private:
 
 /// What the page shows in addition to the bundle.
 struct ReportedBake {
-  std::vector<std::string> inputs;
+  std::vector<std::string> files; ///< of the command line
   std::string output;
   const Bundle& bundle; ///< one noise, one material
-  std::span<const MapExemplar> exemplars;
-  std::span<const std::vector<Risk>> risks;                   ///< one list per exemplar
-  std::span<const ExemplarOrigin> origins;                    ///< one per exemplar
+  std::span<const ReportedInput> inputs;
+  std::span<const double> modelErrors;                        ///< BakeRecord::modelErrors
   std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()
 };
+
+/// Declares --report.
+void addReport(CLI::App& verb, std::string& path);
 
 /// Errors: usage for a name without .html or .htm, environment for a folder that does not exist. An
 /// empty path, which means no report, is valid.

@@ -3,10 +3,10 @@
 #include "map_section.h"
 
 #include "method_report.h"
+#include "section_figures.h"
 
 #include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
-#include <lichen/spectrum.h>
 #include <lichen/synthesize.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace lichen {
 namespace {
@@ -22,24 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kShownExemplars = 2; // of the result, per side
-
-/// Each pixel is the mean of the block of pixels under it.
-SrgbImage reduced(const SrgbImage& image, int width, int height) {
-  SrgbImage small(width, height, image.channels);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const int left = x * image.width / width, right = (x + 1) * image.width / width;
-      const int top = y * image.height / height, bottom = (y + 1) * image.height / height;
-      for (int c = 0; c < image.channels; ++c) {
-        double sum = 0.0;
-        for (int v = top; v < bottom; ++v)
-          for (int u = left; u < right; ++u)
-            sum += double(image.pixel(u, v)[c]);
-        small.pixel(x, y)[c] = float(sum / (double(right - left) * double(bottom - top)));
-      }
-    }
-  return small;
-}
 
 Json histogramsOf(const NoiseComparison& comparison) {
   constexpr std::size_t kBins = 64;
@@ -64,23 +45,18 @@ Json histogramsOf(const NoiseComparison& comparison) {
 /// Spectra in decibels by cycles per crop; for a texton also the Gaussian texture's. Null if the
 /// exemplar is too small for spectrum_distance_db.
 Json spectrumOf(const NoiseComparison& comparison) {
-  const auto shorter = [](const SrgbImage& image) { return std::min(image.width, image.height); };
-  const int crop =
-      comparedCropSide(std::min(shorter(comparison.exemplar), shorter(comparison.result)));
-  if (crop < 2 * kLowestComparedCycles)
+  const int crop = spectrumCrop(comparison.exemplar, comparison.result);
+  if (crop == 0)
     return {};
-  constexpr double kLeastPower = 1e-12; // power of an image without variance
-  const auto decibels = [&](const SrgbImage& image) {
-    std::vector<double> power =
-        radialPowerSpectrum(luminancePlane(image), image.width, image.height, crop);
-    for (double& value : power)
-      value = 10.0 * std::log10(std::max(value, kLeastPower));
-    return power;
+  Json curves = Json::array();
+  const auto add = [&](const char* kind, const SrgbImage& image) {
+    curves.push_back({{"kind", kind}, {"power", decibels(image, crop)}});
   };
-  return {{"cropSide", crop},
-          {"exemplar", decibels(comparison.exemplar)},
-          {"gaussian", comparison.gaussian ? Json(decibels(*comparison.gaussian)) : Json()},
-          {"result", decibels(comparison.result)}};
+  add("exemplar", comparison.exemplar);
+  if (comparison.gaussian)
+    add("gaussian", *comparison.gaussian);
+  add("result", comparison.result);
+  return {{"cropSide", crop}, {"curves", std::move(curves)}};
 }
 
 template <class Judgement>
@@ -97,15 +73,6 @@ std::string summaryOf(const MapExemplar& exemplar) {
     text += (text.empty() ? "" : ", ") + std::string(nameOf(channel));
   return text + "; " + std::string(nameOf(exemplar.encoding)) + "; " +
          std::to_string(exemplar.width) + " x " + std::to_string(exemplar.height) + " pixels";
-}
-
-using Extents = std::array<int, 2>;
-
-/// The size of the exemplar's picture: the exemplar's proportions and at most side^2 pixels.
-Extents exemplarExtents(const MapExemplar& exemplar, int side) {
-  const double pixels = double(exemplar.width) * double(exemplar.height);
-  const double shrink = std::min(1.0, side / std::sqrt(pixels));
-  return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
 }
 
 /// The size of the result's picture at the same scale: kShownExemplars per side, or, for narrow
@@ -133,6 +100,7 @@ Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNois
   options.material = material;
   options.map = shown.exemplar.target;
   options.texelsPerTile = width;
+  options.mix = {material.mix.weight, material.mix.weight};
   const Extents extents = resultExtents({width, height}, exemplarSide);
   options.width = extents[0];
   options.height = extents[1];
@@ -179,7 +147,7 @@ Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
       !added)
     return added.error();
   const MethodReport& method = reportOf(noise.method());
-  Result<Json> image = method.image(bundle, noise, map, exemplarSide);
+  Result<Json> image = method.image(bundle, noise, map, material.mix.weight, exemplarSide);
   if (!image)
     return image.error();
   Result<Json> table = method.table(bundle, map, comparison.value().look);

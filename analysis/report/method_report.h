@@ -38,10 +38,12 @@ public:
 
   /// Pixels of all of a map's pictures on the page, per pixel of the exemplar's picture.
   [[nodiscard]] virtual double picturePixels() const = 0;
-  /// `title`, `text` and the picture `png` of the image that the shader fetches from. The picture
-  /// has about side^2 pixels.
-  [[nodiscard]] virtual Result<nlohmann::ordered_json>
-  image(const Bundle& bundle, const Noise& noise, const NoiseMap& map, int side) const = 0;
+  /// `title`, `text` and the picture `png` of the image that the shader fetches from; of a mix, at
+  /// this weight. The picture has about side^2 pixels.
+  [[nodiscard]] virtual Result<nlohmann::ordered_json> image(const Bundle& bundle,
+                                                             const Noise& noise,
+                                                             const NoiseMap& map, double mixWeight,
+                                                             int side) const = 0;
   /// `picture`, `slices` and `levels` of the table that decodes Gaussian values; null if there is
   /// none.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>

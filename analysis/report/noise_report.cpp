@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A bake's record -> the bytes of its page.
+// The record of a bake or a mix -> the bytes of its page.
 #include "map_section.h"
 #include "method_report.h"
+#include "mix_section.h"
 #include "report_page.h"
 
 #include <lichen/noise_report.h>
@@ -22,10 +23,17 @@ using Json = nlohmann::ordered_json;
 constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
-int exemplarSide(std::size_t maps, Method method) {
-  const double perPixel = reportOf(method).picturePixels();
-  const double pixels = kMostPixels / (perPixel * double(std::max<std::size_t>(maps, 1)));
-  return std::min(kLargestExemplarSide, int(std::sqrt(pixels)));
+/// Whether the noise shows each input at a weight of its own.
+bool hasPath(const BakeRecord& record) { return record.modelErrors.size() != 1; }
+
+/// Side of an exemplar's picture.
+int exemplarSide(const BakeRecord& record, Method method) {
+  const double inputs = double(record.inputs.size());
+  const double ofInputs = hasPath(record) ? inputs * reportOf(method).picturePixels() : 0.0;
+  const double ofPaths = record.modelErrors.empty() ? 0.0 : inputs * kMostPathPanes;
+  const double maps = double(std::max<std::size_t>(record.inputs.front().exemplars.size(), 1));
+  return std::min(kLargestExemplarSide,
+                  int(std::sqrt(kMostPixels / (maps * (ofInputs + ofPaths)))));
 }
 
 /// Escapes "<", so that the JSON cannot contain the end of its script element.
@@ -40,8 +48,13 @@ std::string scriptSafe(const std::string& json) {
   return safe;
 }
 
+struct Sections {
+  Json maps = Json::array();  ///< describeMap() of the maps of each input
+  Json mixes = Json::array(); ///< describeMix() of each map
+};
+
 /// `reportSeconds`: the time that describing the maps took.
-Json describe(const BakeRecord& record, Json maps, double reportSeconds) {
+Json describe(const BakeRecord& record, Sections sections, double reportSeconds) {
   Json timings = Json::array();
   double all = reportSeconds;
   const auto addTiming = [&](std::string_view name, double seconds) {
@@ -53,12 +66,14 @@ Json describe(const BakeRecord& record, Json maps, double reportSeconds) {
   }
   addTiming("Measures and pictures of this page", reportSeconds);
   addTiming("In all", all);
-  return {{"name", record.bundle.noises.front().name},
+  return {{"kind", record.modelErrors.empty() ? "bake" : "mix"},
+          {"name", record.bundle.noises.front().name},
           {"command", record.command},
           {"facts", record.facts},
           {"timings", timings},
           {"notes", record.notes},
-          {"maps", std::move(maps)}};
+          {"maps", std::move(sections.maps)},
+          {"mixes", std::move(sections.mixes)}};
 }
 
 std::vector<std::byte> pageWith(const std::string& data) {
@@ -70,23 +85,55 @@ std::vector<std::byte> pageWith(const std::string& data) {
   return {bytes.begin(), bytes.end()};
 }
 
-Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::size_t count = record.exemplars.size();
-  const MaterialNoise& material = *record.bundle.materials.front();
-  const int side = exemplarSide(count, record.bundle.noises[material.noise].method());
-  Json maps = Json::array();
+/// Adds the sections of all maps of an input.
+Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const Progress& progress,
+                      Json& maps) {
+  const ReportedInput& input = record.inputs[i];
+  const std::size_t inputs = record.inputs.size(), count = input.exemplars.size();
+  MaterialNoise material = *record.bundle.materials.front();
+  if (inputs > 1)
+    material.mix = {.source = MixSource::constant, .weight = double(i) / double(inputs - 1)};
   for (std::size_t m = 0; m < count; ++m) {
-    const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
+    const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m]};
+    const double before = double(m) / double(count), after = double(m + 1) / double(count);
     Result<Json> map =
-        describeMap(record.bundle, material, shown, side,
-                    partOf(progress, double(m) / double(count), double(m + 1) / double(count)));
+        describeMap(record.bundle, material, shown, side, partOf(progress, before, after));
     if (!map)
       return map.error();
+    map.value()["input"] = inputs > 1 ? Json(input.name) : Json();
     maps.push_back(std::move(map).value());
   }
+  return {};
+}
+
+/// Adds the sections on what lies between the inputs.
+Result<void> addMixes(const BakeRecord& record, int side, Json& mixes) {
+  for (std::size_t m = 0; m < record.inputs.front().exemplars.size(); ++m) {
+    Result<Json> mix = describeMix(record, m, side);
+    if (!mix)
+      return mix.error();
+    mixes.push_back(std::move(mix).value());
+  }
+  return {};
+}
+
+Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const MaterialNoise& material = *record.bundle.materials.front();
+  const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
+  Sections sections;
+  if (!record.modelErrors.empty())
+    if (Result<void> added = addMixes(record, side, sections.mixes); !added)
+      return added.error();
+  const std::size_t inputs = hasPath(record) ? record.inputs.size() : 0;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    const Progress part =
+        partOf(progress, double(i) / double(inputs), double(i + 1) / double(inputs));
+    if (Result<void> added = addInput(record, i, side, part, sections.maps); !added)
+      return added.error();
+  }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const std::string data = describe(record, std::move(maps), taken.count())
+  const std::string data = describe(record, std::move(sections), taken.count())
                                .dump(-1, ' ', false, Json::error_handler_t::replace);
   return pageWith(scriptSafe(data));
 }

@@ -18,15 +18,16 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 9> kFamilies{{{"bake", bakeRows},
-                                           {"growth", growthRows},
-                                           {"transport", transportRows},
-                                           {"synth", synthRows},
-                                           {"result", resultRows},
-                                           {"filter", filterRows},
-                                           {"view", viewRows},
-                                           {"texton", textonRows},
-                                           {"shader", shaderRows}}};
+constexpr std::array<Family, 10> kFamilies{{{"bake", bakeRows},
+                                            {"growth", growthRows},
+                                            {"transport", transportRows},
+                                            {"synth", synthRows},
+                                            {"result", resultRows},
+                                            {"filter", filterRows},
+                                            {"view", viewRows},
+                                            {"lit", litRows},
+                                            {"texton", textonRows},
+                                            {"shader", shaderRows}}};
 
 const char* verdict(const Row& row) {
   return row.skipped ? "not measured" : row.met() ? "met" : "missed";

@@ -43,6 +43,7 @@ std::vector<Row> synthRows();     ///< speed of the CPU twin
 std::vector<Row> resultRows();    ///< the quality measures
 std::vector<Row> filterRows();    ///< mean colour from magnification to far away
 std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances
+std::vector<Row> litRows();       ///< brightness of lit pictures at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
 std::vector<Row> shaderRows();    ///< ratios to a plain texture fetch
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of the page that `lichen bake --report` writes; tests/cli/report_page renders it.
+// The text of the page that `lichen bake --report` and `lichen mix --report` write;
+// tests/cli/report_page renders it.
 #include "checkout_paths.h"
 #include "command_run.h"
 
@@ -132,7 +133,73 @@ TEST_CASE("compare finds the measures of the report if it gets the options of th
   CHECK(without[0].at("value").get<double>() > 2.0 * with[0].at("value").get<double>());
 }
 
-TEST_CASE("a report lists the changes to an exemplar and shows it before flattening") {
+TEST_CASE("a report of a mix measures each input as compare does, and shows the steps between") {
+  const Workplace workplace;
+  const std::string moss = workplace.write("moss.png", smooth(40));
+  const std::string sand = workplace.write("sand.png", speckled(32, 32, 3));
+  const std::string rust = workplace.write("rust.png", speckled(40, 40, 3));
+  const std::string bundle = workplace.path("mix.glb");
+  const Ended ended = runLichen({"mix", moss, sand, rust, "-o", bundle, "--support", "8", "--steps",
+                                 "8", "--report", workplace.path("mix.html"), "--json"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const nlohmann::json data = dataOf(workplace.read("mix.html"));
+  CHECK(data.at("kind") == "mix");
+  REQUIRE(data.at("maps").size() == 3);
+  for (std::size_t input = 0; input < 3; ++input) {
+    const nlohmann::json& map = data["maps"][input];
+    CHECK(map.at("input") == std::array{"moss", "sand", "rust"}[input]);
+    const nlohmann::json compared =
+        nlohmann::json::parse(runLichen({"compare", std::array{moss, sand, rust}[input], bundle,
+                                         "--mix", std::array{"0", "0.5", "1"}[input], "--json"})
+                                  .output);
+    REQUIRE(map.at("measures").size() == compared.at("measures").size());
+    for (std::size_t m = 0; m < map["measures"].size(); ++m)
+      CHECK(map["measures"][m].at("value") == compared["measures"][m].at("value"));
+    CHECK(map.at("kernels") == compared["kernels"][0].at("spots"));
+  }
+  const nlohmann::json paths = data.at("mixes").at(0).at("paths");
+  const nlohmann::json errors = nlohmann::json::parse(ended.output).at("modelErrors");
+  REQUIRE(errors.size() == 15); // 7 steps from each input to the next
+  REQUIRE(paths.size() == 2);
+  CHECK(paths[0].at("panes")[0].at("name") == "moss");
+  CHECK(paths[0]["panes"][6].at("name") == "sand");
+  CHECK(paths[1].at("panes")[0].at("name") == "sand");
+  for (std::size_t path = 0; path < 2; ++path) {
+    const nlohmann::json& panes = paths[path]["panes"];
+    REQUIRE(panes.size() == 7);
+    CHECK(paths[path].at("spectrum").at("curves").size() == 7);
+    for (std::size_t k = 0; k < 5; ++k) {
+      const std::size_t step = 7 * path + std::array<std::size_t, 5>{0, 2, 4, 5, 7}[k];
+      CHECK(panes[k + 1].at("step") == step + 1);
+      CHECK(panes[k + 1].at("weight").get<double>() == Approx(double(step) / 14.0));
+      CHECK(panes[k + 1].at("modelError") == errors[step]);
+      CHECK(panes[k + 1].at("kernel") != panes[k + 2 < 6 ? k + 2 : 1].at("kernel"));
+    }
+    CHECK(panes[1].at("kernel") == data["maps"][path].at("image"));
+    CHECK(panes[5].at("kernel") == data["maps"][path + 1].at("image"));
+  }
+  CHECK(data["maps"][0].at("result") != data["maps"][2].at("result"));
+}
+
+TEST_CASE("a report of one texture between inputs shows it beside them, and measures nothing") {
+  const Workplace workplace;
+  const Ended ended =
+      runLichen({"mix", workplace.write("moss.png", smooth(24)),
+                 workplace.write("sand.png", speckled(24, 24, 3)), "-o", workplace.path("mix.glb"),
+                 "--support", "8", "--weights", "1,1", "--report", workplace.path("mix.html")});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const nlohmann::json data = dataOf(workplace.read("mix.html"));
+  CHECK(data.at("maps").empty());
+  const nlohmann::json& panes = data.at("mixes").at(0).at("paths").at(0).at("panes");
+  REQUIRE(panes.size() == 3);
+  CHECK(panes[0].at("name") == "moss");
+  CHECK(panes[1].at("name") == "sand");
+  CHECK(panes[2].at("step") == 1);
+}
+
+TEST_CASE("a report says what was done to an exemplar, and shows it as it was before flattening") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("leaf"));
   workplace.write("leaf/leaf_color.png", smooth(64));
@@ -265,5 +332,7 @@ TEST_CASE("an impossible report file is an error before the work starts") {
                int(ErrorKind::usage), {"r.txt", ".html"});
   checkRefusal({"bake", input, "-o", bundle, "--report", workplace.path("absent/r.html")},
                int(ErrorKind::environment), {"absent", "does not exist"});
+  checkRefusal({"mix", input, input, "-o", bundle, "--report", workplace.path("r.txt")},
+               int(ErrorKind::usage), {"r.txt", ".html"});
   CHECK(workplace.names() == std::vector<std::string>{"moss.png"});
 }

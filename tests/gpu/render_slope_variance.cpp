@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bumps smaller than a pixel: the highlight of a plane with a normal noise, and the light of
 // coloured bumps, from a distance.
+#include "lit_views.h"
 #include "rendered.h"
 
 #include <lichen/bundle_writer.h>
@@ -285,6 +286,52 @@ TEST_CASE("lit, coloured bumps have the same brightness at every distance, in bo
         }
       }
     }
+}
+
+namespace {
+
+/// bumps() averaged over 5 x 5 texels twice, with this deviation: interpolation between texels,
+/// which a supersampled picture shows, does not flatten them.
+MapExemplar smoothBumps(float deviation) {
+  MapExemplar map = bumps();
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<float> values = map.values;
+    for (int y = 0; y < kTexels; ++y)
+      for (int x = 0; x < kTexels; ++x)
+        for (int c = 0; c < 2; ++c) {
+          float sum = 0.0f;
+          for (int dy = 0; dy < 5; ++dy)
+            for (int dx = 0; dx < 5; ++dx)
+              sum +=
+                  values[std::size_t(2 * ((y + dy) % kTexels * kTexels + (x + dx) % kTexels) + c)];
+          map.values[std::size_t(2 * (y * kTexels + x) + c)] = sum;
+        }
+  }
+  const float squares =
+      std::inner_product(map.values.begin(), map.values.end(), map.values.begin(), 0.0f);
+  for (float& value : map.values)
+    value *= deviation / std::sqrt(squares / float(map.values.size()));
+  return map;
+}
+
+} // namespace
+
+TEST_CASE("under sun and sky, unresolved bumps are as bright as in a supersampled picture") {
+  const BundleFile bumpy = bumpyBundle(smoothBumps(0.2f));
+  BundleFile flat = bumpy;
+  removeVariance(flat.bundle);
+  constexpr double kRoughness = 0.4;
+  constexpr std::uint32_t kPixels = 8; // a side
+  LitPlane plane(testDevice(), bumpy, kTexels, kRoughness, 0.0);
+  for (const double texelsPerPixel : {8.0, 32.0})
+    for (const Viewpoint& from : {Viewpoint(), kTowardSun, kAwayFromSun}) {
+      INFO(texelsPerPixel << " texels a pixel, from " << from.elevation << " degrees");
+      // Two steps of an 8-bit picture at a medium grey.
+      CHECK(plane.seen(texelsPerPixel, from, kPixels).meanError == Approx(0.0).margin(0.03));
+    }
+  // The highlight of a plane without bumps is about four times as bright.
+  LitPlane flatPlane(testDevice(), flat, kTexels, kRoughness, 0.0);
+  CHECK(flatPlane.seen(32.0, kTowardSun, kPixels).meanError > 0.2);
 }
 
 TEST_CASE("rotating a noise rotates its slopes, but not their variance") {

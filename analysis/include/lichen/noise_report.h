@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of a bake: one HTML page with pictures, measures and charts, for people to judge it.
+// The report of a bake or a mix: one HTML page with pictures, measures and charts, for people to
+// judge it.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -21,15 +22,25 @@ struct ExemplarOrigin {
   std::optional<MapExemplar> original; ///< before flattening; empty if it was not flattened
 };
 
-/// A finished bake, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is replaced.
-/// The objects referred to must outlive the call.
-struct BakeRecord {
-  const Bundle& bundle;                   ///< has one noise and one material
+/// What a noise was made from: an image or the maps of a material.
+struct ReportedInput {
+  std::string name;                       ///< shown if there are several inputs
   std::span<const MapExemplar> exemplars; ///< every map to show
   /// The result of assessSuitability() for each exemplar, in the same order.
   std::span<const std::vector<Risk>> risks;
   std::span<const ExemplarOrigin> origins; ///< one per exemplar
-  std::string command;                     ///< the command line of the bake
+};
+
+/// A finished bake or mix, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is
+/// replaced. The objects referred to must outlive the call.
+struct BakeRecord {
+  const Bundle& bundle; ///< has one noise and one material
+  /// One for a bake, all in order for a mix. All have the same maps in the same order.
+  std::span<const ReportedInput> inputs;
+  /// For a mix, the model error of each step: steps from the first input to the last, or one
+  /// texture between all inputs. Empty for a bake.
+  std::span<const double> modelErrors;
+  std::string command; ///< the command line
   /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
   /// Steps and their seconds; the report adds its own time and the sum.
@@ -39,8 +50,10 @@ struct BakeRecord {
 
 /// Returns the bytes of a page that needs no other file and no network. Pictures are at most 512
 /// pixels per exemplar, smaller if there are many maps: a page of one map stays below 8 MiB, one of
-/// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds. Errors:
-/// as compareNoise(); for the page itself, resources only if a large allocation fails.
+/// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds: for a
+/// mix each input at its own weight. Also shows the steps between the inputs of a mix; one texture
+/// between all inputs is only shown, because it should look like none of them. Errors: as
+/// compareNoise() and synthesize().
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
                                                                const Progress& progress = {});
 

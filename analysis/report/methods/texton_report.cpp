@@ -49,22 +49,24 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   return here;
 }
 
-/// The coefficients of a texton, or of a mix's first texton. Grey is 0; the largest coefficient
-/// sets the range.
-Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::size_t channels) {
+/// The coefficients of a texton, or of one step of a mix. Grey is 0; the largest coefficient sets
+/// the range.
+Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::size_t step,
+                           std::size_t channels) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
-  float largest = std::numeric_limits<float>::min();
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    if (i % stored < channels)
-      largest = std::max(largest, std::abs(texels[i]));
+  const std::size_t top = step * shape.frameHeight();
   LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
+  float largest = std::numeric_limits<float>::min();
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
-      for (std::size_t c = 0; c < channels; ++c)
-        image.pixel(x, y)[c] =
-            0.5f +
-            0.5f * texels[(std::size_t(y) * table.width + std::size_t(x)) * stored + c] / largest;
+      for (std::size_t c = 0; c < channels; ++c) {
+        const std::size_t texel = (top + std::size_t(y)) * table.width + std::size_t(x);
+        image.pixel(x, y)[c] = texels[texel * stored + c];
+        largest = std::max(largest, std::abs(texels[texel * stored + c]));
+      }
+  for (float& value : image.values)
+    value = 0.5f + 0.5f * value / largest;
   return pictureJson(twoAsRedGreen(std::move(image)));
 }
 
@@ -107,9 +109,10 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
 double TextonReport::picturePixels() const { return 10.0; }
 
 Result<Json> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                 int) const {
-  Result<Json> shown = textonPicture(bundle.tables[map.as<TextonMap>().image],
-                                     noise.as<TextonShape>(), map.channels.size());
+                                 double mixWeight, int) const {
+  Result<Json> shown =
+      textonPicture(bundle.tables[map.as<TextonMap>().image], noise.as<TextonShape>(),
+                    stepAt(noise, mixWeight), map.channels.size());
   if (!shown)
     return shown;
   shown.value()["title"] = "Texton";

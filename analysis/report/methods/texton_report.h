@@ -14,7 +14,8 @@ public:
                                    NoiseComparison& comparison) const override;
   [[nodiscard]] double picturePixels() const override;
   [[nodiscard]] Result<nlohmann::ordered_json> image(const Bundle& bundle, const Noise& noise,
-                                                     const NoiseMap& map, int side) const override;
+                                                     const NoiseMap& map, double mixWeight,
+                                                     int side) const override;
   [[nodiscard]] Result<nlohmann::ordered_json> table(const Bundle& bundle, const NoiseMap& map,
                                                      const MapLook& look) const override;
 };

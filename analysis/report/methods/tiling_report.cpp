@@ -128,7 +128,7 @@ Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& 
 /// Gaussian image.
 double TilingReport::picturePixels() const { return 7.0; }
 
-Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map,
+Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map, double,
                                  int side) const {
   Result<Json> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
   if (!shown)

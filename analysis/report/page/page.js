@@ -220,7 +220,7 @@ function histogram(data) {
 function spectrumChart(data, width) {
   const box = {width, height: 300, left: 52, right: 16, top: 10, bottom: 48};
   const lowest = 1 / data.cropSide, highest = 0.5;
-  const all = [data.exemplar, data.result, data.gaussian ?? []].flatMap((p) => p.slice(1));
+  const all = data.curves.flatMap(({power}) => power.slice(1));
   const step = 10; // dB
   const bottom = step * Math.floor(Math.min(...all) / step);
   const top = Math.max(bottom + step, step * Math.ceil(Math.max(...all) / step));
@@ -236,10 +236,10 @@ function spectrumChart(data, width) {
     plot.text(plot.toX(x(frequency)), box.height - 26, '1/' + Math.round(1 / frequency), 'middle');
   plot.text(plot.toX(0.5), box.height - 6, 'cycles per pixel', 'middle');
   const curve = (powers) => powers.slice(1).map((power, i) => [x((i + 1) * lowest), y(power)]);
-  plot.path(curve(data.exemplar), 'exemplar');
-  if (data.gaussian)
-    plot.path(curve(data.gaussian), 'gaussian');
-  plot.path(curve(data.result), 'result');
+  const drawn = ['exemplar', 'gaussian', 'result']; // the widest line first
+  for (const kind of drawn)
+    for (const {power} of data.curves.filter((c) => c.kind === kind))
+      plot.path(curve(power), kind);
   return plot.svg;
 }
 
@@ -333,6 +333,49 @@ function riskItem(risk) {
   return item;
 }
 
+/// A picture with its name below; of a step also what the shader adds up.
+function pathPane(pane) {
+  const figure = document.createElement('figure');
+  const caption = document.createElement('figcaption');
+  const isStep = 'step' in pane;
+  caption.append(element('b', isStep ? `Step ${pane.step}` : pane.name),
+                 isStep ? `, weight ${shown(pane.weight)}, model error ${shown(pane.modelError)}` : '');
+  for (const [picture, className] of [[pane, 'noise'], [pane.kernel, 'kernel']]) {
+    if (!picture)
+      continue;
+    const image = new Image();
+    image.src = picture.png;
+    image.className = className;
+    image.alt = className === 'kernel' ? `${picture.title} of step ${pane.step}`
+                                       : caption.firstChild.textContent;
+    figure.append(image);
+  }
+  figure.append(caption);
+  return figure;
+}
+
+async function addMix(mix) {
+  const fragment = document.getElementById('mix-template').content.cloneNode(true);
+  fragment.querySelector('.target').textContent = `${mix.target}: from input to input`;
+  for (const path of mix.paths) {
+    const part = document.getElementById('path-template').content.cloneNode(true);
+    part.querySelector('.panes').append(...path.panes.map(pathPane));
+    if (path.spectrum) {
+      fill(part.querySelector('.spectrum'), (width) => spectrumChart(path.spectrum, width));
+      part.querySelector('.legend').hidden = false;
+    }
+    fragment.querySelector('.paths').append(part);
+  }
+  const images = [...fragment.querySelectorAll('img')];
+  document.getElementById('mixes').append(fragment);
+  await Promise.all(images.map((image) => image.decode()));
+}
+
+/// What a section calls its map.
+function titleOf(map) {
+  return map.input === null ? map.target : `${map.target} of ${map.input}`;
+}
+
 function addFacts(list, facts) {
   for (const [name, value] of facts)
     list.append(element('dt', name), element('dd', value));
@@ -350,9 +393,10 @@ function sayVerdict() {
     ? `\u2713 All ${judged.length} measures meet their targets.`
     : `\u2717 ${missed} of ${judged.length} measures miss their target: ` + missing.map((map) =>
         map.measures.filter(isMissed).map((measure) => measure.name).join(', ') +
-        ` of ${map.target}`).join('; ') + '.';
+        ` of ${titleOf(map)}`).join('; ') + '.';
   verdict.className = missed === 0 ? 'good' : 'bad';
-  const risks = report.maps.flatMap((map) => map.risks.map((risk) => ({...risk, map: map.target})))
+  verdict.hidden = judged.length === 0;
+  const risks = report.maps.flatMap((map) => map.risks.map((risk) => ({...risk, map: titleOf(map)})))
     .filter((risk) => risk.level !== 'none');
   document.getElementById('warning').textContent = risks.length === 0 ? ''
     : '\u26a0 Risks: ' + risks.map((r) => `${r.level} ${r.name} of ${r.map}`).join(', ') + '.';
@@ -362,7 +406,7 @@ async function addMap(map) {
   const fragment = document.getElementById('map-template').content.cloneNode(true);
   const article = fragment.querySelector('article');
   const find = (selector) => article.querySelector(selector);
-  find('.target').textContent = map.target;
+  find('.target').textContent = titleOf(map);
   find('.channels').textContent = map.summary;
   find('.measures tbody').append(...map.measures.map(measureRow));
   find('.kernels tbody').append(...(map.kernels ?? []).map(kernelRow));
@@ -374,10 +418,10 @@ async function addMap(map) {
     fill(find('.spectrum'), (width) => spectrumChart(map.spectrum, width));
     find('.spectrum-section').hidden = false;
     for (const selector of ['.key.gaussian', '.gaussian-name'])
-      find(selector).hidden = !map.spectrum.gaussian;
+      find(selector).hidden = !map.spectrum.curves.some(({kind}) => kind === 'gaussian');
   }
   for (const canvas of article.querySelectorAll('.panes canvas'))
-    canvas.setAttribute('aria-label', `${map.target}: ${canvas.dataset.pane}`);
+    canvas.setAttribute('aria-label', `${titleOf(map)}: ${canvas.dataset.pane}`);
   const image = find('.image img');
   image.src = map.image.png;
   image.alt = map.image.title;
@@ -398,7 +442,9 @@ async function addMap(map) {
 }
 
 async function show() {
-  document.title = report.name + ' - bake report';
+  document.title = `${report.name} - ${report.kind} report`;
+  document.getElementById('kicker').textContent = `Lichen ${report.kind} report`;
+  document.getElementById('facts-heading').textContent = `The ${report.kind}`;
   document.getElementById('name').textContent = report.name;
   document.getElementById('command').textContent = report.command;
   sayVerdict();
@@ -407,6 +453,8 @@ async function show() {
            report.timings.map(({name, seconds}) => [name, seconds.toFixed(2) + ' s']));
   document.getElementById('notes').append(...report.notes.map((note) => element('li', note)));
   document.getElementById('notes-section').hidden = report.notes.length === 0;
+  for (const mix of report.mixes)
+    await addMix(mix);
   for (const map of report.maps)
     await addMap(map);
 }

@@ -47,6 +47,7 @@ Shading prepare(Surface surface, vec3 geometricNormal) {
   s.normal = shadingNormal(geometricNormal, surface);
   // A normal map may tilt the normal away from the camera.
   s.nDotV = clamp(dot(s.normal, s.view), kLeastNDotV, 1.0);
+  setSpread(s, surface.slopeVariance);
   s.roughness = clamp(surface.roughness, 0.0, 1.0);
   s.alpha = alphaOf(s.roughness);
   float metallic = clamp(surface.metallic, 0.0, 1.0);

@@ -65,7 +65,8 @@ struct Surface {
   vec4 baseColor;
   vec3 emissive;
   float metallic;
-  float roughness;
+  float roughness; // includes slopeVariance
+  float slopeVariance; // along each axis, lost to filtering
   float occlusion;
   vec3 tangentNormal; // in tangent space
   vec3 gradient; // gradient of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
@@ -292,9 +293,9 @@ Surface surfaceAt(Footprint f, vec4 vertexColor) {
   vec4 normal = tangentNormalAt(f, place);
   vec4 gradient = gradientAt(f, place);
   s.roughness = material.factors.y * orm.y;
-  float slopeVariance = normal.w + gradient.w;
-  if (slopeVariance > 0.0)
-    s.roughness = lichenRoughness(s.roughness, slopeVariance);
+  s.slopeVariance = max(normal.w + gradient.w, 0.0);
+  if (s.slopeVariance > 0.0)
+    s.roughness = lichenRoughness(s.roughness, s.slopeVariance);
   s.metallic = material.factors.x * orm.z;
   s.tangentNormal = normal.xyz;
   s.gradient = gradient.xyz;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Opens reports of `lichen bake --report` in Chromium, from files and without a network, and looks
-// at what a person would.
-// node check.mjs CHROMIUM REPORT.html NAME tiling|texton [SCREENSHOT_FOLDER]
+// Opens reports of `lichen bake --report` and `lichen mix --report` in Chromium, from files and
+// without a network, and looks at what a person would.
+// node check.mjs CHROMIUM REPORT.html NAME tiling|texton|mix [SCREENSHOT_FOLDER]
 import assert from 'node:assert/strict';
 import {createHash} from 'node:crypto';
 import {join} from 'node:path';
@@ -10,6 +10,8 @@ import {chromium} from 'playwright-core';
 
 const [executablePath, report, expectedName, method, screenshots] = process.argv.slice(2);
 const address = pathToFileURL(report).href;
+const kind = method === 'mix' ? 'mix' : 'bake';
+const sections = method === 'mix' ? 2 : 1; // a mix has one for each input
 const kPhone = {width: 390, height: 844};
 
 // A container's root user has no sandbox.
@@ -41,15 +43,17 @@ async function shoot(page, name) {
   return createHash('sha256').update(image).digest('hex');
 }
 
-/// The pixels of each pane, as a digest.
+/// The pixels of each pane of the first section, as a digest.
 function paneDigests(page) {
-  return page.$$eval('.panes figure:not([hidden]) canvas', (canvases) => canvases.map((canvas) => canvas.toDataURL()));
+  return page.$eval('.viewer', (viewer) => [...viewer.querySelectorAll('figure:not([hidden]) canvas')].map(
+    (canvas) => canvas.toDataURL()));
 }
 
 const checks = {
   async 'the page shows its name, as text, and every measure'({page}) {
     assert.equal(await page.textContent('h1'), expectedName);
-    assert.equal(await page.title(), expectedName + ' - bake report');
+    assert.equal(await page.title(), `${expectedName} - ${kind} report`);
+    assert.equal(await page.textContent('#kicker'), `Lichen ${kind} report`);
     const names = await page.$$eval('.measures tbody th',
                                     (cells) => cells.map((cell) => cell.querySelector('.detail').remove() ?? cell.textContent));
     const expected = {
@@ -58,10 +62,11 @@ const checks = {
       texton: ['color_distance', 'spectrum_distance_db', 'gaussian_spectrum_distance_db',
                'autocovariance_error', 'seam_visibility', 'model_error', 'flatness'],
     };
+    expected.mix = [...expected.texton, ...expected.texton];
     assert.deepEqual(names, expected[method]);
     const verdicts = await page.$$eval('.measures td:last-child', (a) => a.map((b) => b.textContent));
     assert.ok(verdicts.every((verdict) => /met|missed|no target|not measured/.test(verdict)));
-    assert.match(await page.textContent('#command'), /^lichen bake /);
+    assert.ok((await page.textContent('#command')).startsWith(`lichen ${kind} `));
     assert.equal(await page.locator('b:text-is("hostile")').count(), 0);
   },
 
@@ -75,10 +80,11 @@ const checks = {
         return image.naturalWidth * image.naturalHeight;
       }));
     });
-    assert.equal(sizes.length, 4);
+    const steps = method === 'mix' ? 5 : 0; // each with its texton; and the exemplars
+    assert.equal(sizes.length, 4 * sections + (steps > 0 ? 2 + 2 * steps : 0));
     assert.ok(sizes.every((size) => size > 0));
     const panes = await paneDigests(page);
-    assert.equal(panes.length, method === 'texton' ? 4 : 3);
+    assert.equal(panes.length, method === 'tiling' ? 3 : 4);
     assert.equal(new Set(panes).size, panes.length);
   },
 
@@ -109,7 +115,7 @@ const checks = {
   },
 
   async 'the wheel zooms a pane that was clicked, and dragging moves it'({page}) {
-    const canvas = page.locator('canvas[data-pane="exemplar"]');
+    const canvas = page.locator('canvas[data-pane="exemplar"]').first();
     await canvas.click();
     await page.mouse.wheel(0, -100);
     const zoomed = await paneDigests(page);
@@ -120,24 +126,33 @@ const checks = {
   },
 
   async 'a texton stands beside two other spots, and its spectrum beside the Gaussian one'({page}) {
-    const isTexton = method === 'texton';
-    assert.equal(await page.isVisible('.kernels-section'), isTexton);
-    assert.equal(await page.isVisible('.gaussian-name'), isTexton);
-    assert.equal(await page.locator('.spectrum path.gaussian').count(), isTexton ? 1 : 0);
+    const isTexton = method !== 'tiling';
+    assert.equal(await page.locator('.kernels-section').first().isVisible(), isTexton);
+    assert.equal(await page.locator('.gaussian-name').first().isVisible(), isTexton);
+    assert.equal(await page.locator('.spectrum path.gaussian').count(), isTexton ? sections : 0);
     const spots = await page.$$eval('.kernels tbody tr', (rows) => rows.map(
       (row) => [...row.children].map((cell) => cell.textContent)));
     if (!isTexton)
       return assert.deepEqual(spots, []);
-    assert.deepEqual(spots.map(([name]) => name),
-                     ['this texton', 'luminance texton', 'random phase, cropped']);
+    const names = ['this texton', 'luminance texton', 'random phase, cropped'];
+    assert.deepEqual(spots.map(([name]) => name), Array(sections).fill(names).flat());
     for (const [, error, flatness, impacts] of spots) {
       assert.ok(error > 0 && error < 2, `model error ${error}`);
       assert.ok(Math.abs(impacts - 10 * flatness) <= 1, `${impacts} impacts, flatness ${flatness}`);
     }
   },
 
+  async 'a mix shows its inputs, the steps between them with their textons, and all spectra'({page}) {
+    const images = (selector) => page.$$eval(selector, (all) => all.map((image) => image.src));
+    const steps = method === 'mix' ? 5 : 0;
+    assert.equal(new Set(await images('.path .noise')).size, steps > 0 ? steps + 2 : 0);
+    assert.equal(new Set(await images('.path .kernel')).size, steps);
+    const curves = (name) => page.locator(`.path .spectrum path.${name}`).count();
+    assert.deepEqual([await curves('exemplar'), await curves('result')], [steps > 0 ? 2 : 0, steps]);
+  },
+
   async 'the slider shows other levels of the inverse table'({page}) {
-    assert.equal(await page.isVisible('.table'), method === 'tiling');
+    assert.equal(await page.locator('.table').first().isVisible(), method === 'tiling');
     if (method !== 'tiling')
       return;
     const shown = () => page.$eval('.table canvas', (canvas) => canvas.toDataURL());

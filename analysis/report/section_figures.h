@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Pictures and curves that the sections of the report page share.
+#pragma once
+
+#include <lichen/exemplar.h>
+#include <lichen/image.h>
+
+#include <array>
+#include <vector>
+
+namespace lichen {
+
+using Extents = std::array<int, 2>; ///< width and height
+
+/// The size of the exemplar's picture: the exemplar's proportions and at most side^2 pixels.
+[[nodiscard]] Extents exemplarExtents(const MapExemplar& exemplar, int side);
+
+/// The image with at most its own width and height; each pixel is the mean of the block of pixels
+/// under it.
+[[nodiscard]] SrgbImage reduced(const SrgbImage& image, int width, int height);
+
+/// Side of the crops whose spectra two images are compared by, in pixels; 0 if one of them is too
+/// small for spectrum_distance_db.
+[[nodiscard]] int spectrumCrop(const SrgbImage& a, const SrgbImage& b);
+
+/// Power spectrum of the luminance in decibels by cycles per crop, averaged over directions.
+[[nodiscard]] std::vector<double> decibels(const SrgbImage& image, int crop);
+
+} // namespace lichen
