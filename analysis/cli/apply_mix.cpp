@@ -24,14 +24,14 @@ Accepted<std::array<double, 4>> twoPlaces() {
   return {
       "U0,V0,U1,V1",
       fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
-                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixWay),
+                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixLength),
       [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
         const std::optional<std::vector<double>> values = read(text);
         if (!values || values->size() != kNumbers)
           return std::nullopt;
         const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
-        const double way = std::hypot(places[2] - places[0], places[3] - places[1]);
-        return way < kLeastMixWay ? std::nullopt : std::optional(places);
+        const double length = std::hypot(places[2] - places[0], places[3] - places[1]);
+        return length < kLeastMixLength ? std::nullopt : std::optional(places);
       }};
 }
 

@@ -51,24 +51,24 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
 
 } // namespace
 
-Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps, const Flattening& told,
-                                Periodic periodic, const SharedOptions& options,
-                                std::vector<std::string>& notes) {
-  if (!told.isWanted())
+Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flattening& requested,
+                                  Periodic periodic, const SharedOptions& options,
+                                  std::vector<std::string>& notes) {
+  if (!requested.isWanted())
     return Flattened{};
   const bool fit = bordersFit(maps, periodic);
   ProgressLine line("flatten", options);
   const Progress progress = line.asProgress();
-  if (!told.automatic) {
-    Flattened flattened{{}, told.periodPixels};
+  if (!requested.automatic) {
+    Flattened flattened{{}, requested.periodPixels};
     for (const MapExemplar& map : maps)
       if (map.target != MapTarget::opacity) // flatten() does not change opacity
         flattened.maps.push_back(map.target);
-    notes.push_back(
-        flattened.maps.empty()
-            ? std::string("opacity is not flattened; nothing is removed")
-            : fmt::format("variation slower than {:.0f} pixels is removed", told.periodPixels));
-    if (Result<void> done = flatten(maps, told.periodPixels, fit, progress); !done)
+    notes.push_back(flattened.maps.empty()
+                        ? std::string("opacity is not flattened; nothing is removed")
+                        : fmt::format("variation slower than {:.0f} pixels is removed",
+                                      requested.periodPixels));
+    if (Result<void> done = flatten(maps, requested.periodPixels, fit, progress); !done)
       return done.error();
     return flattened;
   }

@@ -35,10 +35,10 @@ struct Flattened {
 
 /// Flattens the maps as --flatten asks; `auto` calls flattenAutomatically(). Adds a sentence to
 /// `notes` that says what was flattened, or why nothing was.
-[[nodiscard]] Result<Flattened> flattenAsTold(std::vector<MapExemplar>& maps,
-                                              const Flattening& told, Periodic periodic,
-                                              const SharedOptions& options,
-                                              std::vector<std::string>& notes);
+[[nodiscard]] Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps,
+                                                const Flattening& requested, Periodic periodic,
+                                                const SharedOptions& options,
+                                                std::vector<std::string>& notes);
 
 using AssessMap =
     std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;

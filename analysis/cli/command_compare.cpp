@@ -69,7 +69,7 @@ Result<AsBaked> readAsBaked(const Arguments& arguments) {
   }
   if (arguments.map.empty())
     return baked;
-  const Result<std::size_t> place = placeOf(arguments.map, names, "--map", arguments.exemplar);
+  const Result<std::size_t> place = indexOf(arguments.map, names, "--map", arguments.exemplar);
   if (!place)
     return place.error();
   maps = {std::move(maps[place.value()])};

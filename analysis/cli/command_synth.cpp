@@ -61,7 +61,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   for (const NoiseMap& map : chosen.maps)
     maps.emplace_back(nameOf(map.target));
   const Result<std::size_t> map =
-      placeOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
+      indexOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
   if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
@@ -80,8 +80,8 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
     return Error{ErrorKind::usage,
                  fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
                              chosen.name)};
-  constexpr std::array<double, 2> kWholeWay{0.0, 1.0}, kMiddle{0.5, 0.5};
-  synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kWholeWay);
+  constexpr std::array<double, 2> kFullPath{0.0, 1.0}, kMiddle{0.5, 0.5};
+  synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kFullPath);
   return {};
 }
 

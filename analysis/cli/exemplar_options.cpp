@@ -86,7 +86,7 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
   if (options.keepsOriginals && options.flattening.isWanted())
     originals = maps;
   const Result<Flattened> flattened =
-      flattenAsTold(maps, options.flattening, set.value().periodic, shared, set.value().notes);
+      applyFlattening(maps, options.flattening, set.value().periodic, shared, set.value().notes);
   if (!flattened)
     return flattened.error();
   ReadExemplar read{std::move(set).value(), {}};

@@ -49,7 +49,7 @@ double StepTimes::sum() const {
 
 void addReport(CLI::App& verb, std::string& path) {
   addText(verb, "--report", path, "OUT.html",
-          "A page with pictures, measures and charts of the noise");
+          "Also write a page with pictures, measures and charts of the noise");
 }
 
 Result<void> checkReportPath(const std::string& path) {

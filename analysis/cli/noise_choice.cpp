@@ -26,7 +26,7 @@ const IgnoredNoise* ignoredNoiseMeant(const Bundle& bundle, const std::string& w
 
 } // namespace
 
-Result<std::size_t> placeOf(const std::string& wanted, const std::vector<std::string>& names,
+Result<std::size_t> indexOf(const std::string& wanted, const std::vector<std::string>& names,
                             const std::string& option, const std::string& owner) {
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (wanted.empty() || found != names.end())
@@ -56,7 +56,7 @@ Result<std::size_t> findNoise(const Bundle& bundle, const std::string& file,
     return Error{
         ErrorKind::badInput,
         file + ": has no noise that this version knows; use the version of lichen that wrote it"};
-  return placeOf(wanted, noises, "--noise", file);
+  return indexOf(wanted, noises, "--noise", file);
 }
 
 MaterialNoise materialOf(const Bundle& bundle, std::size_t noise) {

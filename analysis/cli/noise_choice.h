@@ -11,7 +11,7 @@ namespace lichen::cli {
 
 /// Returns the index of `wanted` in `names`; 0 if `wanted` is empty. Errors: usage; the message
 /// starts with `option` and lists the names that `owner` has.
-[[nodiscard]] Result<std::size_t> placeOf(const std::string& wanted,
+[[nodiscard]] Result<std::size_t> indexOf(const std::string& wanted,
                                           const std::vector<std::string>& names,
                                           const std::string& option, const std::string& owner);
 

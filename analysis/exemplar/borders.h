@@ -27,14 +27,14 @@ struct SeamStrength {
 /// to. Throws std::bad_alloc.
 [[nodiscard]] bool isPeriodic(const MapExemplar& map);
 
-/// Returns whether a bake preserves the borders of `maps`: if `told` is yes, or if it is detect and
-/// all maps are periodic. `mapOf` returns the map of an element.
+/// Returns whether a bake preserves the borders of `maps`: if `periodic` is yes, or if it is detect
+/// and all maps are periodic. `mapOf` returns the map of an element.
 template <class Maps, class MapOf>
-[[nodiscard]] bool keepsBorders(const Maps& maps, Periodic told, const MapOf& mapOf) {
-  return told == Periodic::yes ||
-         (told == Periodic::detect && std::all_of(maps.begin(), maps.end(), [&](const auto& each) {
-            return isPeriodic(std::invoke(mapOf, each));
-          }));
+[[nodiscard]] bool keepsBorders(const Maps& maps, Periodic periodic, const MapOf& mapOf) {
+  return periodic == Periodic::yes || (periodic == Periodic::detect &&
+                                       std::all_of(maps.begin(), maps.end(), [&](const auto& each) {
+                                         return isPeriodic(std::invoke(mapOf, each));
+                                       }));
 }
 
 } // namespace lichen::exemplar

@@ -226,7 +226,7 @@ public:
   /// P x D, in units of the maps' standard deviations: covariances of the values minus those of
   /// blends. The linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known exactly;
   /// only the rest is estimated from random blends.
-  [[nodiscard]] MatrixXd lackOf(const Gaussianized& gaussian) const {
+  [[nodiscard]] MatrixXd missingIn(const Gaussianized& gaussian) const {
     const MatrixXf image = standardized(gaussian.image, gaussian.dimensions);
     const MatrixXd decoder =
         decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions));
@@ -239,14 +239,14 @@ public:
   }
 
   /// P x D: how much of each settled coordinate to add to z so that the linear part grows by
-  /// `lack`; least squares with kDamping. The normal equations are diagonal on the axes of
+  /// `missing`; least squares with kDamping. The normal equations are diagonal on the axes of
   /// response^T response and B^T B, whose eigenvalues are squares of gains.
-  [[nodiscard]] MatrixXd slopeFor(const MatrixXd& lack, const Gaussianized& gaussian) const {
+  [[nodiscard]] MatrixXd slopeFor(const MatrixXd& missing, const Gaussianized& gaussian) const {
     const MatrixXd decoder =
         decoderOf(map_, space_, standardized(gaussian.matched, gaussian.dimensions));
     const auto left = transport::principalAxes(MatrixXd(response_.transpose() * response_));
     const auto right = transport::principalAxes(MatrixXd(decoder.transpose() * decoder));
-    MatrixXd part = left.eigenvectors().transpose() * response_.transpose() * lack * decoder *
+    MatrixXd part = left.eigenvectors().transpose() * response_.transpose() * missing * decoder *
                     right.eigenvectors();
     for (Index r = 0; r < part.rows(); ++r)
       for (Index c = 0; c < part.cols(); ++c)
@@ -327,8 +327,8 @@ SettledMap::SettledMap(const MapExemplar& exemplar, exemplar::ColorSpace colorSp
       image(standardized(gaussian.image, gaussian.dimensions)),
       blends(decodedBlends(gaussian, onAxes(table, exemplar, space))) {}
 
-bool isNegligible(const MatrixXd& lack) {
-  return lack.norm() <= kNegligible * std::sqrt(double(lack.size()));
+bool isNegligible(const MatrixXd& missing) {
+  return missing.norm() <= kNegligible * std::sqrt(double(missing.size()));
 }
 
 Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
@@ -340,12 +340,12 @@ Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorS
   const transport::TieOrder ties = onLine ? tieOrderOf(map, space) : transport::TieOrder({});
   const MatrixXf start = standardized(alone.matched, alone.dimensions);
   Gaussianized best = std::move(alone);
-  MatrixXd lack = covariances.lackOf(best);
-  MatrixXd slope = MatrixXd::Zero(lack.rows(), lack.cols());
+  MatrixXd missing = covariances.missingIn(best);
+  MatrixXd slope = MatrixXd::Zero(missing.rows(), missing.cols());
   double gain = 1.0;
-  for (int pass = 0; pass < passes && !isNegligible(lack); ++pass) {
+  for (int pass = 0; pass < passes && !isNegligible(missing); ++pass) {
     progress.reach(double(pass) / passes);
-    slope += gain * covariances.slopeFor(lack, best);
+    slope += gain * covariances.slopeFor(missing, best);
     const MatrixXf moved = covariances.moved(start, slope);
     transport::TransportOptions exchanges = kExchanges;
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
@@ -353,12 +353,12 @@ Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorS
         onLine
             ? gaussianizeInOrder(best, ties.by({moved.data(), std::size_t(moved.size())}), periodic)
             : gaussianizeNear(best, pointsOf(moved), periodic, exchanges);
-    const MatrixXd left = covariances.lackOf(next);
-    if (left.norm() >= lack.norm())
+    const MatrixXd left = covariances.missingIn(next);
+    if (left.norm() >= missing.norm())
       break;
-    const double reduction = 1.0 - left.cwiseProduct(lack).sum() / lack.squaredNorm();
+    const double reduction = 1.0 - left.cwiseProduct(missing).sum() / missing.squaredNorm();
     best = std::move(next);
-    lack = left;
+    missing = left;
     if (reduction < kLeastReduction)
       break;
     gain = std::min(gain / reduction, kMostGain);

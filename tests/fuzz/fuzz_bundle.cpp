@@ -119,7 +119,7 @@ void checkContract(const Bundle& bundle) {
             "number of impacts");
     require(!use || use->mix.source != MixSource::direction ||
                 std::hypot(use->mix.end[0] - use->mix.start[0],
-                           use->mix.end[1] - use->mix.start[1]) >= kLeastMixWay,
+                           use->mix.end[1] - use->mix.start[1]) >= kLeastMixLength,
             "a direction without length");
     require(!use || (use->mix.weight >= 0.0 && use->mix.weight <= 1.0), "a weight");
     require(!use || isWithin(use->mix.channel, 0, 3), "a channel");

@@ -183,7 +183,7 @@ inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
 /// Minimum distance between MixWeight::start and end, in texture coordinates: a sixtieth of a texel
 /// of the widest exemplar. The weight is divided by the squared distance, which underflows to 0 for
 /// a distance of 1e-170.
-inline constexpr double kLeastMixWay = 1e-6;
+inline constexpr double kLeastMixLength = 1e-6;
 
 /// How a material computes the mix weight at a point. Weight 0 selects the first step and 1 the
 /// last; the weight is clamped to [0, 1].
@@ -192,7 +192,7 @@ struct MixWeight {
   double weight = 0.0; ///< for MixSource::constant; in kMixWeightRange
   /// For MixSource::direction: the texture coordinates, in the noise's set, where the weight is 0
   /// and 1. Other points are projected onto the line through the two. Both are in kMixPlaceRange
-  /// and at least kLeastMixWay apart.
+  /// and at least kLeastMixLength apart.
   std::array<double, 2> start{0.0, 0.0};
   std::array<double, 2> end{0.0, 1.0};
   std::size_t texture = 0; ///< for MixSource::texture: glTF texture index; stored values, undecoded

@@ -15,7 +15,7 @@ constexpr std::uint64_t kMaxChannel = 3; // alpha
 void readDirection(ObjectReader& reader, MixWeight& mix) {
   mix.start = reader.pairOr("start", kMixPlaceRange, mix.start);
   mix.end = reader.pairOr("end", kMixPlaceRange, mix.end);
-  if (std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixWay)
+  if (std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixLength)
     reader.error("mix-direction", "end",
                  "closer than 0.000001 to start; expected a place further away");
 }
