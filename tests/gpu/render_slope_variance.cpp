@@ -334,6 +334,16 @@ TEST_CASE("under sun and sky, unresolved bumps are as bright as in a supersample
   CHECK(flatPlane.seen(32.0, kTowardSun, kPixels).meanError > 0.2);
 }
 
+TEST_CASE(
+    "diffuse light of unresolved bumps is that of all their slopes, under sun and under sky") {
+  constexpr double kRoughness = 0.9;
+  LitPlane plane(testDevice(), bumpyBundle(smoothBumps(0.2f)), kTexels, kRoughness, 0.0);
+  // A single normal would be 3 % too bright under the sun and 2 % too dark under the sky.
+  for (const LitBy light : {LitBy::sun, LitBy::sky})
+    for (const Viewpoint& from : {Viewpoint(), kAwayFromSun})
+      CHECK(plane.seen(32.0, from, 8, light).meanError == Approx(0.0).margin(0.01));
+}
+
 TEST_CASE("rotating a noise rotates its slopes, but not their variance") {
   MapExemplar slope = bumps();
   for (std::size_t i = 0; i < slope.values.size(); i += 2) {
