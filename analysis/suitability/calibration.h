@@ -26,6 +26,10 @@ inline constexpr Calibration kClippedShare{0.02, 0.15};
 /// objects, in docs/decisions/013-suitability.md.
 inline constexpr double kEdgeConcentration = 4.2;
 
+/// The share of patches from which they are visible: their deviation is then a tenth of the
+/// material's. --flatten auto leaves less. Measured by looking, docs/decisions/013-suitability.md.
+inline constexpr double kVisiblePatches = 0.01;
+
 /// The shortest period that --flatten auto uses, as a share of the exemplar's longer side: faster
 /// variation is the material itself.
 inline constexpr double kShortestAutoPeriod = 1.0 / 8.0;

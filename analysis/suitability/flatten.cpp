@@ -103,15 +103,28 @@ Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels)
   return {pixels * map.width / first.width, pixels * map.height / first.height};
 }
 
-/// Whether the map has neither the low-frequency nor the cloudiness risk.
-bool hasNoSlowRisk(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  const auto calm = [&](const MapExemplar& seen) {
-    return suitability::isCalm(seen, [&] {
+/// What a map must not have.
+enum class Unwanted {
+  risks,  ///< the low-frequency or the cloudiness risk
+  patches ///< either risk, or patches that are visible in the noise
+};
+
+/// Whether the map has nothing `unwanted`.
+bool isFree(const MapExemplar& map, Unwanted unwanted, bool periodic, ProgressPart progress) {
+  const auto isFreeAsSeen = [&](const MapExemplar& seen) {
+    double patches = 0.0;
+    const bool calm = isCalm(seen, [&] {
       const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
-      return plane ? cloudiness(forwardFft(plane->values, plane->width, plane->height)) : 0.0;
+      if (!plane)
+        return 0.0;
+      const HalfSpectrum spectrum = forwardFft(plane->values, plane->width, plane->height);
+      patches = patchShare(spectrum);
+      return cloudiness(spectrum);
     });
+    return calm && (unwanted == Unwanted::risks || patches < kVisiblePatches);
   };
-  return map.target == MapTarget::height ? calm(slopesOfHeight(map, periodic)) : calm(map);
+  return map.target == MapTarget::height ? isFreeAsSeen(slopesOfHeight(map, periodic))
+                                         : isFreeAsSeen(map);
 }
 
 /// Share of the search's progress: one judgement of the unchanged map and at most four tries.
@@ -119,7 +132,7 @@ constexpr double kJudgement = 1.0 / 5.0;
 
 /// The period for the map, if any, and the reason. Throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  if (hasNoSlowRisk(map, periodic, progress.part(0.0, kJudgement)))
+  if (isFree(map, Unwanted::risks, periodic, progress.part(0.0, kJudgement)))
     return {FlatteningChoice::Reason::calm, std::nullopt, {}};
   progress.reach(kJudgement);
   if (edgeConcentration(map, periodic) > kEdgeConcentration)
@@ -131,11 +144,11 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
     const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
     flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const bool calm = hasNoSlowRisk(flattened, periodic, progress.part(middle, end));
+    const bool calm = isFree(flattened, Unwanted::patches, periodic, progress.part(middle, end));
     begin = end;
     return calm;
   };
-  // Bisection for the longest period that removes the risks: shorter periods remove more.
+  // Bisection for the longest period that leaves no patches: shorter periods remove more.
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
@@ -162,7 +175,7 @@ FlatteningChoice flattenUncalm(std::span<MapExemplar> maps, bool periodic, Progr
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const ProgressPart part = progress.part(double(m + 1) * each, double(m + 2) * each);
     const bool skips = maps[m].target == MapTarget::opacity;
-    if (skips || (m > 0 && hasNoSlowRisk(maps[m], periodic, part.part(0.0, 0.5))))
+    if (skips || (m > 0 && isFree(maps[m], Unwanted::risks, periodic, part.part(0.0, 0.5))))
       continue;
     flattenMap(maps[m], periodOf(maps[m], first, *choice.periodPixels), periodic,
                part.part(0.5, 1.0));
