@@ -32,14 +32,14 @@ namespace {
 /// Returns the note on the decision of --flatten auto.
 std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
   switch (choice.reason) {
-  case FlatteningChoice::Reason::mended:
+  case FlatteningChoice::Reason::flattened:
     break;
-  case FlatteningChoice::Reason::calm:
+  case FlatteningChoice::Reason::noRisk:
     return "neither cloudiness nor low-frequency is a risk; nothing is removed";
   case FlatteningChoice::Reason::object:
     return "the slow variation has an outline, like a large object and unlike light; nothing is "
            "removed; --flatten PERIOD removes it nevertheless";
-  case FlatteningChoice::Reason::stubborn:
+  case FlatteningChoice::Reason::unresolved:
     return "even the shortest period leaves the risks; nothing is removed";
   }
   std::vector<std::string_view> names;

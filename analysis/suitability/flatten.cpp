@@ -2,7 +2,7 @@
 // Maps (height, width, channels each) -> the same maps without their slow variation.
 #include "as_seen.h"
 #include "calibration.h"
-#include "calm.h"
+#include "slow_risks.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
 #include "exemplar/map_ranges.h"
@@ -113,7 +113,7 @@ enum class Unwanted {
 bool isFree(const MapExemplar& map, Unwanted unwanted, bool periodic, ProgressPart progress) {
   const auto isFreeAsSeen = [&](const MapExemplar& seen) {
     double patches = 0.0;
-    const bool calm = isCalm(seen, [&] {
+    const bool noRisk = hasNoSlowRisk(seen, [&] {
       const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
       if (!plane)
         return 0.0;
@@ -121,7 +121,7 @@ bool isFree(const MapExemplar& map, Unwanted unwanted, bool periodic, ProgressPa
       patches = patchShare(spectrum);
       return cloudiness(spectrum);
     });
-    return calm && (unwanted == Unwanted::risks || patches < kVisiblePatches);
+    return noRisk && (unwanted == Unwanted::risks || patches < kVisiblePatches);
   };
   return map.target == MapTarget::height ? isFreeAsSeen(slopesOfHeight(map, periodic))
                                          : isFreeAsSeen(map);
@@ -133,40 +133,43 @@ constexpr double kJudgement = 1.0 / 5.0;
 /// The period for the map, if any, and the reason. Throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
   if (isFree(map, Unwanted::risks, periodic, progress.part(0.0, kJudgement)))
-    return {FlatteningChoice::Reason::calm, std::nullopt, {}};
+    return {FlatteningChoice::Reason::noRisk, std::nullopt, {}};
   progress.reach(kJudgement);
   if (edgeConcentration(map, periodic) > kEdgeConcentration)
     return {FlatteningChoice::Reason::object, std::nullopt, {}};
   const double side = std::max(map.width, map.height);
   const auto period = [&](int step) { return 2.0 * side * std::exp2(-0.5 * step); };
   double begin = kJudgement;
-  const auto calms = [&](int step) {
+  const auto suffices = [&](int step) {
     const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
     flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const bool calm = isFree(flattened, Unwanted::patches, periodic, progress.part(middle, end));
+    const bool isEnough =
+        isFree(flattened, Unwanted::patches, periodic, progress.part(middle, end));
     begin = end;
-    return calm;
+    return isEnough;
   };
   // Bisection for the longest period that leaves no patches: shorter periods remove more.
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
-  if (period(last) < kFlattenPeriodRange.least || !calms(last))
-    return {FlatteningChoice::Reason::stubborn, std::nullopt, {}};
+  if (period(last) < kFlattenPeriodRange.least || !suffices(last))
+    return {FlatteningChoice::Reason::unresolved, std::nullopt, {}};
   int first = 0;
   while (first < last) {
     const int middle = (first + last) / 2;
-    if (calms(middle))
+    if (suffices(middle))
       last = middle;
     else
       first = middle + 1;
   }
-  return {FlatteningChoice::Reason::mended, std::min(period(last), kFlattenPeriodRange.most), {}};
+  return {
+      FlatteningChoice::Reason::flattened, std::min(period(last), kFlattenPeriodRange.most), {}};
 }
 
 /// Like flattenAutomatically(), for maps with values in range, but throws.
-FlatteningChoice flattenUncalm(std::span<MapExemplar> maps, bool periodic, ProgressPart progress) {
+FlatteningChoice flattenWhereNeeded(std::span<MapExemplar> maps, bool periodic,
+                                    ProgressPart progress) {
   const MapExemplar& first = maps.front();
   const double each = 1.0 / double(maps.size() + 1); // the search is about as long as two maps
   FlatteningChoice choice = choosePeriod(first, periodic, progress.part(0.0, each));
@@ -221,7 +224,7 @@ Result<FlatteningChoice> flattenAutomatically(std::span<MapExemplar> maps, bool 
     if (Result<void> checked = checkMaps(maps); !checked)
       return checked.error();
     return unlessInterrupted("flattening", [&]() -> Result<FlatteningChoice> {
-      return flattenUncalm(maps, periodic, ProgressPart(progress));
+      return flattenWhereNeeded(maps, periodic, ProgressPart(progress));
     });
   });
 }

@@ -3,7 +3,7 @@
 #include "progress_part.h"
 #include "suitability/as_seen.h"
 #include "suitability/calibration.h"
-#include "suitability/calm.h"
+#include "suitability/slow_risks.h"
 #include "suitability/clipped_share.h"
 #include "suitability/cloudiness.h"
 #include "suitability/edge_concentration.h"
@@ -145,8 +145,8 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
 /// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
-  const bool calm = isCalm(seen, [&] { return cloudiness(spectrum); });
-  const SlowCause cause = !calm && edgeConcentration(map, periodic) > kEdgeConcentration
+  const bool noRisk = hasNoSlowRisk(seen, [&] { return cloudiness(spectrum); });
+  const SlowCause cause = !noRisk && edgeConcentration(map, periodic) > kEdgeConcentration
                               ? SlowCause::object
                               : SlowCause::light;
   const SlowPart slow{cause, firstPixels};

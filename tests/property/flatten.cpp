@@ -259,7 +259,7 @@ TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::granite, 256), true).has_value());
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::rust, 256), true).has_value());
   const FlatteningChoice weave = automatic(generatedExemplar(exemplars::weave, 128), true);
-  CHECK(weave.reason == FlatteningChoice::Reason::stubborn);
+  CHECK(weave.reason == FlatteningChoice::Reason::unresolved);
   CHECK_FALSE(weave.periodPixels.has_value());
 }
 
@@ -299,7 +299,7 @@ TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly t
   const std::vector<MapExemplar> before = maps;
   const Result<FlatteningChoice> choice = flattenAutomatically(maps, false);
   REQUIRE(choice.ok());
-  CHECK(choice.value().reason == FlatteningChoice::Reason::mended);
+  CHECK(choice.value().reason == FlatteningChoice::Reason::flattened);
   CHECK(choice.value().flattened == std::vector{MapTarget::baseColor, MapTarget::emissive});
   CHECK(maps[1].values == before[1].values);
   CHECK(maps[2].values == before[2].values);

@@ -34,14 +34,14 @@ inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
 /// What flattenAutomatically() did and why.
 struct FlatteningChoice {
   enum class Reason {
-    mended,   ///< flattening removed the risks of the first map
-    calm,     ///< the first map had neither risk
-    object,   ///< the slow variation is an object with an outline, not light
-    stubborn, ///< not even the shortest period removed the risks
+    flattened,  ///< flattening removed the risks of the first map
+    noRisk,     ///< the first map had neither risk
+    object,     ///< the slow variation is an object with an outline, not light
+    unresolved, ///< not even the shortest period removed the risks
   };
 
-  Reason reason = Reason::calm;
-  std::optional<double> periodPixels; ///< of the first map; set only for Reason::mended
+  Reason reason = Reason::noRisk;
+  std::optional<double> periodPixels; ///< of the first map; set only for Reason::flattened
   std::vector<MapTarget> flattened;   ///< the maps that were changed, in order
 };
 
@@ -52,7 +52,7 @@ struct FlatteningChoice {
 /// first map to an eighth of it. The other maps are flattened with the same share of their sides,
 /// but only if they have one of the two risks themselves: uneven light in a photograph affects its
 /// colours, while normals, heights and other data have none. Nothing changes unless the reason is
-/// Reason::mended. Maps, errors and threads: as flatten(). Takes about five times as long as
+/// Reason::flattened. Maps, errors and threads: as flatten(). Takes about five times as long as
 /// flatten() and assessSuitability() of the first map, and once as long for the others. Source:
 /// docs/decisions/013-suitability.md.
 [[nodiscard]] Result<FlatteningChoice>

@@ -12,7 +12,7 @@ namespace lichen::suitability {
 /// Whether `seen`, a map as an eye sees it, has neither the low-frequency nor the cloudiness risk.
 /// Calls `cloudinessOf()`, which takes longer, only if the first risk is absent.
 template <class CloudinessOf>
-[[nodiscard]] bool isCalm(const MapExemplar& seen, const CloudinessOf& cloudinessOf) {
+[[nodiscard]] bool hasNoSlowRisk(const MapExemplar& seen, const CloudinessOf& cloudinessOf) {
   return slowVariationShare(seen) < kSlowVariation.mild && cloudinessOf() < kCloudiness.mild;
 }
 
