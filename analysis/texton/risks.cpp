@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace lichen {
@@ -213,7 +214,8 @@ Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int su
                                                   int heightTexels) {
   const Texels texels{widthTexels > 0 ? widthTexels : map.width,
                       heightTexels > 0 ? heightTexels : map.height, support};
-  return assessed(map, [&] { return risksOf(map, texels, ProgressPart(progress)); });
+  const auto judge = [&] { return risksOf(map, texels, ProgressPart(progress)); };
+  return assessed(map, std::ref(judge));
 }
 
 } // namespace lichen

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace lichen {
@@ -189,7 +190,8 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                             const Progress& progress, double firstPixels) {
-  return assessed(map, [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); });
+  const auto judge = [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); };
+  return assessed(map, std::ref(judge));
 }
 
 } // namespace lichen
