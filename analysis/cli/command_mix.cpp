@@ -101,12 +101,12 @@ Result<Inputs> readInputs(const Arguments& arguments) {
   return inputs;
 }
 
-/// Adapts a remedy to `lichen mix`, which always uses textons and has no --method.
-std::string ofBake(std::string line) {
+/// Adapts advice to `lichen mix`, which always uses textons and has no --method.
+std::string ofBake(std::string advice) {
   constexpr std::string_view kMethod = "--method tiling";
-  if (const std::size_t at = line.find(kMethod); at != std::string::npos)
-    line.replace(at, kMethod.size(), "to bake the input by itself with --method tiling");
-  return line;
+  if (const std::size_t at = advice.find(kMethod); at != std::string::npos)
+    advice.replace(at, kMethod.size(), "to bake the input by itself with --method tiling");
+  return advice;
 }
 
 /// Assesses the inputs, and adds notes on those for which texton noise looks wrong.
@@ -120,9 +120,12 @@ Result<void> judge(const Arguments& arguments, Inputs& inputs) {
         assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
     if (!assessed)
       return assessed.error();
+    for (std::vector<Risk>& ofMap : assessed.value())
+      for (Risk& risk : ofMap)
+        risk.advice = ofBake(std::move(risk.advice));
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
     for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1))
-      inputs.notes.push_back(exemplar.name + ": " + ofBake(line));
+      inputs.notes.push_back(exemplar.name + ": " + line);
     inputs.assessed.push_back(std::move(assessed).value());
   }
   return {};
