@@ -26,12 +26,14 @@ Result<void> MemoryNeed::add(const std::string& name, int width, int height) {
   if (!available_ || needed <= double(*available_))
     return {};
   constexpr double kGiga = 1e9;
-  return Error{ErrorKind::resources,
-               fmt::format("{}: {} x {} pixels need about {:.1f} GB of memory{}, and {:.1f} GB are "
-                           "available; use --crop or --size",
-                           name, width, height, needed / kGiga,
-                           read_ > pixels ? " with the images before them" : "",
-                           double(*available_) / kGiga)};
+  const bool isEnlarged = kept > pixels;
+  return Error{
+      ErrorKind::resources,
+      fmt::format("{}: {} x {} pixels{} need about {:.1f} GB of memory{}, and {:.1f} GB are "
+                  "available; use {}",
+                  name, width, height, isEnlarged ? ", enlarged by --size," : "", needed / kGiga,
+                  read_ > pixels ? " with the images before them" : "", double(*available_) / kGiga,
+                  isEnlarged ? "a smaller --size" : "--crop or --size")};
 }
 
 } // namespace lichen::cli

@@ -77,5 +77,11 @@ TEST_CASE("an image that needs more memory than is available is an error before 
                                Catch::Contains("GB are available; use --crop or --size"));
   CHECK(bake({"--size", "32"}).code == 0);
   CHECK(bake({"--crop", "0,0,32,32"}).code == 0);
+  const Ended enlarged = runLichen({"bake", workplace.write("small.png", SrgbImage(32, 32, 1)),
+                                    "-o", workplace.path("new.glb"), "--size", "4096"},
+                                   limits);
+  CHECK(enlarged.code == int(ErrorKind::resources));
+  CHECK_THAT(enlarged.errors, Catch::Contains("32 x 32 pixels, enlarged by --size, need about") &&
+                                  Catch::Contains("use a smaller --size"));
 }
 #endif
