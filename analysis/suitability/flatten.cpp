@@ -2,7 +2,6 @@
 // Maps (height, width, channels each) -> the same maps without their slow variation.
 #include "as_seen.h"
 #include "calibration.h"
-#include "slow_risks.h"
 #include "cloudiness.h"
 #include "edge_concentration.h"
 #include "exemplar/map_ranges.h"
@@ -10,6 +9,7 @@
 #include "gaussian_plane.h"
 #include "low_pass.h"
 #include "progress_part.h"
+#include "slow_risks.h"
 
 #include <lichen/fft.h>
 #include <lichen/flatten.h>
@@ -127,8 +127,8 @@ bool isFree(const MapExemplar& map, Unwanted unwanted, bool periodic, ProgressPa
                                          : isFreeAsSeen(map);
 }
 
-/// Share of the search's progress: one judgement of the unchanged map and at most four tries.
-constexpr double kJudgement = 1.0 / 5.0;
+/// Share of the search's progress: one judgement of the unchanged map and at most five tries.
+constexpr double kJudgement = 1.0 / 6.0;
 
 /// The period for the map, if any, and the reason. Throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
@@ -140,25 +140,25 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
   const double side = std::max(map.width, map.height);
   const auto period = [&](int step) { return 2.0 * side * std::exp2(-0.5 * step); };
   double begin = kJudgement;
-  const auto suffices = [&](int step) {
+  const auto suffices = [&](int step, Unwanted unwanted) {
     const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
     flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const bool isEnough =
-        isFree(flattened, Unwanted::patches, periodic, progress.part(middle, end));
+    const bool isEnough = isFree(flattened, unwanted, periodic, progress.part(middle, end));
     begin = end;
     return isEnough;
   };
-  // Bisection for the longest period that leaves no patches: shorter periods remove more.
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
-  if (period(last) < kFlattenPeriodRange.least || !suffices(last))
+  if (period(last) < kFlattenPeriodRange.least || !suffices(last, Unwanted::risks))
     return {FlatteningChoice::Reason::unresolved, std::nullopt, {}};
+  // Bisection for the longest period that leaves no patches: shorter periods remove more. The
+  // shortest may leave some.
   int first = 0;
   while (first < last) {
     const int middle = (first + last) / 2;
-    if (suffices(middle))
+    if (suffices(middle, Unwanted::patches))
       last = middle;
     else
       first = middle + 1;

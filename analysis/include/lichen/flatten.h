@@ -46,15 +46,15 @@ struct FlatteningChoice {
 };
 
 /// If the first map has a mild or severe cloudiness or low-frequency risk, flattens with the
-/// longest period that leaves it neither, and no patches that are visible in the noise: the waves
-/// of one cycle per side have at most 1 % of the variance that noise blends beyond as much as those
-/// of four cycles. Periods are tried in steps of half an octave, from twice the longer side of the
-/// first map to an eighth of it. The other maps are flattened with the same share of their sides,
-/// but only if they have one of the two risks themselves: uneven light in a photograph affects its
-/// colours, while normals, heights and other data have none. Nothing changes unless the reason is
-/// Reason::flattened. Maps, errors and threads: as flatten(). Takes about five times as long as
-/// flatten() and assessSuitability() of the first map, and once as long for the others. Source:
-/// docs/decisions/013-suitability.md.
+/// longest period that leaves it neither, and no patches that are visible in the noise: beyond what
+/// waves of four cycles per side have, those of one cycle have less than 1 % of the blended
+/// variance. The shortest period may leave patches, but no risk. Periods are tried in steps of half
+/// an octave, from twice the longer side of the first map to an eighth of it. The other maps are
+/// flattened with the same share of their sides, but only if they have one of the two risks
+/// themselves: uneven light in a photograph affects its colours, while normals, heights and other
+/// data have none. Nothing changes unless the reason is Reason::flattened. Maps, errors and
+/// threads: as flatten(). Takes about five times as long as flatten() and assessSuitability() of
+/// the first map, and once as long for the others. Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<FlatteningChoice>
 flattenAutomatically(std::span<MapExemplar> maps, bool periodic, const Progress& progress = {});
 
