@@ -124,6 +124,8 @@ Result<void> checkChunks(const OpenExr& exr, const exr_attr_box2i_t& window,
     exr_get_tile_sizes(context, 0, 0, 0, &chunkWidth, &chunkHeight);
   else
     exr_get_scanlines_per_chunk(context, 0, &chunkHeight);
+  if (chunkWidth < 1 || chunkHeight < 1)
+    return badInput(name, "damaged EXR: chunks without pixels");
   int row = 0;
   for (std::int64_t y = window.min.y; y <= window.max.y; y += chunkHeight, ++row) {
     int column = 0;

@@ -23,8 +23,8 @@ struct SeamStrength {
 };
 [[nodiscard]] SeamStrength seamStrength(const MapExemplar& map);
 
-/// Returns whether no seam is stronger than 1. Of the exemplars that tile, about 2 % are found not
-/// to. Throws std::bad_alloc.
+/// Returns whether no seam is stronger than 1. Of the exemplars that tile, 2 to 5 % are found not
+/// to (docs/decisions/006-seam-detection.md). Throws std::bad_alloc.
 [[nodiscard]] bool isPeriodic(const MapExemplar& map);
 
 /// Returns whether a bake preserves the borders of `maps`: if `periodic` is yes, or if it is detect

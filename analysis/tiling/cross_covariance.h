@@ -29,7 +29,7 @@ struct SettledMap {
 };
 
 /// Returns whether the root mean square of the missing correlations is too small to measure.
-[[nodiscard]] bool isNegligible(const Eigen::MatrixXd& lack);
+[[nodiscard]] bool isNegligible(const Eigen::MatrixXd& missing);
 
 /// Exchanges values of `alone`, which `table` decodes, among similar pixels, so that decoded blends
 /// of it and of the settled maps reproduce the covariances of the maps themselves. Returns `alone`

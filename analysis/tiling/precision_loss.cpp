@@ -3,9 +3,9 @@
 #include "exemplar/color_space.h"
 #include "exemplar/value_encoding.h"
 
-#include <lichen/tiling_precision.h>
 #include <lichen/quality.h>
 #include <lichen/tiling_evaluate.h>
+#include <lichen/tiling_precision.h>
 
 #include <cmath>
 

@@ -3,7 +3,6 @@
 #include "progress_part.h"
 #include "suitability/as_seen.h"
 #include "suitability/calibration.h"
-#include "suitability/slow_risks.h"
 #include "suitability/clipped_share.h"
 #include "suitability/cloudiness.h"
 #include "suitability/edge_concentration.h"
@@ -12,6 +11,7 @@
 #include "suitability/lattice_share.h"
 #include "suitability/phase_coherence.h"
 #include "suitability/risk_of.h"
+#include "suitability/slow_risks.h"
 #include "suitability/slow_variation.h"
 
 #include <lichen/flatten.h>

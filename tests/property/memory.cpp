@@ -10,12 +10,12 @@
 #include <lichen/material_set.h>
 #include <lichen/measures.h>
 #include <lichen/noise_report.h>
-#include <lichen/tiling_precision.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_evaluate.h>
+#include <lichen/tiling_precision.h>
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>

@@ -11,8 +11,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exemplar/borders.h>
 #include <filesystem>

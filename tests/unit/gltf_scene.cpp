@@ -11,12 +11,12 @@
 #include <lichen/gltf_scene.h>
 
 #include <catch2/catch.hpp>
-#include <gltf_output.h>
 
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <gltf_output.h>
 #include <limits>
 #include <random>
 

@@ -101,7 +101,8 @@ vec3 reflected(Shading s, vec3 l) {
   if (cosine <= 0.0)
     return vec3(0.0);
   float nDotL = max(dot(s.normal, l), 0.0);
-  vec3 h = normalize(l + s.view);
+  vec3 h = l + s.view; // zero if the view is along the light, with the surface at grazing angles
+  h = dot(h, h) > 1e-8 ? normalize(h) : s.normal;
   float nDotH = clamp(dot(s.normal, h), 0.0, 1.0);
   float vDotH = clamp(dot(s.view, h), 0.0, 1.0);
   float a2 = s.alpha * s.alpha;
