@@ -10,7 +10,7 @@ namespace lichen {
 
 /// Returns the JSON object of a noise.
 [[nodiscard]] nlohmann::ordered_json describeNoise(const Noise& noise);
-/// Returns the JSON object of a table whose KTX2 file is the content of `bufferView`.
+/// Returns the JSON object of a table. The buffer view `bufferView` holds its KTX2 file.
 [[nodiscard]] nlohmann::ordered_json describeTable(const Table& table, std::size_t bufferView);
 
 /// Alignment of a table's bytes in the buffer. It preserves the texel alignment of the KTX2 file;

@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Side of the results whose spectra are shown: as accurate as four crops of 512 pixels.
+/// The spectrum of a step is computed from a result of twice the exemplar's width, and at most this
+/// side.
 constexpr int kLargestSpectrumSide = 1024;
 
 /// An input, or a step that is shown as large as this input.

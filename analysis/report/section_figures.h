@@ -19,8 +19,8 @@ using Extents = std::array<int, 2>; ///< width and height
 /// under it.
 [[nodiscard]] SrgbImage reduced(const SrgbImage& image, int width, int height);
 
-/// Side of the crops whose spectra two images are compared by, in pixels; 0 if one of them is too
-/// small for spectrum_distance_db.
+/// Returns the side in pixels of the crops from which the spectra of two images are computed. 0 if
+/// one image is too small for spectrum_distance_db.
 [[nodiscard]] int spectrumCrop(const SrgbImage& a, const SrgbImage& b);
 
 /// Power spectrum of the luminance in decibels by cycles per crop, averaged over directions.

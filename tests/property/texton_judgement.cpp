@@ -62,7 +62,8 @@ KernelComparison comparisonOf(const Baked& baked, const MapExemplar& map) {
 /// The rounding of float spectra, in the root of a mean square.
 constexpr double kRounding = 2e-6;
 
-/// [GLM17] eq. 4: the model of the coefficients whose B-spline interpolation has the given model.
+/// [GLM17] eq. 4: divides by the transform of the B-spline. Interpolating the coefficients of the
+/// result gives `model` again.
 gaussian::GaussianModel deconvolved(gaussian::GaussianModel model, int order) {
   for (HalfSpectrum& channel : model.channels)
     for (int v = 0; v < kSide; ++v)
@@ -74,7 +75,8 @@ gaussian::GaussianModel deconvolved(gaussian::GaussianModel model, int order) {
 
 /// The optimal map from a covariance to the model's, for channels relative to the model's standard
 /// deviations.
-Eigen::MatrixXd correctionOf(const gaussian::GaussianModel& model, const Eigen::MatrixXd& covariance) {
+Eigen::MatrixXd correctionOf(const gaussian::GaussianModel& model,
+                             const Eigen::MatrixXd& covariance) {
   const Eigen::MatrixXd wanted = gaussian::modelCovariance(model);
   const Eigen::VectorXd units = wanted.diagonal().cwiseSqrt();
   const Eigen::MatrixXd over = units.cwiseInverse().asDiagonal();
@@ -144,10 +146,12 @@ TEST_CASE(
       CHECK(relativeModelError(model, spot, order) < kRounding);
       return errorOfColors(model, correctionOf(model, noiseCovariance(spot, order)));
     };
-    CHECK(comparison.luminance.modelError ==
-          Approx(expected(gaussian::luminanceTexton(coefficients, kSide, kSide))).margin(kRounding));
+    CHECK(
+        comparison.luminance.modelError ==
+        Approx(expected(gaussian::luminanceTexton(coefficients, kSide, kSide))).margin(kRounding));
     CHECK(comparison.randomPhase.modelError ==
-          Approx(expected(gaussian::randomPhaseKernel(coefficients, kSide, kSide, 1))).margin(kRounding));
+          Approx(expected(gaussian::randomPhaseKernel(coefficients, kSide, kSide, 1)))
+              .margin(kRounding));
   }
 }
 

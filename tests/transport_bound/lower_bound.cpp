@@ -16,6 +16,7 @@
 #include <numeric>
 #include <optional>
 #include <transport/assignment.h>
+#include <transport/moments.h>
 #include <transport/precondition.h>
 
 namespace lichen::test {
@@ -97,18 +98,9 @@ std::vector<std::uint32_t> completed(const std::vector<std::optional<std::uint32
   return complete;
 }
 
-struct Moments {
-  Vector3d mean = Vector3d::Zero();
-  double squares = 0.0; ///< sum of squared distances from the mean
-};
-
-Moments momentsOf(std::span<const Point> points) {
-  Moments moments;
-  for (const Point& p : points)
-    moments.mean += vectorOf(p) / double(points.size());
-  for (const Point& p : points)
-    moments.squares += (vectorOf(p) - moments.mean).squaredNorm();
-  return moments;
+transport::Moments<Eigen::Matrix3d> momentsOf(std::span<const Point> points) {
+  return transport::momentsOf<Eigen::Matrix3d>(
+      points.size(), 3, [&](std::size_t i, int c) { return vectorOf(points[i])[c]; });
 }
 
 double sumOfSquares(std::span<const Point> points) {
@@ -124,8 +116,10 @@ TransportBound boundTransportCost(std::span<const Point> source, std::span<const
                                   std::span<const std::uint32_t> assignment, double tolerance) {
   assert(source.size() == target.size() && source.size() == assignment.size());
   assert(tolerance >= 1e-6 && tolerance <= 1.0);
-  const Moments from = momentsOf(source);
-  const Moments to = momentsOf(target);
+  if (source.empty())
+    return {};
+  const auto from = momentsOf(source);
+  const auto to = momentsOf(target);
   const double meansApart = (from.mean - to.mean).squaredNorm();
   TransportBound bound;
   bound.auctioned.assign(assignment.begin(), assignment.end());
@@ -142,11 +136,13 @@ TransportBound boundTransportCost(std::span<const Point> source, std::span<const
   for (const std::uint32_t j : assignment)
     pairs.target.push_back(targets[j]);
   const DualSolution solution = solveDual(pairs, tolerance * bound.centredCost);
+  const double fromSquares = double(source.size()) * from.covariance.trace();
+  const double toSquares = double(source.size()) * to.covariance.trace();
   const double squares = sumOfSquares(pairs.source) + sumOfSquares(pairs.target);
   const double largestProduct = 0.5 * (squares - solution.value);
   // By Cauchy-Schwarz, this bounds the sum of the errors of all products of a bijection.
-  const double slack = (kRounding + kLeftOut) * std::sqrt(from.squares * to.squares);
-  const double centred = from.squares + to.squares - 2.0 * (largestProduct + slack);
+  const double slack = (kRounding + kLeftOut) * std::sqrt(fromSquares * toSquares);
+  const double centred = fromSquares + toSquares - 2.0 * (largestProduct + slack);
   bound.lowerBound = meansApart + std::max(0.0, centred / double(source.size()));
   bound.auctioned = completed(solution.targetOf);
   for (std::uint32_t& pair : bound.auctioned)
