@@ -35,17 +35,19 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
   case FlatteningChoice::Reason::flattened:
     break;
   case FlatteningChoice::Reason::noRisk:
-    return "neither cloudiness nor low-frequency is a risk; nothing is removed";
+    return "--flatten auto: no risk of cloudiness or low-frequency; removes nothing";
   case FlatteningChoice::Reason::object:
-    return "the slow variation has an outline, like a large object and unlike light; nothing is "
-           "removed; --flatten PERIOD removes it nevertheless";
+    return "--flatten auto: the slow variation has an outline, like a large object and unlike "
+           "light; "
+           "removes nothing; use --flatten PERIOD to remove it nevertheless";
   case FlatteningChoice::Reason::unresolved:
-    return "even the shortest period leaves the risks; nothing is removed";
+    return "--flatten auto: even the shortest period leaves the risks; removes nothing";
   }
   std::vector<std::string_view> names;
   for (const MapTarget map : choice.flattened)
     names.push_back(nameOf(map));
-  return fmt::format("variation slower than {:.0f} pixels is removed{}", *choice.periodPixels,
+  return fmt::format("--flatten removes variation slower than {:.0f} pixels{}",
+                     *choice.periodPixels,
                      maps > 1 ? fmt::format(" from {}", fmt::join(names, ", ")) : "");
 }
 
@@ -65,8 +67,8 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
       if (map.target != MapTarget::opacity) // flatten() does not change opacity
         flattened.maps.push_back(map.target);
     notes.push_back(flattened.maps.empty()
-                        ? std::string("opacity is not flattened; nothing is removed")
-                        : fmt::format("variation slower than {:.0f} pixels is removed",
+                        ? std::string("--flatten does not change opacity; removes nothing")
+                        : fmt::format("--flatten removes variation slower than {:.0f} pixels",
                                       requested.periodPixels));
     if (Result<void> done = flatten(maps, requested.periodPixels, fit, progress); !done)
       return done.error();

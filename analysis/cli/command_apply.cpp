@@ -293,7 +293,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addText(verb, "SCENE", arguments->scene, "", "Any .glb or .gltf").required();
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
-          "A bundle made by 'lichen bake', and the name of a noise [default: the first]")
+          "A bundle, and after a colon the name of one of its noises [default: the first]")
       .required();
   addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
            "Name or index of a material that gets the noise; repeat it for more; or all")
@@ -314,8 +314,9 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
       verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",
       "Size of one exemplar. uv: in texture-coordinate units; else: in multiples of its own width "
       "[default: the bundle's]");
-  addValue(verb, "--rotation", arguments->rotationDegrees, optional(number(kDegreesRange)), "",
-           "Degrees, in the sense of KHR_texture_transform [default: the bundle's]");
+  addValue(verb, "--rotation", arguments->rotationDegrees,
+           optional(number(kDegreesRange, "degrees")), "",
+           "Rotation in degrees, in the sense of KHR_texture_transform [default: the bundle's]");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
            "Seed of the pattern [default: the bundle's]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",

@@ -115,7 +115,7 @@ Result<MethodBake> bakeNoise(const Arguments& arguments, const Judged& exemplar,
   for (const std::string& line : baked.value().notes)
     notes.add(line);
   if (baked.value().bordersWereBlended && arguments.exemplar.set.periodic == Periodic::detect)
-    notes.add("the exemplar's borders do not fit together; they were blended");
+    notes.add("the exemplar's borders do not fit together; the bake blends them");
   return baked;
 }
 
@@ -182,13 +182,16 @@ Result<int> run(Arguments& arguments) {
                             exemplar.value().origins};
   const ReportedBake reported{arguments.inputs, arguments.output, bundle,       {&input, 1}, {},
                               bake.facts,       notes.lines(),    times.steps()};
-  if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
-      !written)
-    return written.error();
+  const Result<std::vector<std::string>> page =
+      writeHtmlReport(arguments.report, reported, arguments.shared);
+  if (!page)
+    return page.error();
   if (!arguments.report.empty())
     times.end("Report");
   reportBake(arguments.shared, {arguments.output, bundle, notes.lines(), exemplar.value().risks,
                                 bake.json, times.sum()});
+  for (const std::string& line : page.value())
+    say(arguments.shared, line);
   return kDone;
 }
 
@@ -203,8 +206,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of the noise and its material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
-  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
-           "Width of the exemplar in metres");
+  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
+           "Width of the exemplar in metres: 0.5 for 50 cm");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);

@@ -77,10 +77,9 @@ Result<AsBaked> readAsBaked(const Arguments& arguments) {
 }
 
 /// Compares an image with the base colour. Both are converted to the encoding with the greater
-/// range.
-Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
-                                              const std::vector<MapExemplar>& exemplars) {
-  const MapExemplar& exemplar = exemplars.front();
+/// range. Adds a note if their sizes differ.
+Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, MaterialSet& set) {
+  const MapExemplar& exemplar = set.maps.front();
   if (exemplar.target != MapTarget::baseColor)
     return Error{ErrorKind::usage,
                  fmt::format("{}: has no base colour to compare with an image; expected one, or a "
@@ -94,6 +93,11 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments,
     return Error{ErrorKind::badInput,
                  fmt::format("{}: has no base colour; expected an image, or a folder with one",
                              arguments.result)};
+  if (image.width != exemplar.width || image.height != exemplar.height)
+    set.notes.push_back(fmt::format(
+        "{} is {} x {} pixels and the exemplar {} x {}; the measures are valid only if both show "
+        "the material at the same scale: resize the image if it does not",
+        arguments.result, image.width, image.height, exemplar.width, exemplar.height));
   const ValueEncoding encoding =
       exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;
   const MapLook look(exemplar, encoding);
@@ -156,16 +160,18 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBak
   return all;
 }
 
+/// Returns a row of the table: name, value, target, verdict and remark.
 std::string lineOf(const Measure& measure, std::size_t nameWidth) {
   const std::string unit = measure.unit.empty() ? "" : " " + std::string(measure.unit);
-  std::string line = fmt::format("{:<{}} ", measure.name, nameWidth);
-  if (measure.value)
-    line += fmt::format("{:>7.3g}{:<3}", *measure.value, unit);
-  if (measure.value && measure.target)
-    line += fmt::format("  target {:g}{}, {}", *measure.target, unit,
+  std::string line = fmt::format("{:<{}}  ", measure.name, nameWidth);
+  if (!measure.value)
+    return line + "not measured: " + measure.remark;
+  line += fmt::format("{:<12}", fmt::format("{:.3g}{}", *measure.value, unit));
+  if (measure.target)
+    line += fmt::format("  target {:<6}  {:<6}", fmt::format("{:g}{}", *measure.target, unit),
                         measure.isMissed() ? "MISSED" : "met");
   if (!measure.remark.empty())
-    line += (measure.value ? "; " : "not measured: ") + measure.remark;
+    line += "  " + measure.remark;
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
@@ -193,12 +199,13 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   nlohmann::ordered_json kernelList = nlohmann::ordered_json::array();
   const std::string indent = maps.size() > 1 ? "  " : "";
+  std::size_t nameWidth = 0;
+  for (const MapMeasures& map : maps)
+    for (const Measure& measure : map.measures)
+      nameWidth = std::max(nameWidth, measure.name.size());
   for (const auto& [map, measures, kernels] : maps) {
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
-    std::size_t nameWidth = 0;
-    for (const Measure& measure : measures)
-      nameWidth = std::max(nameWidth, measure.name.size());
     for (const Measure& measure : measures) {
       list.push_back({{"map", nameOf(map)}});
       list.back().update(jsonOf(measure));
@@ -228,9 +235,9 @@ Result<int> run(const Arguments& arguments) {
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
     return exemplar.error();
-  const Result<std::vector<MapMeasures>> maps =
-      isBundle(arguments.result) ? compareBundle(arguments, exemplar.value())
-                                 : compareImage(arguments, exemplar.value().set.maps);
+  const Result<std::vector<MapMeasures>> maps = isBundle(arguments.result)
+                                                    ? compareBundle(arguments, exemplar.value())
+                                                    : compareImage(arguments, exemplar.value().set);
   if (!maps)
     return maps.error();
   report(arguments, maps.value(), exemplar.value().set.notes);

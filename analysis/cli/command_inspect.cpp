@@ -309,8 +309,7 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addInspect(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
-      .required();
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf with noises").required();
   return [arguments] { return run(*arguments); };
 }
 

@@ -104,7 +104,7 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addMerge(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addTexts(verb, "BUNDLE", arguments->inputs, "...", "Bundles made by 'lichen bake'").required();
+  addTexts(verb, "BUNDLE", arguments->inputs, "...", "Bundles, .glb or .gltf").required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle with all noises")
       .required();
   addPreviewShape(verb, arguments->preview);

@@ -23,7 +23,7 @@ namespace lichen::cli {
 namespace {
 
 /// The heading of the options that --weights excludes.
-constexpr const char* kPathGroup = "Path";
+constexpr const char* kPathGroup = "Steps";
 /// Larger than any useful weight: at 10^6 to 1 the smaller one is invisible.
 constexpr NumberRange kWeightRange{0.0, 1e6};
 
@@ -68,7 +68,9 @@ Result<void> check(const Arguments& arguments) {
   const std::size_t count = arguments.inputs.size();
   if (count < 2 || count > kMaxMixedExemplars)
     return Error{ErrorKind::usage,
-                 fmt::format("INPUT: {} given; expected 2 to {}", count, kMaxMixedExemplars)};
+                 fmt::format("INPUT: {} given; expected 2 to {} photographs or folders; 'lichen "
+                             "bake' turns one into noise",
+                             count, kMaxMixedExemplars)};
   const std::vector<double>& weights = arguments.mix.weights;
   if (weights.empty())
     return {};
@@ -242,16 +244,18 @@ Result<int> run(Arguments& arguments) {
   times.end("Preview and bundle");
   const std::vector<ReportedInput> reported = inputs.value().reported();
   const auto facts = factsOf(arguments, quality, shape);
-  if (Result<void> written =
-          writeHtmlReport(arguments.report,
-                          {arguments.inputs, arguments.output, file.value().bundle, reported,
-                           quality.modelErrors, facts, notes, times.steps()},
-                          arguments.shared);
-      !written)
-    return written.error();
+  const Result<std::vector<std::string>> page =
+      writeHtmlReport(arguments.report,
+                      {arguments.inputs, arguments.output, file.value().bundle, reported,
+                       quality.modelErrors, facts, notes, times.steps()},
+                      arguments.shared);
+  if (!page)
+    return page.error();
   if (!arguments.report.empty())
     times.end("Report");
   report(arguments, file.value().bundle, quality, notes, times.sum());
+  for (const std::string& line : page.value())
+    say(arguments.shared, line);
   return kDone;
 }
 
@@ -272,8 +276,8 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of the noise and its material [default: the inputs']");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
-  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange), "1",
-           "Width of the exemplars in metres");
+  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
+           "Width of the exemplars in metres: 0.5 for 50 cm");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);

@@ -138,12 +138,13 @@ Result<int> run(Arguments& arguments) {
 Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   SynthesisOptions& synthesis = arguments->synthesis;
-  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf made by 'lichen bake'")
-      .required();
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf with a noise").required();
   addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
   addText(verb, "--noise", arguments->noise, "NAME", "Name of the noise [default: the first]");
-  addText(verb, "--map", arguments->map, "MAP",
-          "Map of the noise, such as baseColor or normal [default: the first]");
+  addText(
+      verb, "--map", arguments->map, "MAP",
+      "baseColor, normal, occlusionRoughnessMetallic, emissive, height or opacity [default: the "
+      "first that the noise has]");
   addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024",
            "Image size in pixels");
   addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(kTexelsPerTileRange), "",

@@ -47,13 +47,13 @@ std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
 
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
   addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
-           "Use only this rectangle, in pixels of the largest map");
+           "Use only the W x H pixels from column X and row Y on, counted in the largest map");
   addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
            "Resample every map to this size, after --crop");
   const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
                                               {"dx", NormalConvention::directX}};
   addValue(verb, "--normal", options.set.normal, oneOf(conventions), "gl",
-           "Normal maps whose names do not say: gl (green up) or dx (green down)");
+           "Convention of normal maps whose names do not say: gl (green up) or dx (green down)");
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
   addValue(verb, "--alpha", options.set.alpha, oneOf(uses), "ignore",
            "Ignore the alpha of the base colour, or bake it as opacity");

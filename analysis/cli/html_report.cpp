@@ -49,24 +49,36 @@ double StepTimes::sum() const {
 
 void addReport(CLI::App& verb, std::string& path) {
   addText(verb, "--report", path, "OUT.html",
-          "Also write a page with pictures, measures and charts of the noise");
+          "Also write a page with pictures, measures and charts of the noise; takes 5 to 30 s per "
+          "map");
 }
 
 Result<void> checkReportPath(const std::string& path) {
   return path.empty() ? Result<void>() : checkOutput(path, {".html", ".htm"});
 }
 
-Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
-                             const SharedOptions& options) {
+Result<std::vector<std::string>> writeHtmlReport(const std::string& path, const ReportedBake& bake,
+                                                 const SharedOptions& options) {
   if (path.empty())
-    return {};
+    return std::vector<std::string>{};
   ProgressLine progress("report", options);
   const BakeRecord record{bake.bundle,   bake.inputs,  bake.modelErrors, options.commandLine,
                           factsOf(bake), bake.timings, bake.notes};
-  const Result<std::vector<std::byte>> page = encodeNoiseReport(record, progress.asProgress());
-  if (!page)
-    return page.error();
-  return replaceFile(path, page.value());
+  const Result<NoiseReport> report = encodeNoiseReport(record, progress.asProgress());
+  if (!report)
+    return report.error();
+  if (Result<void> written = replaceFile(path, report.value().page); !written)
+    return written.error();
+  const std::vector<std::string>& missed = report.value().missedTargets;
+  const std::size_t targets = report.value().targets;
+  std::vector<std::string> lines{path + ": report"};
+  if (targets > 0)
+    lines.front() +=
+        missed.empty() ? std::string("; the noise meets all targets")
+                       : fmt::format("; the noise misses {} of {} targets", missed.size(), targets);
+  for (const std::string& line : missed)
+    lines.push_back("  " + line);
+  return lines;
 }
 
 } // namespace lichen::cli

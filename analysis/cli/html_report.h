@@ -49,8 +49,9 @@ void addReport(CLI::App& verb, std::string& path);
 /// empty path, which means no report, is valid.
 [[nodiscard]] Result<void> checkReportPath(const std::string& path);
 
-/// Measures the noise, with a progress line, and writes the page. Does nothing if `path` is empty.
-[[nodiscard]] Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
-                                           const SharedOptions& options);
+/// Measures the noise, with a progress line, and writes the page. Returns the lines to print: the
+/// page, and the targets that the noise misses. Does nothing if `path` is empty.
+[[nodiscard]] Result<std::vector<std::string>>
+writeHtmlReport(const std::string& path, const ReportedBake& bake, const SharedOptions& options);
 
 } // namespace lichen::cli

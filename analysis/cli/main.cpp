@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <thread>
 
@@ -87,7 +88,7 @@ std::string mismatched(const std::string& text) {
 void addSharedOptions(CLI::App& verb, SharedOptions& options) {
   addFlag(verb, "--json", options.json,
           "Print one JSON object on standard output and nothing else");
-  addFlag(verb, "--quiet", options.quiet, "Print errors only: no notes, no progress, no report");
+  addFlag(verb, "--quiet", options.quiet, "Print errors only: no notes, no progress, no result");
   addValue(verb, "--threads", options.threads, wholeNumber(0, 1024), "0",
            "Number of threads; 0 means one per processor");
 }
@@ -109,6 +110,22 @@ std::string commandLine(int argc, char** argv) {
   return line;
 }
 
+/// Returns the arguments, last first as CLI11 expects them. `help` becomes `--help`, and
+/// `help VERB` becomes `VERB --help`.
+std::vector<std::string> argumentsOf(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (!arguments.empty() && arguments.front() == "help") {
+    const bool isOfVerb = arguments.size() > 1 &&
+                          std::any_of(std::begin(kVerbs), std::end(kVerbs),
+                                      [&](const Verb& verb) { return verb.name == arguments[1]; });
+    arguments.erase(arguments.begin());
+    if (isOfVerb || arguments.empty())
+      arguments.emplace_back("--help");
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Lichen turns a photograph of a material into noise: an endless, seamless texture.",
                "lichen"};
@@ -125,9 +142,9 @@ int run(int argc, char** argv) {
     verbs.emplace_back(added, verb.add(*added, shared));
     addSharedOptions(*added, shared);
   }
-  app.footer("'lichen VERB --help' lists the options of a verb."); // later verbs would inherit it
+  app.footer("'lichen help VERB' lists the options of a verb."); // later verbs would inherit it
   try {
-    app.parse(argc, argv);
+    app.parse(argumentsOf(argc, argv));
   } catch (const CLI::Success& success) { // --help and --version
     return app.exit(success);
   } catch (const CLI::ExtrasError&) {

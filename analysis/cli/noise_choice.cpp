@@ -31,8 +31,8 @@ Result<std::size_t> indexOf(const std::string& wanted, const std::vector<std::st
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (wanted.empty() || found != names.end())
     return wanted.empty() ? 0 : std::size_t(found - names.begin());
-  return Error{ErrorKind::usage, fmt::format("{} {}: not in {}; expected {}", option, wanted, owner,
-                                             alternatives(names))};
+  return Error{ErrorKind::usage, fmt::format("{} {}: {} has no such {}; expected {}", option,
+                                             wanted, owner, option.substr(2), alternatives(names))};
 }
 
 Error noNoiseIn(const std::string& file) {

@@ -7,9 +7,11 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include <cctype>
 #include <charconv>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 namespace lichen::cli {
 namespace {
@@ -33,9 +35,22 @@ std::optional<Number> parseNumber(std::string_view text, Number smallest, Number
   return value && *value >= smallest && *value <= largest ? value : std::nullopt;
 }
 
+/// Returns the digits without an exponent, for example "0.000001".
+template <class Number>
+std::string plain(Number value) {
+  constexpr std::size_t kMostDigits = 512; // the longest double has 325
+  std::array<char, kMostDigits> digits{};
+  char* const begin = digits.data();
+  char* const end = begin + digits.size();
+  if constexpr (std::is_integral_v<Number>)
+    return {begin, std::to_chars(begin, end, value).ptr};
+  else
+    return {begin, std::to_chars(begin, end, value, std::chars_format::fixed).ptr};
+}
+
 template <class Number>
 Accepted<Number> numberBetween(const std::string& kind, Number smallest, Number largest) {
-  return {"N", fmt::format("{} from {} to {}", kind, smallest, largest),
+  return {"N", fmt::format("{} from {} to {}", kind, plain(smallest), plain(largest)),
           [=](const std::string& text) { return parseNumber(text, smallest, largest); }};
 }
 
@@ -82,8 +97,15 @@ Accepted<int> wholeNumber(int smallest, int largest) {
   return numberBetween("a whole number", smallest, largest);
 }
 
-Accepted<double> number(NumberRange range) {
-  return numberBetween("a number", range.least, range.most);
+Accepted<double> number(NumberRange range, const std::string& unit) {
+  Accepted<double> accepted = numberBetween(
+      unit.empty() ? std::string("a number") : "a number of " + unit, range.least, range.most);
+  if (!unit.empty()) {
+    accepted.placeholder = unit;
+    for (char& letter : accepted.placeholder)
+      letter = char(std::toupper(static_cast<unsigned char>(letter)));
+  }
+  return accepted;
 }
 
 Accepted<std::uint32_t> seedNumber() {
@@ -112,7 +134,8 @@ Accepted<std::array<int, 2>> imageSize(int largest) {
 }
 
 Accepted<std::array<double, 2>> coordinates(NumberRange range) {
-  return {"X,Y", fmt::format("X,Y with numbers from {} to {}", range.least, range.most),
+  return {"X,Y",
+          fmt::format("X,Y with numbers from {} to {}", plain(range.least), plain(range.most)),
           [=](const std::string& text) { return parsePair(text, ',', range.least, range.most); }};
 }
 
@@ -130,31 +153,32 @@ Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most) {
     return values;
   };
   return {"N,N,...",
-          fmt::format("1 to {} numbers from {} to {}, with commas between them", most, range.least,
-                      range.most),
+          fmt::format("1 to {} numbers from {} to {}, with commas between them", most,
+                      plain(range.least), plain(range.most)),
           read};
 }
 
 Accepted<std::array<int, 4>> pixelRectangle(int largest) {
-  return {
-      "X,Y,W,H",
-      fmt::format("X,Y,W,H with whole numbers, X and Y from 0, W and H from 1, up to {}", largest),
-      [=](const std::string& text) -> std::optional<std::array<int, 4>> {
-        std::array<int, 4> numbers{};
-        std::string_view rest = text;
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-          const std::size_t end = rest.find(',');
-          if ((end == std::string_view::npos) != (i + 1 == numbers.size()))
-            return std::nullopt;
-          const auto number = parseNumber(rest.substr(0, end), i < 2 ? 0 : 1, largest);
-          if (!number)
-            return std::nullopt;
-          numbers[i] = *number;
-          if (end != std::string_view::npos)
-            rest.remove_prefix(end + 1);
-        }
-        return numbers;
-      }};
+  return {"X,Y,W,H",
+          fmt::format(
+              "X,Y,W,H with whole numbers of pixels, X and Y from 0, W and H from 1, at most {}",
+              largest),
+          [=](const std::string& text) -> std::optional<std::array<int, 4>> {
+            std::array<int, 4> numbers{};
+            std::string_view rest = text;
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+              const std::size_t end = rest.find(',');
+              if ((end == std::string_view::npos) != (i + 1 == numbers.size()))
+                return std::nullopt;
+              const auto number = parseNumber(rest.substr(0, end), i < 2 ? 0 : 1, largest);
+              if (!number)
+                return std::nullopt;
+              numbers[i] = *number;
+              if (end != std::string_view::npos)
+                rest.remove_prefix(end + 1);
+            }
+            return numbers;
+          }};
 }
 
 const Option& Option::required() const {

@@ -35,9 +35,10 @@ struct Accepted {
 /// Returns "a", "a or b", or "a, b or c".
 [[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
 
-/// A number in [smallest, largest], or in `range`.
+/// A number in [smallest, largest], or in `range`. `unit` is a plural such as "metres": the help
+/// and the messages name it.
 [[nodiscard]] Accepted<int> wholeNumber(int smallest, int largest);
-[[nodiscard]] Accepted<double> number(NumberRange range);
+[[nodiscard]] Accepted<double> number(NumberRange range, const std::string& unit = {});
 /// Any unsigned 32-bit number.
 [[nodiscard]] Accepted<std::uint32_t> seedNumber();
 /// "none" -> 0 (no rotation), "4" -> 4 angles per full rotation, "free" -> the maximum number of

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace lichen {
 namespace {
@@ -186,8 +187,9 @@ Result<void> crop(std::vector<NamedMap>& maps, const PixelRectangle& part) {
     return Error{
         ErrorKind::usage,
         fmt::format("the crop {},{},{},{} (x, y, width, height) does not fit into the {} x "
-                    "{} pixels of {}",
-                    part.x, part.y, part.width, part.height, width, height, largest.name)};
+                    "{} pixels of {}: it ends at column {} and row {}",
+                    part.x, part.y, part.width, part.height, width, height, largest.name,
+                    std::int64_t(part.x) + part.width, std::int64_t(part.y) + part.height)};
   for (NamedMap& named : maps) {
     const auto range = [](int from, int count, int side, int sideOfLargest) {
       const double scale = double(side) / double(sideOfLargest);

@@ -4,6 +4,8 @@
 
 #include <lichen/files.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -61,6 +63,39 @@ Result<std::vector<fs::path>> imagesIn(const fs::path& folder) {
       return !hasImageExtension(path) || path.filename().string().starts_with('.');
     });
   return images;
+}
+
+/// Returns "rock_diff.png (base colour), IMG_1.png (no map) and 3 others".
+std::string listOf(std::span<const fs::path> files) {
+  constexpr std::size_t kMostNamed = 6;
+  std::string list;
+  for (const fs::path& file : files.first(std::min(files.size(), kMostNamed))) {
+    const std::optional<FileRole> role = fileRole(file.stem().string());
+    const std::string found = role ? fmt::format("{}", fmt::join(slotsOf(*role), ", ")) : "no map";
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", file.filename().string(), found);
+  }
+  const std::size_t others = files.size() - std::min(files.size(), kMostNamed);
+  return others == 0 ? list
+                     : fmt::format("{} and {} other{}", list, others, others == 1 ? "" : "s");
+}
+
+/// The error for several inputs of which `file` is no map.
+Error noMapAmong(const fs::path& file, std::span<const fs::path> files) {
+  return {ErrorKind::badInput,
+          fmt::format("{}: its name does not say which map it is, and several images are baked as "
+                      "the maps of one material: {}; bake one photograph at a time, blend "
+                      "photographs with 'lichen mix', or put {} into each name",
+                      file.string(), listOf(files), kNameWords)};
+}
+
+/// The error for folders without a map.
+Error noMapIn(const fs::path& folder, std::span<const fs::path> files) {
+  if (files.empty())
+    return {ErrorKind::badInput, folder.string() + ": a folder without PNG, JPEG or EXR images"};
+  return {ErrorKind::badInput,
+          fmt::format("{}: a folder without a map: {}; bake one of its images as a photograph, or "
+                      "put {} into the names of the maps",
+                      folder.string(), listOf(files), kNameWords)};
 }
 
 /// Drops DirectX normals if there are OpenGL ones, because downloads often have both.
@@ -135,8 +170,10 @@ Result<void> checkSlots(const std::vector<SetFile>& files) {
         const std::vector<std::string_view> others = slotsOf(files[b]);
         if (std::find(others.begin(), others.end(), slot) != others.end())
           return Error{ErrorKind::badInput,
-                       files[b].path.string() + ": a second file of " + std::string(slot) +
-                           " beside " + files[a].path.filename().string() + "; expected one"};
+                       fmt::format("{}: a second file of {} beside {}; keep one of them, or blend "
+                                   "two materials with 'lichen mix'",
+                                   files[b].path.string(), slot,
+                                   files[a].path.filename().string())};
       }
   return {};
 }
@@ -275,17 +312,10 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
     else if (listed.value().fromFolder[f])
       set.notes.push_back(name + " is not used: its name does not say which map it is");
     else
-      return Error{ErrorKind::badInput, files[f].string() +
-                                            ": its name does not say which map it is, and several "
-                                            "files are the maps of one material; expected names "
-                                            "with " +
-                                            kNameWords + ", or one photograph at a time"};
+      return noMapAmong(files[f], files);
   }
   if (set.files.empty())
-    return Error{ErrorKind::badInput, inputs.front().string() +
-                                          ": a folder without a map; expected PNG, JPEG or EXR "
-                                          "files whose names have " +
-                                          kNameWords};
+    return noMapIn(inputs.front(), files);
   const bool isFolder = listed.value().fromFolder.front();
   set.name = isFolder ? folderName(inputs.front()) : commonName(files);
   dropSecondConvention(set);

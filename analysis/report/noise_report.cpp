@@ -7,6 +7,7 @@
 
 #include <lichen/noise_report.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -117,7 +118,26 @@ Result<void> addMixes(const BakeRecord& record, int side, Json& mixes) {
   return {};
 }
 
-Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& progress) {
+/// Adds the targets of the maps in `maps`, the result of describeMap() for each.
+void addTargets(const Json& maps, NoiseReport& report) {
+  for (const Json& map : maps)
+    for (const Json& measure : map.at("measures")) {
+      const Json& met = measure.at("met");
+      report.targets += met.is_null() ? 0U : 1U;
+      if (met != false)
+        continue;
+      const auto words = [&](const char* member) { return measure.at(member).get<std::string>(); };
+      const std::string unit = words("unit").empty() ? "" : " " + words("unit");
+      const Json& input = map.at("input");
+      report.missedTargets.push_back(fmt::format(
+          "{}{}: {} {:.3g}{} exceeds its target of {:g}{}",
+          input.is_null() ? "" : input.get<std::string>() + ", ",
+          map.at("target").get<std::string>(), words("name"), measure.at("value").get<double>(),
+          unit, measure.at("target").get<double>(), unit));
+    }
+}
+
+Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const MaterialNoise& material = *record.bundle.materials.front();
   const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
@@ -133,15 +153,17 @@ Result<std::vector<std::byte>> encode(const BakeRecord& record, const Progress& 
       return added.error();
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  NoiseReport report;
+  addTargets(sections.maps, report);
   const std::string data = describe(record, std::move(sections), taken.count())
                                .dump(-1, ' ', false, Json::error_handler_t::replace);
-  return pageWith(scriptSafe(data));
+  report.page = pageWith(scriptSafe(data));
+  return report;
 }
 
 } // namespace
 
-Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
-                                                 const Progress& progress) {
+Result<NoiseReport> encodeNoiseReport(const BakeRecord& record, const Progress& progress) {
   return withinMemory([] { return "not enough memory for the report"; },
                       [&] { return encode(record, progress); });
 }

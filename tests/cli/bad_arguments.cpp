@@ -58,6 +58,15 @@ TEST_CASE("the error for a missing or unknown verb lists the verbs") {
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
+TEST_CASE("lichen help prints what --help prints") {
+  CHECK(runLichen({"help"}).output == runLichen({"--help"}).output);
+  const Ended ofBake = runLichen({"help", "bake"});
+  CHECK(ofBake.code == 0);
+  CHECK(ofBake.output == runLichen({"bake", "--help"}).output);
+  CHECK_THAT(ofBake.output, Catch::Contains("Usage: lichen bake"));
+  checkRefusal({"help", "frobnicate"}, kUsage, {"frobnicate: no such verb; expected bake, mix"});
+}
+
 TEST_CASE("missing and surplus arguments of a verb are errors") {
   const Made& m = made();
   checkRefusal({"bake"}, kUsage, {"INPUT is required; see 'lichen bake --help'"});
@@ -98,9 +107,10 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
     checkBakeRefuses({"--seed", seed}, kUsage,
                      {"--seed " + seed + ": expected a whole number from 0 to 4294967295"});
   checkBakeRefuses({"--name", "caf\xe9"}, kUsage, {"--name caf", "expected UTF-8 text"});
-  for (const std::string metres : {"0", "-1", "nan", "inf", "wide"})
-    checkBakeRefuses({"--tile", metres}, kUsage,
-                     {"--tile " + metres + ": expected a number from 1e-06 to 1000000"});
+  for (const std::string metres : {"0", "-1", "nan", "inf", "wide", "50cm"})
+    checkBakeRefuses(
+        {"--tile", metres}, kUsage,
+        {"--tile " + metres + ": expected a number of metres from 0.000001 to 1000000"});
 }
 
 TEST_CASE("the error for a size that synth cannot make states the range") {
@@ -112,10 +122,10 @@ TEST_CASE("the error for a size that synth cannot make states the range") {
 
 TEST_CASE("the error for an unknown option value of synth lists the valid ones") {
   checkSynthRefuses({"--noise", "granite"}, kUsage,
-                    {"--noise granite: not in ", "; expected stone"});
+                    {"--noise granite: ", " has no such noise; expected stone"});
   for (const std::string map : {"depth", "normal"})
     checkSynthRefuses({"--map", map}, kUsage,
-                      {"--map " + map + ": not in noise 'stone'; expected baseColor"});
+                      {"--map " + map + ": noise 'stone' has no such map; expected baseColor"});
   for (const std::string origin : {"5", "a,b", "1,2,3", "nan,0", "inf,0", "1e30,0"})
     checkSynthRefuses({"--origin", origin}, kUsage,
                       {"--origin " + origin + ": expected X,Y with numbers"});
@@ -183,7 +193,7 @@ TEST_CASE("a missing file, a folder, an empty file and a file that is not an ima
     CHECK(!std::filesystem::exists(m.workplace.path("new.glb")));
   };
   refuses(m.workplace.path("absent.png"), {"absent.png", "No such file"});
-  refuses(m.workplace.path("."), {"a folder without a map", "nor_gl"});
+  refuses(m.workplace.path("."), {"a folder without a map: stone.png (no map)", "nor_gl"});
   refuses(m.workplace.write("empty.png", std::string()), {"empty.png", "empty file", "PNG"});
   refuses(m.workplace.write("text.png", std::string("not an image")), {"text.png", "PNG"});
   refuses(m.bundle, {"stone.glb", "PNG"});

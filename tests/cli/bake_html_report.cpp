@@ -239,6 +239,37 @@ TEST_CASE("the time that a bake prints includes its report") {
   CHECK(printed >= sum); // includes the time to write the page
 }
 
+TEST_CASE("bake prints the file of the report and each target that the noise misses") {
+  const Workplace workplace;
+  // A grid of dots, whose order no noise has.
+  SrgbImage dots(64, 64, 1);
+  for (int y = 0; y < dots.height; ++y)
+    for (int x = 0; x < dots.width; ++x)
+      *dots.pixel(x, y) = x % 8 < 4 && y % 8 < 4 ? 0.9f : 0.1f;
+  const std::string report = workplace.path("report.html");
+  const auto baked = [&](const std::string& input) {
+    return runLichen({"bake", input, "-o", workplace.path("noise.glb"), "--report", report}).output;
+  };
+  const std::string output = baked(workplace.write("dots.png", dots));
+  const nlohmann::json data = dataOf(workplace.read("report.html"));
+  std::size_t missed = 0, targets = 0;
+  for (const nlohmann::json& measure : data.at("maps").at(0).at("measures")) {
+    targets += measure.at("met").is_null() ? 0U : 1U;
+    if (measure.at("met") != false)
+      continue;
+    ++missed;
+    CHECK_THAT(output,
+               Catch::Contains("\n  baseColor: " + measure.at("name").get<std::string>() + " "));
+  }
+  REQUIRE(missed > 0);
+  CHECK(std::size_t(std::count(output.begin(), output.end(), '\n')) == 2 + missed);
+  CHECK_THAT(output, Catch::Contains("\n" + report + ": report; the noise misses " +
+                                     std::to_string(missed) + " of " + std::to_string(targets) +
+                                     " targets\n"));
+  CHECK_THAT(baked(workplace.write("grey.png", SrgbImage(64, 64, 1))),
+             Catch::EndsWith(report + ": report; the noise meets all targets\n"));
+}
+
 TEST_CASE("each histogram of a report counts every pixel once") {
   const Workplace workplace;
   const nlohmann::json data = dataOf(reportOf(workplace, workplace.write("a.png", smooth(32))));

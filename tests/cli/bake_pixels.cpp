@@ -199,7 +199,8 @@ TEST_CASE("the errors for an impossible --crop or --size state the valid values"
     all.insert(all.end(), more.begin(), more.end());
     checkRefusal(all, kUsage, words);
   };
-  refuses({"--crop", "8,0,9,4"}, {"crop 8,0,9,4", "does not fit into the 16 x 12 pixels"});
+  refuses({"--crop", "8,0,9,4"},
+          {"crop 8,0,9,4", "does not fit into the 16 x 12 pixels", "ends at column 17"});
   refuses({"--crop", "0,12,1,1"}, {"crop 0,12,1,1"});
   for (const std::string text : {"0,0,0,4", "-1,0,4,4", "0,0,4", "0,0,4,4,4", "a,0,4,4", "0;0;4;4"})
     refuses({"--crop", text}, {"--crop " + text + ": expected X,Y,W,H with whole numbers"});

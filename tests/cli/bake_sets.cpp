@@ -375,9 +375,12 @@ TEST_CASE("the errors for a folder without a map and for two files of one map na
       workplace.write(folder + "/" + file, encodePng(flat({0.5f, 0.5f, 0.9f}), 8).value());
     checkRefusal({"bake", workplace.path(folder), "-o", out}, kBadInput, words);
   };
-  refuses({}, {"a folder without a map"});
-  refuses({"sphere.png"}, {"a folder without a map", "diff, nor_gl"});
-  refuses({"a_diff.png", "a_albedo.jpg"}, {"a_albedo.jpg", "a_diff.png", "base colour"});
+  refuses({}, {"a folder without PNG, JPEG or EXR images"});
+  refuses({"sphere.png"}, {"a folder without a map: sphere.png (no map);", "diff, nor_gl"});
+  refuses({"a.png", "b.png", "c.png", "d.png", "e.png", "f.png", "g.png", "h.png"},
+          {"f.png (no map) and 2 others; bake one of its images"});
+  refuses({"a_diff.png", "a_albedo.jpg"},
+          {"a_albedo.jpg", "a_diff.png", "base colour", "'lichen mix'"});
   refuses({"rock_arm.png", "rock_orm.png"}, {"rock_orm.png", "rock_arm.png", "occlusion"});
   refuses({"rock_arm.png", "rock_rough.png", "rock_roughness.png"},
           {"rock_roughness.png", "rock_rough.png", "roughness"});
@@ -386,7 +389,8 @@ TEST_CASE("the errors for a folder without a map and for two files of one map na
   const std::string color = workplace.write("diff.png", flat(kColor));
   checkRefusal({"bake", color, nameless, "-o", out}, kBadInput,
                {"sphere.png: its name does not say which map it is", "rough",
-                "or one photograph at a time"});
+                "diff.png (base colour), sphere.png (no map); bake one photograph at a time, blend "
+                "photographs with 'lichen mix'"});
   const std::string grey = workplace.write("orm.png", flat({0.5f}));
   checkRefusal({"bake", color, grey, "-o", out}, kBadInput, {"orm.png: a grey image"});
   CHECK(!std::filesystem::exists(out));

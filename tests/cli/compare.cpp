@@ -9,8 +9,10 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -98,12 +100,32 @@ TEST_CASE("only the colour distance finds a shift of all colours, and it misses 
   CHECK(shifted.measures.at("spectrum_distance_db").at("met") == true);
 }
 
-TEST_CASE("the result may have another size than the exemplar") {
+TEST_CASE("the result may have another size than the exemplar, which gives a note") {
   const Workplace workplace;
   const SrgbImage image = speckled(64, 64, 3);
-  const Compared same =
-      compared(workplace.write("moss.png", image), workplace.write("wall.png", repeated(image, 3)));
-  CHECK(same.value("color_distance") == 0.0);
+  const std::string moss = workplace.write("moss.png", image);
+  const std::string wall = workplace.write("wall.png", repeated(image, 3));
+  CHECK(compared(moss, wall).value("color_distance") == 0.0);
+  CHECK_THAT(runLichen({"compare", moss, wall}).errors,
+             Catch::Contains("note: ") &&
+                 Catch::Contains("wall.png is 192 x 192 pixels and the exemplar 64 x 64"));
+  CHECK_THAT(runLichen({"compare", moss, moss}).errors, !Catch::Contains("same scale"));
+}
+
+TEST_CASE("compare aligns values, targets and verdicts in columns") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
+  const std::string other = workplace.write("dark.png", smooth(64));
+  std::istringstream lines(runLichen({"compare", image, other}).output);
+  std::vector<std::size_t> targets, verdicts;
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t target = line.find("target "); target != std::string::npos) {
+      targets.push_back(target);
+      verdicts.push_back(std::min(line.find(" met"), line.find(" MISSED")));
+    }
+  REQUIRE(targets.size() == 3);
+  CHECK(std::count(targets.begin(), targets.end(), targets.front()) == 3);
+  CHECK(std::count(verdicts.begin(), verdicts.end(), verdicts.front()) == 3);
 }
 
 TEST_CASE("compare synthesizes a bundle and adds its lattice visibility") {
@@ -225,7 +247,7 @@ TEST_CASE("a measure that needs larger images is omitted, with the reason") {
   CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
              Catch::Contains("at least 32"));
   CHECK_THAT(runLichen({"compare", small, small}).output,
-             Catch::Contains("spectrum_distance_db not measured: the exemplar is 16 x 16; "
+             Catch::Contains("spectrum_distance_db  not measured: the exemplar is 16 x 16; "
                              "expected sides of at least 32 pixels"));
 }
 
@@ -246,8 +268,9 @@ TEST_CASE("compare prints one line per measure with target and verdict, and noth
   const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
   const std::string page = runLichen({"compare", image, image}).output;
   CHECK_THAT(page, Catch::Contains("color_distance"));
-  CHECK_THAT(page, Catch::Contains("target 0.003, met"));
-  CHECK_THAT(runLichen({"compare", image, dark}).output, Catch::Contains("target 0.003, MISSED"));
+  CHECK_THAT(page, Catch::Contains("target 0.003   met\n"));
+  CHECK_THAT(runLichen({"compare", image, dark}).output,
+             Catch::Contains("target 0.003   MISSED\n"));
   const Ended quiet = runLichen({"compare", image, dark, "--quiet"});
   CHECK(quiet.code == kFound);
   CHECK(quiet.output.empty());

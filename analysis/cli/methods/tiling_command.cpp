@@ -179,7 +179,7 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb)
   const Choices<GaussianOnly> gaussian{
       {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
   addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
-           "Store no inverse table; auto omits it if the values are Gaussian")
+           "Omit the inverse table; auto omits it if the values are Gaussian")
       .group(kHeading);
   return options;
 }
@@ -190,7 +190,7 @@ std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb)
            "Tiles fetched per point")
       .group(kHeading);
   addValue(verb, "--one-tap", options->quality.oneTapTiles, number(kOneTapTilesRange), "0",
-           "Fetch one tile for pixels of at least this many tiles per side; 0: never")
+           "Fetch one tile where a pixel covers at least N tiles per side; 0: never")
       .group(kHeading);
   return options;
 }

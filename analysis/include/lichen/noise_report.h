@@ -48,13 +48,21 @@ struct BakeRecord {
   std::vector<std::string> notes;
 };
 
-/// Returns the bytes of a page that needs no other file and no network. Pictures are at most 512
+/// The page, and the targets that the noise misses.
+struct NoiseReport {
+  std::vector<std::byte> page; ///< an HTML file
+  std::size_t targets = 0;     ///< how many measures have a target
+  /// One line per missed target: "baseColor: color_distance 0.00412 exceeds its target of 0.003".
+  std::vector<std::string> missedTargets;
+};
+
+/// Returns a page that needs no other file and no network. Pictures are at most 512
 /// pixels per exemplar, smaller if there are many maps: a page of one map stays below 8 MiB, one of
 /// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds: for a
 /// mix each input at its own weight. Also shows the steps between the inputs of a mix; one texture
 /// between all inputs is only shown, because it should look like none of them. Errors: as
 /// compareNoise() and synthesize().
-[[nodiscard]] Result<std::vector<std::byte>> encodeNoiseReport(const BakeRecord& record,
-                                                               const Progress& progress = {});
+[[nodiscard]] Result<NoiseReport> encodeNoiseReport(const BakeRecord& record,
+                                                    const Progress& progress = {});
 
 } // namespace lichen
